@@ -1,0 +1,91 @@
+// A scene drawn by one technique with OpenGL, headless: the approximation under test.
+//
+// World space and world units throughout. Never includes reference/.
+#pragma once
+
+#include "../scenes/frame.h"
+#include "../scenes/micro_mesh.h"
+#include "../scenes/scene.h"
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+enum class GlBackend { Auto, Egl, Osmesa };
+
+struct GlOptions {
+    GlBackend backend = GlBackend::Auto; // Auto: EGL, else OSMesa
+    int device = -1;                     // EGL device to open; -1 = surfaceless, or the first that works
+};
+
+/// What a machine offers; for `plumbline doctor`.
+struct GlProbe {
+    std::string backend;  // "egl", "egl device 0", "osmesa"
+    bool works = false;
+    std::string detail;   // renderer and version, or why it doesn't work
+};
+std::vector<GlProbe> probeGl();
+
+/// A technique as the user named it: SEARCH[@SURFACE][:key=value,…], SEARCH a name in realtime/techniques/ or a folder.
+struct TechniqueRequest {
+    std::string search;                          // name or path
+    std::string surface = "flat";
+    std::map<std::string, std::string> settings; // of this technique alone
+};
+/// Throws InputError for a text that doesn't have this form.
+TechniqueRequest parseTechnique(const std::string& text);
+
+struct TechniqueInfo {
+    std::string name, title, citation, folder;
+    std::vector<std::string> inputs;   // "height", …
+    std::vector<std::string> surfaces; // it composes with; empty: none
+    struct Parameter {
+        std::string name, type, unit, meaning, defaultValue, range;
+    };
+    std::vector<Parameter> parameters;
+    std::vector<std::string> limits;   // known limits, a sentence each
+    bool drawsMicroTriangles = false;  // the control technique: needs the reference's micro-meshes
+};
+/// Every technique of realtime/techniques/, sorted by name.
+std::vector<TechniqueInfo> listTechniques();
+
+struct TechniqueResult {
+    std::string name;                              // as in every result: search@surface:changed=parameters
+    std::map<std::string, std::string> parameters; // all of them, with the values used
+    Frame frame;
+    std::string backend, renderer;                 // "egl", GL_RENDERER
+    double msMedian = 0;                           // of one frame, warm
+    int msRuns = 0;
+    std::string timer;                             // "gpu timer query" or "wall clock around glFinish"
+};
+
+/// Owns a GL context and what techniques share: proxy meshes, height maps.
+class RealtimeRenderer {
+  public:
+    /// Throws MachineError if there is no GL as asked for. The scene must outlive the renderer.
+    RealtimeRenderer(const Scene& scene, const GlOptions& options);
+    ~RealtimeRenderer();
+
+    /// `shared`: settings for every technique (`--set`); keys a technique doesn't know are ignored here, and the caller
+    /// must check that at least one technique knows each (see knownSettings). `microMeshes`: one per object, or null.
+    /// Throws InputError for a technique that can't be used: unknown, manifest, parameter, shader (file:line).
+    TechniqueResult render(const TechniqueRequest& request, const std::map<std::string, std::string>& shared,
+                           const std::vector<MicroMesh>* microMeshes);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Names of the settings a technique takes: its own, its surface's and the harness's.
+std::vector<std::string> knownSettings(const TechniqueRequest& request);
+/// The manifest of a request's search. Throws InputError.
+TechniqueInfo techniqueInfo(const TechniqueRequest& request);
+/// Name as results show it, without drawing.
+std::string techniqueName(const TechniqueRequest& request, const std::map<std::string, std::string>& shared);
+
+} // namespace plumbline

@@ -1,0 +1,59 @@
+// The exact frame of a scene: tessellate the limit surface, displace it, trace it (Embree), resolve every hit in double.
+//
+// World space and world units throughout. Never includes realtime/.
+#pragma once
+
+#include "../scenes/frame.h"
+#include "../scenes/micro_mesh.h"
+#include "../scenes/scene.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace plumbline {
+
+struct ReferenceOptions {
+    /// Segments per control edge, a power of two in [1, 1024]; 0 = the finest of half a texel and half a pixel that
+    /// `memoryBytes` allows, for each object.
+    int rate = 0;
+    /// Budget of micro-triangles and their acceleration structure together.
+    uint64_t memoryBytes = uint64_t(256) << 20;
+    /// Also fill normals and st of the micro-meshes.
+    bool microAttributes = false;
+};
+
+struct ReferenceStats {
+    uint64_t microTriangles = 0;
+    double tessellateMs = 0, buildMs = 0, traceMs = 0;
+    uint64_t cameraRays = 0, shadowRays = 0;
+    uint64_t geometryBytes = 0; // micro-triangles, estimated acceleration structure included
+    struct Object {
+        std::string name;
+        int rate;                  // segments per control edge taken
+        int wantedRate;            // the finest of half a texel and half a pixel
+        uint64_t microTriangles;
+    };
+    std::vector<Object> objects;
+};
+
+/// Tessellated and displaced objects with their acceleration structure.
+class ReferenceScene {
+  public:
+    /// Throws InputError for a scene that can't be tessellated, MachineError if not even rate 1 fits the budget.
+    ReferenceScene(const Scene& scene, const ReferenceOptions& options);
+    ~ReferenceScene();
+    ReferenceScene(ReferenceScene&&) noexcept;
+
+    /// One micro-mesh per object, in the scene's order. The floats Embree traces.
+    const std::vector<MicroMesh>& microMeshes() const;
+    /// Every channel of the table but cost and uncertain.
+    Frame render();
+    const ReferenceStats& stats() const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace plumbline

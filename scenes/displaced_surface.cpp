@@ -1,0 +1,1 @@
+#include "displaced_surface.h"

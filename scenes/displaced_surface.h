@@ -1,0 +1,28 @@
+// The one definition of the displaced surface (DESIGN: "The surface"):
+//
+//     P(u,v) = S(u,v) + n(u,v) * (offset - depth * d(st(u,v))),     st = tile * uv + uvOffset
+//
+// World space. Without a relief P = S.
+#pragma once
+
+#include "base_surface.h"
+#include "scene.h"
+
+namespace plumbline {
+
+struct DisplacedSample {
+    Vec3 position; // world
+    Vec3 normal;   // world, unit, of P itself: P_u x P_v; the base's where that vanishes
+    Vec2 st;       // tiled, unwrapped
+    double reliefDepth; // d; 0 without a relief
+};
+
+/// Texture coordinates of a base sample: tiled, or the plain uv without a relief.
+Vec2 textureCoordinates(const BaseSample& base, const Relief* relief);
+
+/// Signed distance along n: offset - depth * d(st); 0 without a relief.
+double displacement(const Vec2& st, const Relief* relief);
+
+DisplacedSample displace(const BaseSample& base, const Relief* relief);
+
+} // namespace plumbline

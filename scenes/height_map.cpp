@@ -1,0 +1,1 @@
+#include "height_map.h"

@@ -1,0 +1,54 @@
+// The relief depth d(s,t): the only C++ definition of displacement (the GLSL twin is
+// realtime/shaders/height_map.glsl; a test holds the two together).
+//
+// Conventions, once: d in [0,1], 0 = top of the relief layer, 1 = deepest. Row 0 is the bottom row (image rows are
+// flipped on load). Texel (i,j) has its centre at ((i+0.5)/width, (j+0.5)/height). Bilinear at the base level, exact:
+// no mip level, no 8-bit filter weights.
+#pragma once
+
+#include "math.h"
+
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+enum class Wrap { Repeat, Clamp };
+
+class HeightMap {
+  public:
+    /// `depths`: width x height values in [0,1], row 0 = bottom. Throws InputError naming `name` for a size that
+    /// doesn't fit, or a value that is NaN or outside [0,1].
+    HeightMap(std::string name, int width, int height, std::vector<float> depths, Wrap wrapS = Wrap::Repeat,
+              Wrap wrapT = Wrap::Repeat);
+    /// The same depth everywhere.
+    static HeightMap constant(std::string name, float depth);
+
+    const std::string& name() const { return name_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    Wrap wrapS() const { return wrapS_; }
+    Wrap wrapT() const { return wrapT_; }
+    const std::vector<float>& depths() const { return depths_; }
+    /// Texel by index, wrapped.
+    float texel(int i, int j) const;
+
+    /// Relief depth at texture coordinates st (any real numbers).
+    double depth(const Vec2& st) const;
+
+    /// Depth and its gradient (d_s, d_t) per unit of s and t: of the bilinear patch that holds st; on a crease
+    /// between patches, of the one to the right and above.
+    struct Sample {
+        double depth;
+        Vec2 gradient;
+    };
+    Sample sample(const Vec2& st) const;
+
+  private:
+    std::string name_;
+    int width_, height_;
+    std::vector<float> depths_;
+    Wrap wrapS_, wrapT_;
+};
+
+} // namespace plumbline

@@ -1,0 +1,13 @@
+// Wavefront OBJ through tinyobjloader: polygons kept, uv and normal indices of their own.
+#pragma once
+
+#include "control_mesh.h"
+
+#include <filesystem>
+
+namespace plumbline {
+
+/// Throws InputError with file and line: missing, truncated, index out of range, not a number.
+ControlMesh readObj(const std::filesystem::path& file);
+
+} // namespace plumbline

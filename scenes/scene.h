@@ -1,0 +1,68 @@
+// A scene in memory: plain structs with sensible defaults. scene_file.h reads one from TOML.
+// World space: right-handed, Y up, world units.
+#pragma once
+
+#include "camera.h"
+#include "control_mesh.h"
+#include "height_map.h"
+#include "light.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+/// Linear RGB picture, row 0 = bottom, sampled bilinearly with repeat at st, like the relief.
+struct ColorMap {
+    std::string name;
+    int width = 0, height = 0;
+    std::vector<float> rgb; // width x height x 3, linear
+
+    Vec3 sample(const Vec2& st) const;
+};
+
+/// P = S + n * (offset - depth * d(st)), st = tile * uv + uvOffset.
+struct Relief {
+    std::shared_ptr<const HeightMap> map; // never null; `constant` in the file becomes a 1x1 map
+    double depth = 0;                     // world units, >= 0
+    double offset = 0;                    // world units
+    Vec2 tile{1, 1};
+    Vec2 uvOffset{0, 0};
+};
+
+struct SceneObject {
+    std::string name;
+    ControlMesh mesh; // object space
+    Scheme scheme = Scheme::CatmullClark;
+    int proxyRate = 1;                 // segments of the proxy per control edge
+    Vec3 translate{0, 0, 0};           // world units
+    Vec3 rotateDegrees{0, 0, 0};       // about x, then y, then z
+    double scale = 1;                  // > 0
+    std::optional<Relief> relief;      // none: drawn as it is
+    Vec3 color{0.8, 0.8, 0.8};         // linear
+    std::shared_ptr<const ColorMap> colorMap; // null: `color`
+
+    Mat4 worldFromObject() const;
+    /// The mesh with points and normals in world space.
+    ControlMesh meshWorld() const;
+    /// Colour of the surface at st, linear.
+    Vec3 colorAt(const Vec2& st) const { return colorMap ? colorMap->sample(st) : color; }
+};
+
+struct Scene {
+    std::string name;    // file stem
+    std::string purpose;
+    Vec3 background{0, 0, 0}; // linear
+    Camera camera;
+    std::vector<Light> lights;
+    std::vector<SceneObject> objects;
+    std::string hash; // of the scene file and every file it names; hexadecimal
+};
+
+/// The one shading formula: colour * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
+/// GLSL twin: shadeLinear in realtime/shaders/shading.glsl.
+inline constexpr double kAmbient = 0.05;
+
+} // namespace plumbline

@@ -1,0 +1,24 @@
+// TOML to Scene. Every key is documented in scenes/README.md; unknown keys are errors.
+#pragma once
+
+#include "scene.h"
+
+#include <filesystem>
+
+namespace plumbline {
+
+/// Reads a scene, its meshes and its maps. Throws InputError: "file:line: field: what; expected …".
+Scene readScene(const std::filesystem::path& file);
+
+/// A path as it is, or the name of a scene in scenes/library/. Throws InputError that lists the names.
+std::filesystem::path findScene(const std::string& nameOrPath);
+
+/// Names and purposes of the scenes in scenes/library/, sorted.
+struct LibraryScene {
+    std::string name;
+    std::string purpose;
+    std::filesystem::path file;
+};
+std::vector<LibraryScene> libraryScenes();
+
+} // namespace plumbline
