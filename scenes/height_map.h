@@ -33,11 +33,12 @@ class HeightMap {
     /// Texel by index, wrapped.
     float texel(int i, int j) const;
 
-    /// Relief depth at texture coordinates st (any real numbers).
+    /// Relief depth at texture coordinates st, any real numbers. NaN where there is no texel to speak of: st is NaN,
+    /// or infinite along an axis that repeats (an infinite coordinate clamps to the border texel otherwise).
     double depth(const Vec2& st) const;
 
     /// Depth and its gradient (d_s, d_t) per unit of s and t: of the bilinear patch that holds st; on a crease
-    /// between patches, of the one to the right and above.
+    /// between patches, of the one to the right and above. NaN where depth() is.
     struct Sample {
         double depth;
         Vec2 gradient;
