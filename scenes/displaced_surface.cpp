@@ -1,1 +1,28 @@
 #include "displaced_surface.h"
+
+namespace plumbline {
+
+Vec2 textureCoordinates(const BasePoint& base, const Relief* relief) {
+    return relief ? relief->tile * base.uv + relief->uvOffset : base.uv;
+}
+
+double displacement(const Vec2& st, const Relief* relief) {
+    return relief ? relief->offset - relief->depth * relief->map->depth(st) : 0.0;
+}
+
+DisplacedSample displace(const BaseSample& base, const Relief* relief) {
+    const Vec2 st = textureCoordinates(base, relief);
+    if (!relief) return {base.position, base.normal, st, 0.0};
+
+    const HeightMap::Sample map = relief->map->sample(st);
+    const double height = relief->offset - relief->depth * map.depth;
+    const double heightU = -relief->depth * glm::dot(map.gradient, relief->tile * base.uvU);
+    const double heightV = -relief->depth * glm::dot(map.gradient, relief->tile * base.uvV);
+    const Vec3 positionU = base.positionU + base.normalU * height + base.normal * heightU;
+    const Vec3 positionV = base.positionV + base.normalV * height + base.normal * heightV;
+    const Vec3 cross = glm::cross(positionU, positionV);
+    const double length = glm::length(cross);
+    return {base.position + base.normal * height, length > 0 ? cross / length : base.normal, st, map.depth};
+}
+
+} // namespace plumbline

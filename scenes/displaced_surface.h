@@ -11,14 +11,14 @@
 namespace plumbline {
 
 struct DisplacedSample {
-    Vec3 position; // world
-    Vec3 normal;   // world, unit, of P itself: P_u x P_v; the base's where that vanishes
-    Vec2 st;       // tiled, unwrapped
+    Vec3 position;      // world
+    Vec3 normal;        // world, unit, of P itself: P_u x P_v; the base's where that vanishes
+    Vec2 st;            // tiled, unwrapped
     double reliefDepth; // d; 0 without a relief
 };
 
 /// Texture coordinates of a base sample: tiled, or the plain uv without a relief.
-Vec2 textureCoordinates(const BaseSample& base, const Relief* relief);
+Vec2 textureCoordinates(const BasePoint& base, const Relief* relief);
 
 /// Signed distance along n: offset - depth * d(st); 0 without a relief.
 double displacement(const Vec2& st, const Relief* relief);

@@ -1,1 +1,197 @@
 #include "proxy_mesh.h"
+
+#include "base_surface.h"
+#include "displaced_surface.h"
+#include "error.h"
+#include "shared_samples.h"
+
+#include <algorithm>
+
+namespace plumbline {
+
+namespace {
+
+// A determinant below this fraction of its largest possible value counts as zero (TECHNIQUES E28: an absolute
+// bound rejects small meshes).
+constexpr double kSingularFraction = 1e-6;
+// Where the map from uv to space is singular at a corner (a pole), the derivatives are taken this far inside
+// the patch.
+constexpr double kNudge = 0x1p-10;
+
+struct Derivatives {
+    Vec3 byS, byT;
+};
+
+/// dS/ds and dS/dt from dS/du, dS/dv and the Jacobian of st by (u,v); nothing where that is singular.
+bool solveDerivatives(const BaseSample& base, const Vec2& tile, Derivatives& result) {
+    const Vec2 stU = tile * base.uvU, stV = tile * base.uvV;
+    const double determinant = stU.x * stV.y - stU.y * stV.x;
+    if (std::abs(determinant) <= kSingularFraction * glm::length(stU) * glm::length(stV)) return false;
+    result.byS = (base.positionU * stV.y - base.positionV * stU.y) / determinant;
+    result.byT = (base.positionV * stU.x - base.positionU * stV.x) / determinant;
+    return glm::length(result.byS) > 0 && glm::length(result.byT) > 0;
+}
+
+/// Coefficients of z = -(A x^2 + B y^2) through the ring, by least squares.
+class QuadricFit {
+  public:
+    explicit QuadricFit(const ProxyVertex& vertex)
+        : origin_(vertex.position), normal_(vertex.normal), tangent_(vertex.positionS),
+          bitangent_(vertex.positionT) {
+        tangent_ /= glm::length(tangent_);
+        bitangent_ /= glm::length(bitangent_);
+    }
+    void add(const Vec3& neighbour) {
+        const Vec3 offset = neighbour - origin_;
+        // Oblique coordinates by the Gram inverse of two unit vectors (ITP section 1.1).
+        const double cosine = glm::dot(tangent_, bitangent_);
+        const double alongT = glm::dot(offset, tangent_), alongB = glm::dot(offset, bitangent_);
+        const double sineSquared = 1 - cosine * cosine;
+        if (sineSquared < kSingularFraction) return;
+        const double x = (alongT - cosine * alongB) / sineSquared,
+                     y = (alongB - cosine * alongT) / sineSquared;
+        const double xx = x * x, yy = y * y, depth = -glm::dot(offset, normal_);
+        m00_ += xx * xx;
+        m01_ += xx * yy;
+        m11_ += yy * yy;
+        r0_ += xx * depth;
+        r1_ += yy * depth;
+    }
+    void solve(double& a, double& b) const {
+        const double determinant = m00_ * m11_ - m01_ * m01_;
+        if (!(determinant > kSingularFraction * m00_ * m11_)) return;
+        a = (r0_ * m11_ - r1_ * m01_) / determinant;
+        b = (r1_ * m00_ - r0_ * m01_) / determinant;
+    }
+
+  private:
+    Vec3 origin_, normal_, tangent_, bitangent_;
+    double m00_ = 0, m01_ = 0, m11_ = 0, r0_ = 0, r1_ = 0;
+};
+
+/// Proxy vertices know which place of the mesh they stand on; several stand on one where faces meet.
+class ProxyBuilder {
+  public:
+    ProxyBuilder(const SceneObject& object, const BaseSurface& surface)
+        : relief_(object.relief ? &*object.relief : nullptr), rate_(object.proxyRate), surface_(surface),
+          shared_(surface, object.proxyRate), evaluator_(surface), places_(shared_.count()) {}
+
+    ProxyMesh build() {
+        for (int face = 0; face < surface_.mesh().faceCount(); ++face)
+            if (surface_.hasLimit(face)) addFace(face);
+        pushOut();
+        fitQuadrics();
+        return std::move(proxy_);
+    }
+
+  private:
+    struct Place {
+        Vec3 position{0};
+        Vec3 normalSum{0};
+        bool sampled = false;
+        std::vector<size_t> ring;
+    };
+
+    void addFace(int face) {
+        const BaseSurface::FaceTessellation cut = surface_.tessellateFace(face, rate_);
+        const size_t first = proxy_.vertices.size();
+        for (int i = 0; i < static_cast<int>(cut.samples.size()); ++i) {
+            size_t place = places_.size();
+            if (i < cut.boundaryCount)
+                place = shared_.onEdge(face, i / rate_, i % rate_);
+            else
+                places_.emplace_back();
+            addVertex(cut.samples[static_cast<size_t>(i)], place);
+        }
+        for (const std::array<int, 4>& facet : cut.facets)
+            addFacet(facet, first);
+    }
+
+    void addVertex(const BaseSurface::FaceTessellation::Sample& at, size_t place) {
+        evaluator_.setPatch(at.patch);
+        const BaseSample base = evaluator_.sample(at.u, at.v);
+        ProxyVertex vertex{};
+        vertex.normal = base.normal;
+        vertex.st = textureCoordinates(base, relief_);
+        const Vec2 tile = relief_ ? relief_->tile : Vec2(1);
+        Derivatives derivatives{};
+        if (!solveDerivatives(base, tile, derivatives)) {
+            const double centre =
+                surface_.patches()[static_cast<size_t>(at.patch)].triangular ? 1.0 / 3 : 0.5;
+            const BaseSample inside =
+                evaluator_.sample(at.u + kNudge * (centre - at.u), at.v + kNudge * (centre - at.v));
+            if (!solveDerivatives(inside, tile, derivatives)) derivatives = {Vec3(0), Vec3(0)};
+        }
+        vertex.positionS = derivatives.byS;
+        vertex.positionT = derivatives.byT;
+
+        Place& here = places_[place];
+        if (!here.sampled) here.position = base.position;
+        here.sampled = true;
+        here.normalSum += base.normal;
+        proxy_.vertices.push_back(vertex);
+        placeOfVertex_.push_back(place);
+    }
+
+    /// Quads are cut between their second and fourth corner.
+    void addFacet(const std::array<int, 4>& facet, size_t first) {
+        const auto index = [&](int k) {
+            return static_cast<unsigned>(first) + static_cast<unsigned>(facet[static_cast<size_t>(k)]);
+        };
+        const int corners = facet[3] < 0 ? 3 : 4;
+        if (corners == 3)
+            proxy_.triangles.insert(proxy_.triangles.end(), {index(0), index(1), index(2)});
+        else
+            proxy_.triangles.insert(proxy_.triangles.end(),
+                                    {index(0), index(1), index(3), index(1), index(2), index(3)});
+        for (int i = 0; i < corners; ++i)
+            for (int j = 0; j < corners; ++j)
+                if (i != j) places_[placeOfVertex_[index(i)]].ring.push_back(placeOfVertex_[index(j)]);
+    }
+
+    /// One position per place, moved by the offset along the mean normal, so that the proxy closes where it
+    /// did.
+    void pushOut() {
+        const double offset = relief_ ? relief_->offset : 0;
+        for (Place& place : places_) {
+            const double length = glm::length(place.normalSum);
+            if (length > 0) place.position += place.normalSum * (offset / length);
+            std::sort(place.ring.begin(), place.ring.end());
+            place.ring.erase(std::unique(place.ring.begin(), place.ring.end()), place.ring.end());
+        }
+        for (size_t i = 0; i < proxy_.vertices.size(); ++i)
+            proxy_.vertices[i].position = places_[placeOfVertex_[i]].position;
+    }
+
+    void fitQuadrics() {
+        for (size_t i = 0; i < proxy_.vertices.size(); ++i) {
+            ProxyVertex& vertex = proxy_.vertices[i];
+            if (glm::length(vertex.positionS) == 0) continue;
+            QuadricFit fit(vertex);
+            for (const size_t neighbour : places_[placeOfVertex_[i]].ring)
+                fit.add(places_[neighbour].position);
+            fit.solve(vertex.quadricA, vertex.quadricB);
+        }
+    }
+
+    const Relief* relief_;
+    int rate_;
+    const BaseSurface& surface_;
+    SharedSamples shared_;
+    BaseSurface::Evaluator evaluator_;
+    std::vector<Place> places_;
+    std::vector<size_t> placeOfVertex_;
+    ProxyMesh proxy_;
+};
+
+} // namespace
+
+ProxyMesh buildProxyMesh(const SceneObject& object) {
+    if (object.relief && !object.mesh.hasUvs())
+        throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
+                         "uvs, because the object has a relief");
+    const BaseSurface surface(object.meshWorld(), object.scheme);
+    return ProxyBuilder(object, surface).build();
+}
+
+} // namespace plumbline

@@ -1,5 +1,5 @@
-// The polygon proxy the real-time module draws: the limit surface sampled at `proxyRate` segments per control edge,
-// pushed out by the relief's offset. World space throughout.
+// The polygon proxy the real-time module draws: the limit surface sampled at `proxyRate` segments per control
+// edge, pushed out by the relief's offset. World space throughout.
 #pragma once
 
 #include "scene.h"
@@ -7,14 +7,17 @@
 namespace plumbline {
 
 struct ProxyVertex {
-    Vec3 position;   // on the limit surface + normal * offset
-    Vec3 normal;     // unit, of the limit surface
-    Vec3 positionS;  // dS/ds of the limit surface per unit of (tiled) s: the tangent times the mapping scale sx
-    Vec3 positionT;  // dS/dt; its length is the mapping scale sy. Not necessarily at a right angle to positionS
-    Vec2 st;         // tiled, unwrapped
-    /// Coefficients of the quadric z = -(A x^2 + B y^2) that fits the one-ring in the frame (x along positionS, y along
-    /// positionT, z along normal), world units^-1; A > 0 where the surface is convex along s (RP-351 section 3.1;
-    /// TECHNIQUES E13, E28). 0 where the ring doesn't determine them.
+    Vec3 position; // on the limit surface + normal * offset
+    Vec3 normal;   // unit, of the limit surface
+    Vec3
+        positionS; // dS/ds of the limit surface per unit of (tiled) s: the tangent times the mapping scale sx
+    Vec3
+        positionT; // dS/dt; its length is the mapping scale sy. Not necessarily at a right angle to positionS
+    Vec2 st;       // tiled, unwrapped
+    /// Coefficients of the quadric z = -(A x^2 + B y^2) that fits the one-ring (all vertices that share a
+    /// facet) in the frame (x along positionS, y along positionT, z along normal), world units^-1; A > 0
+    /// where the surface is convex along s (RP-351 section 3.1; TECHNIQUES E13, E28). 0 where the ring
+    /// doesn't determine them.
     double quadricA = 0, quadricB = 0;
 };
 

@@ -1,0 +1,12 @@
+// Normals for meshes that have none.
+#pragma once
+
+#include "control_mesh.h"
+
+namespace plumbline {
+
+/// Gives every corner the normal of its vertex: face normals weighted by the angle of the face there (Thürmer
+/// and Wüthrich 1998), so that the result doesn't depend on how a polygon is cut into triangles.
+void addAngleWeightedNormals(ControlMesh& mesh);
+
+} // namespace plumbline
