@@ -1,1 +1,124 @@
 #include "reference.h"
+
+#include "../scenes/error.h"
+#include "../scenes/scene_metadata.h"
+#include "embree_scene.h"
+#include "rate.h"
+#include "render.h"
+#include "tessellate.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace plumbline {
+
+namespace {
+
+class Stopwatch {
+  public:
+    double elapsedMs() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::unique_ptr<BaseSurface> makeSurface(const SceneObject& object) {
+    if (object.relief && !object.mesh.hasUvs())
+        throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
+                         "uvs, because the object has a relief");
+    return std::make_unique<BaseSurface>(object.meshWorld(), object.scheme);
+}
+
+} // namespace
+
+struct ReferenceScene::Impl {
+    const Scene& scene;
+    ReferenceOptions options;
+    ReferenceStats stats;
+    std::vector<std::unique_ptr<BaseSurface>> surfaces;
+    std::vector<MicroMesh> meshes;
+    std::unique_ptr<EmbreeScene> embree;
+
+    Impl(const Scene& sceneGiven, const ReferenceOptions& optionsGiven)
+        : scene(sceneGiven), options(optionsGiven) {
+        const Stopwatch tessellateWatch;
+        for (const SceneObject& object : scene.objects)
+            surfaces.push_back(makeSurface(object));
+        chooseRates();
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            const SceneObject& object = scene.objects[i];
+            meshes.push_back(tessellate(*surfaces[i], object.relief ? &*object.relief : nullptr,
+                                        stats.objects[i].rate, options.microAttributes));
+        }
+        stats.tessellateMs = tessellateWatch.elapsedMs();
+        const Stopwatch buildWatch;
+        embree = std::make_unique<EmbreeScene>(meshes);
+        stats.buildMs = buildWatch.elapsedMs();
+    }
+
+    void chooseRates() {
+        std::vector<const BaseSurface*> pointers;
+        std::vector<int> wanted, rates;
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            pointers.push_back(surfaces[i].get());
+            wanted.push_back(wantedRate(*surfaces[i], scene.objects[i], scene.camera));
+            rates.push_back(options.rate ? std::max(options.rate, smallestRate(*surfaces[i])) : wanted[i]);
+        }
+        if (options.rate < 0 || options.rate > kMaxRate || (options.rate & (options.rate - 1)) != 0)
+            throw InputError("--rate", fmt::format("found {}", options.rate),
+                             fmt::format("a power of two from 1 to {}", kMaxRate));
+        // A rate asked for is taken as it is, or refused: never quietly another.
+        const std::vector<int> fitting = ratesWithinMemory(pointers, rates, options.memoryBytes);
+        if (options.rate && fitting != rates)
+            throw MachineError(
+                "--rate",
+                fmt::format("rate {} doesn't fit --memory {} MB", options.rate, options.memoryBytes >> 20),
+                "a smaller rate or more memory");
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            const uint64_t triangles = microMeshSize(*surfaces[i], fitting[i]).microTriangles;
+            stats.objects.push_back({scene.objects[i].name, fitting[i], wanted[i], triangles});
+            stats.microTriangles += triangles;
+        }
+        stats.geometryBytes =
+            static_cast<uint64_t>(kBytesPerMicroTriangle * static_cast<double>(stats.microTriangles));
+    }
+
+    Frame render() {
+        const Stopwatch watch;
+        std::vector<TracedObject> objects;
+        for (size_t i = 0; i < meshes.size(); ++i)
+            objects.push_back({&scene.objects[i], surfaces[i].get(), &meshes[i]});
+        RayCounts counts;
+        Frame frame = renderFrame(scene, objects, *embree, counts);
+        stats.traceMs = watch.elapsedMs();
+        stats.cameraRays = counts.camera;
+        stats.shadowRays = counts.shadow;
+        frame.metadata = sceneMetadata(scene);
+        frame.metadata["renderer"] = "reference";
+        frame.metadata["base"] = "limit";
+        frame.metadata["micro_triangles"] = fmt::format("{}", stats.microTriangles);
+        for (size_t i = 0; i < meshes.size(); ++i)
+            frame.metadata[fmt::format("object.{}.rate", i + 1)] = fmt::format("{}", meshes[i].rate);
+        return frame;
+    }
+};
+
+ReferenceScene::ReferenceScene(const Scene& scene, const ReferenceOptions& options)
+    : impl_(std::make_unique<Impl>(scene, options)) {}
+ReferenceScene::~ReferenceScene() = default;
+ReferenceScene::ReferenceScene(ReferenceScene&&) noexcept = default;
+
+const std::vector<MicroMesh>& ReferenceScene::microMeshes() const {
+    return impl_->meshes;
+}
+Frame ReferenceScene::render() {
+    return impl_->render();
+}
+const ReferenceStats& ReferenceScene::stats() const {
+    return impl_->stats;
+}
+
+} // namespace plumbline

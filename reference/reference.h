@@ -1,4 +1,5 @@
-// The exact frame of a scene: tessellate the limit surface, displace it, trace it (Embree), resolve every hit in double.
+// The exact frame of a scene: tessellate the limit surface, displace it, trace it (Embree), resolve every hit
+// in double.
 //
 // World space and world units throughout. Never includes realtime/.
 #pragma once
@@ -14,8 +15,8 @@
 namespace plumbline {
 
 struct ReferenceOptions {
-    /// Segments per control edge, a power of two in [1, 1024]; 0 = the finest of half a texel and half a pixel that
-    /// `memoryBytes` allows, for each object.
+    /// Segments per control edge, a power of two in [1, 1024]; 0 = the finest of half a texel and half a
+    /// pixel that `memoryBytes` allows, for each object.
     int rate = 0;
     /// Budget of micro-triangles and their acceleration structure together.
     uint64_t memoryBytes = uint64_t(256) << 20;
@@ -30,8 +31,8 @@ struct ReferenceStats {
     uint64_t geometryBytes = 0; // micro-triangles, estimated acceleration structure included
     struct Object {
         std::string name;
-        int rate;                  // segments per control edge taken
-        int wantedRate;            // the finest of half a texel and half a pixel
+        int rate;       // segments per control edge taken
+        int wantedRate; // the finest of half a texel and half a pixel
         uint64_t microTriangles;
     };
     std::vector<Object> objects;
@@ -40,7 +41,8 @@ struct ReferenceStats {
 /// Tessellated and displaced objects with their acceleration structure.
 class ReferenceScene {
   public:
-    /// Throws InputError for a scene that can't be tessellated, MachineError if not even rate 1 fits the budget.
+    /// Throws InputError for a scene that can't be tessellated, MachineError if not even rate 1 fits the
+    /// budget.
     ReferenceScene(const Scene& scene, const ReferenceOptions& options);
     ~ReferenceScene();
     ReferenceScene(ReferenceScene&&) noexcept;
