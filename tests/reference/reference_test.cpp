@@ -1,0 +1,231 @@
+// Frames of the reference against answers derived by hand.
+#include "../../reference/reference.h"
+#include "../../scenes/error.h"
+#include "test_scenes.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cstring>
+
+namespace plumbline {
+namespace {
+
+Frame renderReference(const Scene& scene, int rate) {
+    ReferenceOptions options;
+    options.rate = rate;
+    return ReferenceScene(scene, options).render();
+}
+
+struct PixelReader {
+    const Frame& frame;
+    float operator()(const char* channel, int x, int y) const {
+        return frame.channel(channel)[static_cast<size_t>(y * frame.width() + x)];
+    }
+};
+
+// The plane lies 5 below the camera; the square of side 2 covers the middle half of a picture 4 high: with 40
+// pixels of 0.1 the columns and rows 10 … 29.
+TEST(Reference, PlaneAtConstantDepth) {
+    const auto map = std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f));
+    const Frame frame = renderReference(squareScene(map, 0.25), 8);
+    const PixelReader at{frame};
+    int covered = 0;
+    for (int y = 0; y < 40; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const bool inside = x >= 10 && x < 30 && y >= 10 && y < 30;
+            ASSERT_EQ(at("A", x, y), inside ? 1.0f : 0.0f) << x << " " << y;
+            covered += inside;
+            if (!inside) {
+                EXPECT_EQ(at("Z", x, y), kInfinityF);
+                EXPECT_EQ(at("id", x, y), 0.0f);
+                EXPECT_TRUE(std::isnan(at("shadow.sun", x, y)));
+                continue;
+            }
+            EXPECT_FLOAT_EQ(at("Z", x, y), 5.125f); // 0.25 * 0.5 below the plane
+            EXPECT_FLOAT_EQ(at("P.Z", x, y), -0.125f);
+            EXPECT_NEAR(at("P.X", x, y), (x + 0.5) * 0.1 - 2, 1e-6);
+            EXPECT_NEAR(at("P.Y", x, y), 2 - (y + 0.5) * 0.1, 1e-6); // row 0 is the top
+            EXPECT_NEAR(at("st.S", x, y), ((x + 0.5) * 0.1 - 1) / 2, 1e-6);
+            EXPECT_NEAR(at("st.T", x, y), (3 - (y + 0.5) * 0.1) / 2, 1e-6);
+            EXPECT_EQ(at("N.Z", x, y), 1.0f);
+            EXPECT_EQ(at("id", x, y), 1.0f);
+            EXPECT_EQ(at("shadow.sun", x, y), 0.0f);
+        }
+    EXPECT_EQ(covered, 400);
+}
+
+// A ramp d = s over the whole square: texel centres of a 2-texel clamped map at s = 1/4 and 3/4; between them
+// d = 2 s - 1/2. With depth 1 and x = 2 s - 1 the surface is z = -(x + 1/2) for |x| <= 1/2, 0 to the left and
+// -1 to the right. Its normal on the slope is (1, 0, 1) / sqrt 2.
+TEST(Reference, RampHasItsSlopeAndNormal) {
+    const auto map =
+        std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
+    const Frame frame = renderReference(squareScene(map, 1), 16);
+    const PixelReader at{frame};
+    for (int x = 10; x < 30; ++x) {
+        const double worldX = (x + 0.5) * 0.1 - 2;
+        const double expected = std::clamp(worldX + 0.5, 0.0, 1.0);
+        EXPECT_NEAR(at("Z", x, 20), 5 + expected, 1e-5) << x;
+        const bool slope = std::abs(worldX) < 0.5;
+        EXPECT_NEAR(at("N.X", x, 20), slope ? std::sqrt(0.5) : 0, 1e-6) << x;
+        EXPECT_NEAR(at("N.Z", x, 20), slope ? std::sqrt(0.5) : 1, 1e-6) << x;
+    }
+}
+
+// The same ramp under a light from (-1, 0, 1), a hair flatter. The top (x < -1/2, z = 0) sees it. The slope,
+// normal (1, 0, 1), turns away by that hair: attached shadow. A ray from the floor (x, -1) rises one per unit
+// and must clear the edge of the top at
+// (-1/2, 0): it is over it at height x - 1/2 > 0 for every x > 1/2, lit. At depth 2 the floor lies at -2 and
+// the ray passes the edge at height x - 3/2 < 0 for every x < 1: dark.
+TEST(Reference, ShadowFallsWhereItMust) {
+    const auto map =
+        std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
+    Scene scene = squareScene(map, 1);
+    scene.lights[0].toLightWorld = glm::normalize(Vec3(-1.001, 0, 1));
+    const Frame frame = renderReference(scene, 16);
+    const PixelReader at{frame};
+    EXPECT_EQ(at("shadow.sun", 12, 20), 0.0f); // the top
+    EXPECT_EQ(at("shadow.sun", 20, 20), 1.0f); // the slope turns away by a hair
+    EXPECT_EQ(at("shadow.sun", 28, 20), 0.0f); // the floor clears the edge by 0.3
+    scene.objects[0].relief->depth = 2;
+    const Frame deep = renderReference(scene, 16);
+    EXPECT_EQ(PixelReader{deep}("shadow.sun", 28, 20), 1.0f);
+    EXPECT_EQ(PixelReader{deep}("shadow.sun", 12, 20), 0.0f);
+}
+
+TEST(Reference, PointLightStopsAtItsDistance) {
+    // A light at (0, 0, 1) between the camera and the plane: nothing lies between it and the plane; the
+    // camera-side occluder at z = 2 must not shade.
+    Scene scene = squareScene(nullptr, 0);
+    scene.lights[0].kind = Light::Kind::Point;
+    scene.lights[0].positionWorld = {0, 0, 1};
+    SceneObject roof = scene.objects[0];
+    roof.name = "roof";
+    roof.scale = 0.2;
+    roof.translate = {0, 0, 2};
+    scene.objects.push_back(roof);
+    const Frame frame = renderReference(scene, 1);
+    const PixelReader at{frame};
+    EXPECT_EQ(at("id", 20, 20), 2.0f);         // the roof hides the middle
+    EXPECT_EQ(at("shadow.sun", 20, 20), 1.0f); // and is lit from below: attached shadow above
+    EXPECT_EQ(at("id", 12, 20), 1.0f);
+    EXPECT_EQ(at("shadow.sun", 12, 20), 0.0f);
+    // Now the light is above the roof: the plane's shadow is the roof (half side 0.2 at height 2) projected
+    // from height 4: half side 0.4, so of the pixels seen beside the roof (|x| > 0.2) those with |x| < 0.4
+    // are dark.
+    scene.lights[0].positionWorld = {0, 0, 4};
+    const Frame above = renderReference(scene, 1);
+    EXPECT_EQ(PixelReader{above}("shadow.sun", 20, 20), 0.0f);
+    EXPECT_EQ(PixelReader{above}("shadow.sun", 23, 20), 1.0f); // x = 0.35
+    EXPECT_EQ(PixelReader{above}("shadow.sun", 24, 20), 0.0f); // x = 0.45
+}
+
+TEST(Reference, ObjectsWithoutReliefAndUvsAreDrawnAsTheyAre) {
+    Scene scene = squareScene(nullptr, 0);
+    scene.objects[0].mesh.uvs.clear();
+    scene.objects[0].mesh.faceUvs.clear();
+    const Frame frame = renderReference(scene, 2);
+    EXPECT_FLOAT_EQ(PixelReader{frame}("Z", 20, 20), 5.0f);
+}
+
+TEST(Reference, BothSidesAreSeenAndShadedForTheCamera) {
+    Scene scene = squareScene(nullptr, 0);
+    scene.camera.positionWorld = {0, 0, -5};
+    scene.lights[0].toLightWorld = {0, 0, -1};
+    const Frame frame = renderReference(scene, 1);
+    EXPECT_EQ(PixelReader{frame}("A", 20, 20), 1.0f);
+    EXPECT_EQ(PixelReader{frame}("N.Z", 20, 20), 1.0f);        // outward, not turned to the camera
+    EXPECT_EQ(PixelReader{frame}("shadow.sun", 20, 20), 0.0f); // the side seen faces the light
+}
+
+TEST(Reference, LoopAndSubFacesCloseTheSurface) {
+    // An icosahedron (Loop) and a pentagonal prism (Catmull-Clark with n-gons), displaced, from inside: every
+    // ray hits, which it wouldn't through a crack.
+    SceneObject object;
+    object.name = "icosahedron";
+    object.mesh.name = "icosahedron";
+    const double phi = (1 + std::sqrt(5.0)) / 2;
+    object.mesh.points = {{-1, phi, 0}, {1, phi, 0}, {-1, -phi, 0}, {1, -phi, 0},
+                          {0, -1, phi}, {0, 1, phi}, {0, -1, -phi}, {0, 1, -phi},
+                          {phi, 0, -1}, {phi, 0, 1}, {-phi, 0, -1}, {-phi, 0, 1}};
+    object.mesh.faceSizes.assign(20, 3);
+    object.mesh.faceVertices = {0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
+    for (int k = 0; k < 60; ++k)
+        object.mesh.uvs.push_back(Vec2(0.37 * k, 0.61 * ((k * 7) % 60))); // torn everywhere
+    for (int k = 0; k < 60; ++k)
+        object.mesh.faceUvs.push_back(k);
+    std::vector<float> depths;
+    for (int k = 0; k < 64; ++k)
+        depths.push_back(float((k * 37) % 64) / 63.0f);
+    object.relief = Relief{std::make_shared<HeightMap>("noise", 8, 8, depths), 0.1, 0.0, Vec2(1), Vec2(0)};
+
+    Scene scene;
+    scene.camera.positionWorld = {0.05, -0.03, 0};
+    scene.camera.targetWorld = {0.3, 0.2, 1};
+    scene.camera.fovYDegrees = 150;
+    scene.camera.width = scene.camera.height = 256;
+    for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark, Scheme::None})
+        for (const int rate : {1, 2, 16, 64}) {
+            object.scheme = scheme;
+            scene.objects = {object};
+            const Frame frame = renderReference(scene, rate);
+            for (const float covered : frame.channel("A"))
+                ASSERT_EQ(covered, 1.0f) << rate;
+            for (const float n : frame.channel("N.X"))
+                ASSERT_TRUE(std::isfinite(n));
+        }
+}
+
+TEST(Reference, BytesDontDependOnTheNumberOfThreads) {
+    std::vector<float> depths;
+    for (int k = 0; k < 64; ++k)
+        depths.push_back(float((k * 37) % 64) / 63.0f);
+    Scene scene = squareScene(std::make_shared<HeightMap>("noise", 8, 8, depths), 0.3, 3);
+    scene.camera.width = scene.camera.height = 200;
+    scene.lights[0].toLightWorld = glm::normalize(Vec3(1, 0.3, 0.5));
+    std::vector<Frame> frames;
+    for (const size_t threads : {1, 2, 5}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        frames.push_back(renderReference(scene, 32));
+    }
+    for (const Frame& frame : frames)
+        for (const std::string& name : frame.channelNames())
+            EXPECT_EQ(std::memcmp(frame.channel(name).data(), frames[0].channel(name).data(),
+                                  frame.pixelCount() * sizeof(float)),
+                      0)
+                << name;
+}
+
+TEST(Reference, RateIsTheFinestOfTexelAndPixelWithinMemory) {
+    // 64 texels over one edge: half a texel needs 128 segments. 20 pixels: half a pixel needs 40, so 64.
+    const auto map = std::make_shared<HeightMap>("flat", 64, 64, std::vector<float>(64 * 64, 0.5f));
+    Scene scene = squareScene(map, 0.1);
+    ReferenceOptions options;
+    EXPECT_EQ(ReferenceScene(scene, options).stats().objects[0].rate, 128);
+    scene.objects[0].relief->tile = Vec2(0.25);
+    EXPECT_EQ(ReferenceScene(scene, options).stats().objects[0].rate, 64);
+    options.memoryBytes = 20 * 2 * 32 * 32; // exactly rate 32 at 20 bytes a micro-triangle
+    const ReferenceScene tight(scene, options);
+    EXPECT_EQ(tight.stats().objects[0].rate, 32);
+    EXPECT_EQ(tight.stats().objects[0].wantedRate, 64);
+    options.memoryBytes = 10;
+    EXPECT_THROW(ReferenceScene(scene, options), MachineError);
+    options.memoryBytes = uint64_t(256) << 20;
+    for (const int wrong : {3, -1, 2048, 100}) {
+        options.rate = wrong;
+        EXPECT_THROW(ReferenceScene(scene, options), InputError) << wrong;
+    }
+}
+
+TEST(Reference, ReliefWithoutUvsIsRefused) {
+    Scene scene = squareScene(std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f)), 0.1);
+    scene.objects[0].mesh.faceUvs.clear();
+    scene.objects[0].mesh.uvs.clear();
+    EXPECT_THROW(renderReference(scene, 1), InputError);
+}
+
+} // namespace
+} // namespace plumbline
