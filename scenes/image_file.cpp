@@ -1,1 +1,214 @@
 #include "image_file.h"
+
+#include "error.h"
+#include "exr_file.h"
+#include "image_module.h"
+#include "replace_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <dlfcn.h>
+#include <fstream>
+
+namespace plumbline {
+namespace {
+
+struct ImageModule {
+    PlumblineReadPicture* readPicture = nullptr;
+    PlumblineWritePng* writePng = nullptr;
+};
+
+std::vector<std::filesystem::path> modulePlaces() {
+    const char* kName = "plumbline_images.so";
+    std::vector<std::filesystem::path> places;
+    std::error_code error;
+    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (!error) {
+        places.push_back(program.parent_path() / kName);
+        places.push_back(program.parent_path().parent_path() / "lib" / "plumbline" / kName);
+    }
+    places.emplace_back(PLUMBLINE_IMAGES_MODULE); // where it was built
+    return places;
+}
+
+ImageModule loadModule() {
+    std::string reason = "not found";
+    for (const auto& place : modulePlaces()) {
+        std::error_code error;
+        if (!std::filesystem::exists(place, error)) continue;
+        void* handle = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (!handle) {
+            reason = dlerror();
+            continue;
+        }
+        ImageModule module;
+        module.readPicture = reinterpret_cast<PlumblineReadPicture*>(dlsym(handle, "plumblineReadPicture"));
+        module.writePng = reinterpret_cast<PlumblineWritePng*>(dlsym(handle, "plumblineWritePng"));
+        if (module.readPicture && module.writePng) return module; // stays loaded to the end of the program
+        reason = place.string() + " is of another version";
+    }
+    throw MachineError("plumbline_images.so", "can't be loaded: " + reason, "it beside the program",
+                       "build the target plumbline_images and install libopenimageio2.4 or later");
+}
+
+const ImageModule& imageModule() {
+    static const ImageModule module = loadModule();
+    return module;
+}
+
+std::vector<uint8_t> firstBytes(const std::filesystem::path& file, size_t count) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) throw InputError(file.string(), "no such file");
+    if (!std::filesystem::is_regular_file(file, error))
+        throw InputError(file.string(), "is not a file", "a picture");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(file.string(), "can't be opened for reading");
+    std::vector<uint8_t> bytes(count);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<size_t>(stream.gcount()));
+    if (bytes.empty()) throw InputError(file.string(), "is empty", "a picture");
+    return bytes;
+}
+
+bool beginsWith(const std::vector<uint8_t>& bytes, std::initializer_list<uint8_t> magic) {
+    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+}
+
+bool hasExrName(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return ending == ".exr";
+}
+
+/// libjpeg fills what a truncated file lacks with grey and calls that a warning, so look for the end
+/// ourselves: walk the marker segments (ITU T.81, annex B) to the end-of-image marker. A thumbnail's own end
+/// lies within a segment.
+bool jpegIsWhole(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    const std::vector<char> text{std::istreambuf_iterator<char>(stream), {}};
+    const auto byte = [&](size_t i) { return static_cast<uint8_t>(text[i]); };
+    for (size_t i = 2; i + 1 < text.size();) {
+        const uint8_t marker = byte(i + 1);
+        if (byte(i) != 0xff || marker == 0x00 || (marker >= 0xd0 && marker <= 0xd7)) {
+            ++i; // entropy-coded data, with stuffed zeros and restart markers
+        } else if (marker == 0xff) {
+            ++i; // a fill byte
+        } else if (marker == 0xd9) {
+            return true;
+        } else {
+            if (i + 3 >= text.size()) return false;
+            i += 2 + static_cast<size_t>(byte(i + 2) << 8 | byte(i + 3));
+        }
+    }
+    return false;
+}
+
+std::vector<std::string> pictureChannels(const std::filesystem::path& file,
+                                         const std::vector<std::string>& names) {
+    const auto has = [&](const char* name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::vector<std::string> chosen;
+    if (has("R") && has("G") && has("B")) {
+        chosen = {"R", "G", "B"};
+    } else if (has("Y") && !has("RY") && !has("BY")) {
+        chosen = {"Y"};
+    } else if (names.size() == 1) {
+        return names;
+    } else {
+        throw InputError(file.string(), "has the channels " + listOf(names),
+                         "R G B, R G B A, Y, Y A, or a single channel");
+    }
+    if (has("A")) chosen.push_back("A");
+    return chosen;
+}
+
+Image readExrImage(const std::filesystem::path& file) {
+    std::vector<std::string> order;
+    const ExrPlanes exr = readExr(
+        file, [&](const std::vector<std::string>& names) { return order = pictureChannels(file, names); });
+    Image image;
+    image.width = exr.width;
+    image.height = exr.height;
+    image.channels = static_cast<int>(order.size());
+    image.values.resize(order.size() * static_cast<size_t>(exr.width) * static_cast<size_t>(exr.height));
+    for (size_t c = 0; c < order.size(); ++c) {
+        const std::vector<float>& plane = exr.planes.at(order[c]);
+        for (size_t pixel = 0; pixel < plane.size(); ++pixel)
+            image.values[pixel * order.size() + c] = plane[pixel];
+    }
+    return image;
+}
+
+/// Collects what the module reads. Memory is reserved at once but touched only as rows arrive.
+struct ImageCollector {
+    Image image;
+    std::string failure;
+    bool outOfMemory = false;
+
+    static bool begin(void* user, int width, int height, int channels, bool integer) {
+        auto& self = *static_cast<ImageCollector*>(user);
+        self.image.width = width;
+        self.image.height = height;
+        self.image.channels = channels;
+        self.image.integer = integer;
+        return self.guarded([&] {
+            self.image.values.reserve(static_cast<size_t>(width) * static_cast<size_t>(height) *
+                                      static_cast<size_t>(channels));
+        });
+    }
+    static bool values(void* user, const float* values, size_t count) {
+        auto& self = *static_cast<ImageCollector*>(user);
+        return self.guarded(
+            [&] { self.image.values.insert(self.image.values.end(), values, values + count); });
+    }
+    static void fail(void* user, const char* what) { static_cast<ImageCollector*>(user)->failure = what; }
+
+  private:
+    template <class Action>
+    bool guarded(const Action& action) {
+        try {
+            action();
+            return true;
+        } catch (const std::exception&) { // bad_alloc, length_error
+            outOfMemory = true;
+            return false;
+        }
+    }
+};
+
+} // namespace
+
+Image readImage(const std::filesystem::path& file) {
+    const std::vector<uint8_t> magic = firstBytes(file, 4);
+    if (hasExrName(file) || beginsWith(magic, {0x76, 0x2f, 0x31, 0x01})) return readExrImage(file);
+    if (beginsWith(magic, {0xff, 0xd8}) && !jpegIsWhole(file))
+        throw InputError(file.string(), "is truncated", "a whole JPEG file");
+    ImageCollector collector;
+    const PlumblinePictureSink sink{&collector, ImageCollector::begin, ImageCollector::values,
+                                    ImageCollector::fail};
+    imageModule().readPicture(file.c_str(), &sink);
+    if (collector.outOfMemory) throw MachineError(file.string(), "not enough memory to read it");
+    if (!collector.failure.empty()) throw InputError(file.string(), collector.failure);
+    return std::move(collector.image);
+}
+
+void writePng(const std::filesystem::path& file, int width, int height, const std::vector<uint8_t>& rgb) {
+    if (width < 1 || height < 1 || rgb.size() != 3 * static_cast<size_t>(width) * static_cast<size_t>(height))
+        throw InputError(file.string(),
+                         fmt::format("{} bytes for a picture of {} x {}", rgb.size(), width, height),
+                         "3 bytes a pixel and at least one pixel");
+    const ImageModule& module = imageModule();
+    replaceFile(file, [&](const std::filesystem::path& temporary) {
+        std::string failure;
+        const auto fail = [](void* user, const char* what) { *static_cast<std::string*>(user) = what; };
+        module.writePng(temporary.c_str(), width, height, rgb.data(), &failure, fail);
+        if (!failure.empty()) throw InputError(file.string(), failure);
+    });
+}
+
+} // namespace plumbline
