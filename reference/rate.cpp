@@ -2,6 +2,7 @@
 
 #include "../scenes/displaced_surface.h"
 #include "../scenes/error.h"
+#include "grid_layout.h"
 #include "tessellate.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,10 @@
 #include "reference.h"
 
+#include "../scenes/displaced_surface.h"
 #include "../scenes/error.h"
 #include "../scenes/scene_metadata.h"
 #include "embree_scene.h"
+#include "grid_layout.h"
 #include "rate.h"
 #include "render.h"
 #include "tessellate.h"
@@ -25,13 +27,6 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-std::unique_ptr<BaseSurface> makeSurface(const SceneObject& object) {
-    if (object.relief && !object.mesh.hasUvs())
-        throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
-                         "uvs, because the object has a relief");
-    return std::make_unique<BaseSurface>(object.meshWorld(), object.scheme);
-}
-
 } // namespace
 
 struct ReferenceScene::Impl {
@@ -46,7 +41,7 @@ struct ReferenceScene::Impl {
         : scene(sceneGiven), options(optionsGiven) {
         const Stopwatch tessellateWatch;
         for (const SceneObject& object : scene.objects)
-            surfaces.push_back(makeSurface(object));
+            surfaces.push_back(makeBaseSurface(object));
         chooseRates();
         for (size_t i = 0; i < surfaces.size(); ++i) {
             const SceneObject& object = scene.objects[i];

@@ -2,6 +2,7 @@
 
 #include "../scenes/displaced_surface.h"
 #include "embree.h"
+#include "grid_layout.h"
 #include "resolve_hit.h"
 #include "tessellate.h"
 

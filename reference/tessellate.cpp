@@ -2,6 +2,7 @@
 
 #include "../scenes/displaced_surface.h"
 #include "../scenes/shared_samples.h"
+#include "grid_layout.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
@@ -12,37 +13,6 @@
 namespace plumbline {
 
 namespace {
-
-constexpr int kGridCells = kMaxGridSide - 1;
-
-int blocksAlong(int cells) {
-    return (cells + kGridCells - 1) / kGridCells;
-}
-int blockCells(int cells, int block) {
-    return std::min(kGridCells, cells - block * kGridCells);
-}
-
-/// Calls visit(block column, block row) for the grids of a patch; a triangle has those that touch its lower
-/// left half.
-template <typename Visit>
-void forEachBlock(bool triangular, int cells, Visit visit) {
-    const int blocks = blocksAlong(cells);
-    for (int row = 0; row < blocks; ++row)
-        for (int column = 0; column < (triangular ? blocks - row : blocks); ++column)
-            visit(column, row);
-}
-
-MicroMeshSize patchSize(bool triangular, int cells) {
-    MicroMeshSize size;
-    const uint64_t squared = static_cast<uint64_t>(cells) * static_cast<uint64_t>(cells);
-    size.microTriangles = triangular ? squared : 2 * squared;
-    forEachBlock(triangular, cells, [&](int column, int row) {
-        size.vertices +=
-            static_cast<uint64_t>((blockCells(cells, column) + 1) * (blockCells(cells, row) + 1));
-        ++size.grids;
-    });
-    return size;
-}
 
 /// Patch and (u,v) of the point `step` of `rate` segments along edge k of a face.
 BaseSurface::FaceTessellation::Sample edgePoint(const BaseSurface& surface, int facePatch, int faceSize,
@@ -105,7 +75,7 @@ class Tessellator {
         const auto& patches = surface_.patches();
         for (int p = 0; p < static_cast<int>(patches.size()); ++p) {
             const BaseSurface::Patch& patch = patches[static_cast<size_t>(p)];
-            const MicroMeshSize size = patchSize(patch.triangular, patchRate(patch, rate_));
+            const MicroMeshSize size = patchLayoutSize(patch.triangular, patchRate(patch, rate_));
             if (faces_.empty() || faces_.back().face != patch.face)
                 faces_.push_back({patch.face, p, 0, vertexCount_, gridCount_});
             ++faces_.back().patchCount;
@@ -252,7 +222,7 @@ class Tessellator {
                                 static_cast<size_t>(lattice.cells + 1));
         const std::vector<Vertex> spokes =
             first.subFace ? sampleSpokes(face, lattice.cells) : std::vector<Vertex>();
-        const MicroMeshSize size = patchSize(first.triangular, lattice.cells);
+        const MicroMeshSize size = patchLayoutSize(first.triangular, lattice.cells);
         for (int k = 0; k < face.patchCount; ++k) {
             evaluators_.local()->setPatch(face.firstPatch + k);
             fillBorder(lattice, face, k, spokes);
@@ -352,23 +322,6 @@ class Tessellator {
 };
 
 } // namespace
-
-int smallestRate(const BaseSurface& surface) {
-    for (const BaseSurface::Patch& patch : surface.patches())
-        if (patch.subFace) return 2;
-    return 1;
-}
-
-MicroMeshSize microMeshSize(const BaseSurface& surface, int rate) {
-    MicroMeshSize total;
-    for (const BaseSurface::Patch& patch : surface.patches()) {
-        const MicroMeshSize size = patchSize(patch.triangular, patchRate(patch, rate));
-        total.microTriangles += size.microTriangles;
-        total.vertices += size.vertices;
-        total.grids += size.grids;
-    }
-    return total;
-}
 
 MicroMesh tessellate(const BaseSurface& surface, const Relief* relief, int rate, bool attributes) {
     return Tessellator(surface, relief, rate, attributes).build();

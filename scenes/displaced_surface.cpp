@@ -1,6 +1,15 @@
 #include "displaced_surface.h"
 
+#include "error.h"
+
 namespace plumbline {
+
+std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object) {
+    if (object.relief && !object.mesh.hasUvs())
+        throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
+                         "uvs, because the object has a relief");
+    return std::make_unique<BaseSurface>(object.meshWorld(), object.scheme);
+}
 
 Vec2 textureCoordinates(const BasePoint& base, const Relief* relief) {
     return relief ? relief->tile * base.uv + relief->uvOffset : base.uv;

@@ -10,6 +10,9 @@
 
 namespace plumbline {
 
+/// The object's base in world space. Throws InputError if it has a relief and its mesh no uvs.
+std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object);
+
 struct DisplacedSample {
     Vec3 position;      // world
     Vec3 normal;        // world, unit, of P itself: P_u x P_v; the base's where that vanishes

@@ -2,7 +2,6 @@
 
 #include "base_surface.h"
 #include "displaced_surface.h"
-#include "error.h"
 #include "shared_samples.h"
 
 #include <algorithm>
@@ -187,11 +186,8 @@ class ProxyBuilder {
 } // namespace
 
 ProxyMesh buildProxyMesh(const SceneObject& object) {
-    if (object.relief && !object.mesh.hasUvs())
-        throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
-                         "uvs, because the object has a relief");
-    const BaseSurface surface(object.meshWorld(), object.scheme);
-    return ProxyBuilder(object, surface).build();
+    const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
+    return ProxyBuilder(object, *surface).build();
 }
 
 } // namespace plumbline
