@@ -22,6 +22,8 @@ struct ControlMesh {
     std::vector<Vec3> normals;            // unit; empty if the mesh has none. Used by Scheme::None alone
     std::vector<int> faceNormals;         // indices into normals, one per entry of faceVertices; empty if none
     std::vector<int> faceLines;           // line of each face in its file, for messages; empty for a shape
+    /// Why faceUvs (faceNormals) is empty though some faces of the file have such indices; else empty.
+    std::string uvsMissing, normalsMissing;
     /// True: faces on the boundary only support the limit surface and are not part of it, so that a bicubic patch
     /// reaches exactly to the edge of the rest (OpenSubdiv's VTX_BOUNDARY_NONE). False: the boundary is a curve that
     /// keeps its corners (VTX_BOUNDARY_EDGE_AND_CORNER).
