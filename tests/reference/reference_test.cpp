@@ -111,6 +111,13 @@ TEST(Reference, PointLightStopsAtItsDistance) {
     EXPECT_EQ(at("shadow.sun", 20, 20), 1.0f); // and is lit from below: attached shadow above
     EXPECT_EQ(at("id", 12, 20), 1.0f);
     EXPECT_EQ(at("shadow.sun", 12, 20), 0.0f);
+    // Nor may one beyond the light: the ray from (-0.75, 0, 0) to the light would go on to (0.75, 0, 2),
+    // where the roof is now.
+    scene.objects[1].translate = {0.75, 0, 2};
+    const Frame beyond = renderReference(scene, 1);
+    EXPECT_EQ(PixelReader{beyond}("id", 27, 20), 2.0f);
+    EXPECT_EQ(PixelReader{beyond}("shadow.sun", 12, 20), 0.0f);
+    scene.objects[1].translate = {0, 0, 2};
     // Now the light is above the roof: the plane's shadow is the roof (half side 0.2 at height 2) projected
     // from height 4: half side 0.4, so of the pixels seen beside the roof (|x| > 0.2) those with |x| < 0.4
     // are dark.

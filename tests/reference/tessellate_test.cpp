@@ -1,0 +1,169 @@
+// The micro-mesh as a mesh: closed, complete, welded, and on the surface it stands for.
+#include "../../reference/grid_layout.h"
+#include "../../reference/tessellate.h"
+#include "../../scenes/displaced_surface.h"
+#include "test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+namespace plumbline {
+namespace {
+
+using Triangle = std::array<Vec3f, 3>;
+
+/// Micro-triangles with corners that differ, as MicroGrid defines them.
+std::vector<Triangle> trianglesWithArea(const MicroMesh& mesh) {
+    std::vector<Triangle> triangles;
+    const auto keep = [&](const Vec3f& a, const Vec3f& b, const Vec3f& c) {
+        if (a != b && b != c && c != a) triangles.push_back({a, b, c});
+    };
+    for (const MicroGrid& grid : mesh.grids)
+        for (uint32_t row = 0; row + 1 < grid.rows; ++row)
+            for (uint32_t column = 0; column + 1 < grid.columns; ++column) {
+                const Vec3f* a = &mesh.positionsWorld[grid.firstVertex + row * grid.columns + column];
+                keep(a[0], a[1], a[grid.columns]);
+                keep(a[grid.columns + 1], a[grid.columns], a[1]);
+            }
+    return triangles;
+}
+
+/// Edges, by position, that don't have exactly one partner running the other way.
+int unmatchedEdges(const std::vector<Triangle>& triangles) {
+    std::map<std::array<float, 6>, int> edges;
+    for (const Triangle& t : triangles)
+        for (size_t k = 0; k < 3; ++k) {
+            const Vec3f &a = t[k], &b = t[(k + 1) % 3];
+            ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
+            --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
+        }
+    int unmatched = 0;
+    for (const auto& [edge, balance] : edges)
+        unmatched += balance != 0;
+    return unmatched;
+}
+
+double signedVolume(const std::vector<Triangle>& triangles) {
+    double volume = 0;
+    for (const Triangle& t : triangles)
+        volume += glm::dot(Vec3(t[0]), glm::cross(Vec3(t[1]), Vec3(t[2]))) / 6;
+    return volume;
+}
+
+ControlMesh octahedron() {
+    ControlMesh mesh;
+    mesh.name = "octahedron";
+    mesh.points = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    mesh.faceSizes.assign(8, 3);
+    for (int k = 0; k < 4; ++k) {
+        for (const int v : {k, (k + 1) % 4, 4})
+            mesh.faceVertices.push_back(v);
+        for (const int v : {(k + 1) % 4, k, 5})
+            mesh.faceVertices.push_back(v);
+    }
+    for (int k = 0; k < 24; ++k) { // torn at every edge
+        mesh.uvs.push_back(Vec2(0.37 * k, 0.61 * ((k * 7) % 24)));
+        mesh.faceUvs.push_back(k);
+    }
+    return mesh;
+}
+
+Relief noiseRelief(double depth) {
+    std::vector<float> depths;
+    for (int k = 0; k < 64; ++k)
+        depths.push_back(float((k * 37) % 64) / 63.0f);
+    return {std::make_shared<HeightMap>("noise", 8, 8, depths), depth, 0.0, Vec2(1), Vec2(0)};
+}
+
+TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
+    const Relief relief = noiseRelief(0.05);
+    for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark, Scheme::None}) {
+        const BaseSurface surface(octahedron(), scheme);
+        for (const int rate : {1, 2, 4, 16, 32, 64}) {
+            if (rate < smallestRate(surface)) continue;
+            SCOPED_TRACE(testing::Message() << "scheme " << int(scheme) << ", rate " << rate);
+            const MicroMesh mesh = tessellate(surface, &relief, rate, false);
+            const std::vector<Triangle> triangles = trianglesWithArea(mesh);
+            // Loop: rate^2 on each of 8 triangles; else 3 quarters of 2 (rate/2)^2 each.
+            const uint64_t expected =
+                scheme == Scheme::Loop ? 8u * rate * rate : 8u * 3 * 2 * (rate / 2) * (rate / 2);
+            EXPECT_EQ(triangles.size(), expected);
+            EXPECT_EQ(mesh.microTriangleCount, expected);
+            EXPECT_EQ(microMeshSize(surface, rate).vertices, mesh.positionsWorld.size());
+            EXPECT_EQ(microMeshSize(surface, rate).grids, mesh.grids.size());
+            EXPECT_EQ(unmatchedEdges(triangles), 0);
+            EXPECT_GT(signedVolume(triangles), 0);
+        }
+    }
+    // Without relief the polygons' micro-triangles fill the octahedron: 8 corners' pyramids of 1/6.
+    const BaseSurface polygons(octahedron(), Scheme::None);
+    EXPECT_NEAR(signedVolume(trianglesWithArea(tessellate(polygons, nullptr, 32, false))), 8.0 / 6,
+                1e-5); // float
+}
+
+TEST(Tessellate, InteriorVerticesLieOnTheSurface) {
+    const Relief relief = noiseRelief(0.05);
+    for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark}) {
+        const BaseSurface surface(octahedron(), scheme);
+        const MicroMesh mesh = tessellate(surface, &relief, 32, true);
+        BaseSurface::Evaluator evaluator(surface);
+        int checked = 0;
+        for (const MicroGrid& grid : mesh.grids) {
+            const BaseSurface::Patch& patch = surface.patches()[grid.patch];
+            const uint32_t cells = static_cast<uint32_t>(patchRate(patch, 32));
+            evaluator.setPatch(static_cast<int>(grid.patch));
+            for (uint32_t row = grid.row0; row < grid.row0 + grid.rows; ++row)
+                for (uint32_t column = grid.column0; column < grid.column0 + grid.columns; ++column) {
+                    const bool inside =
+                        row > 0 && column > 0 &&
+                        (patch.triangular ? row + column < cells : row < cells && column < cells);
+                    if (!inside) continue;
+                    const DisplacedSample expected =
+                        displace(evaluator.sample(double(column) / cells, double(row) / cells), &relief);
+                    const size_t index =
+                        grid.firstVertex + (row - grid.row0) * grid.columns + (column - grid.column0);
+                    ASSERT_EQ(mesh.positionsWorld[index],
+                              Vec3f(expected.position)); // the same sums in the same order
+                    ASSERT_EQ(mesh.normalsWorld[index], Vec3f(expected.normal));
+                    ASSERT_EQ(mesh.st[index], Vec2f(expected.st));
+                    ++checked;
+                }
+        }
+        EXPECT_GE(checked,
+                  8 * 31 * 30 / 2); // Loop: the lattice points inside 8 triangles; borders of grids twice
+    }
+}
+
+// Two unit squares side by side in the plane z = 0, sharing the edge x = 0. Along it s = 1/4 and t = y on the
+// left, s = 3/4 and t = 1 - y on the right: the two read different texels, in opposite directions. The left
+// column of the map is d = t, so the left says y; the right says whatever the right column has at 1 - y.
+// Welded, the edge lies at the mean of both.
+TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
+    ControlMesh mesh;
+    mesh.name = "pair";
+    mesh.points = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+    mesh.faceSizes = {4, 4};
+    mesh.faceVertices = {0, 1, 2, 3, 1, 4, 5, 2};
+    mesh.uvs = {{0.25, 0}, {0.25, 1}, {0.75, 0}, {0.75, 1}};
+    mesh.faceUvs = {0, 0, 1, 1, 3, 3, 2, 2};
+    const BaseSurface surface(mesh, Scheme::None);
+    // Texel centres in t: 1/8, 3/8, 5/8, 7/8.
+    const std::vector<float> depths{0.125f, 1, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0};
+    const Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
+                        Vec2(1), Vec2(0)};
+    const MicroMesh micro = tessellate(surface, &relief, 8, false);
+    int checked = 0;
+    for (const Vec3f& p : micro.positionsWorld) {
+        if (p.x != 0 || p.y < 0.125f || p.y > 0.875f) continue;
+        const double left = p.y, right = relief.map->depth(Vec2(0.75, 1 - p.y));
+        EXPECT_NEAR(p.z, -(left + right) / 2, 1e-7) << p.y;
+        ++checked;
+    }
+    EXPECT_EQ(checked, 2 * 7);
+    EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * 6 * 8); // the pair's rim alone, both ways
+}
+
+} // namespace
+} // namespace plumbline
