@@ -1,1 +1,307 @@
 #include "scene_file.h"
+
+#include "content_hash.h"
+#include "data_folder.h"
+#include "error.h"
+#include "generate_map.h"
+#include "map_file.h"
+#include "obj_file.h"
+#include "read_file.h"
+#include "scene_shape.h"
+#include "toml_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace plumbline {
+namespace {
+
+constexpr int kLargestSide = 32768; // pixels
+constexpr int64_t kMostPixels = int64_t(1) << 28;
+constexpr size_t kMostLights = 16;
+constexpr size_t kMostObjects = 4096;
+constexpr double kLargestLength = 1e9; // world units: far inside what float buffers hold with their squares
+constexpr double kSmallestLength = 1e-9;
+constexpr double kLargestTile = 1e6;
+constexpr double kSmallestTile = 1e-6;
+// Below this sine of the angle between view direction and up, the picture's roll is rounding noise.
+constexpr double kSmallestUpSine = 1e-6;
+
+class SceneReader {
+  public:
+    explicit SceneReader(const std::filesystem::path& file)
+        : file_(file), text_(readTextFile(file)), root_(TomlTable::parse(file.string(), text_)) {}
+
+    Scene read() {
+        scene_.name = file_.stem().string();
+        scene_.purpose = readPurpose();
+        hash_.add(text_);
+        scene_.background = root_.vector3("background", 0, 1, Vec3(0));
+        readCamera(root_.table("camera"));
+        readLights();
+        for (const TomlTable& map : root_.tables("height_map"))
+            readMap(map);
+        readObjects();
+        root_.finish();
+        scene_.hash = hash_.hexadecimal();
+        return std::move(scene_);
+    }
+
+  private:
+    std::string readPurpose() const {
+        std::string purpose = root_.text("purpose");
+        if (purpose.find_first_not_of(" \t\n") == std::string::npos)
+            root_.fail("purpose", "is empty", "a sentence that says what the scene is for");
+        return purpose;
+    }
+
+    void readCamera(const TomlTable& table) {
+        Camera& camera = scene_.camera;
+        camera.positionWorld = table.vector3("position", -kLargestLength, kLargestLength);
+        camera.targetWorld = table.vector3("target", -kLargestLength, kLargestLength, Vec3(0));
+        camera.upWorld = table.vector3("up", -kLargestLength, kLargestLength, Vec3(0, 1, 0));
+        const std::string projection =
+            table.choice("projection", {"perspective", "orthographic"}, "perspective");
+        if (projection == "perspective") {
+            camera.fovYDegrees = table.number("fov_y_degrees", 1e-3, 179.9, camera.fovYDegrees);
+            if (table.has("view_height")) table.fail("view_height", "belongs to projection \"orthographic\"");
+        } else {
+            camera.projection = Camera::Projection::Orthographic;
+            camera.viewHeight =
+                table.number("view_height", kSmallestLength, kLargestLength, camera.viewHeight);
+            if (table.has("fov_y_degrees"))
+                table.fail("fov_y_degrees", "belongs to projection \"perspective\"");
+        }
+        camera.width = table.integer("width", 1, kLargestSide, camera.width);
+        camera.height = table.integer("height", 1, kLargestSide, camera.height);
+        if (int64_t(camera.width) * camera.height > kMostPixels)
+            table.fail("width", fmt::format("{} x {} pixels are too many", camera.width, camera.height),
+                       "at most 2^28");
+        checkCameraAxes(table);
+        table.finish();
+    }
+
+    void checkCameraAxes(const TomlTable& table) const {
+        const Camera& camera = scene_.camera;
+        const Vec3 view = camera.targetWorld - camera.positionWorld;
+        const double magnitude = std::max(glm::length(camera.positionWorld), glm::length(camera.targetWorld));
+        // Closer than that, the direction is made of the coordinates' last digits.
+        if (glm::length(view) <= 1e-12 * magnitude || !(glm::length(view) > 0))
+            table.fail("target", "is where the camera is", "another place than position");
+        if (!(glm::length(camera.upWorld) > 0)) table.fail("up", "is zero", "a direction");
+        if (glm::length(glm::cross(glm::normalize(view), glm::normalize(camera.upWorld))) < kSmallestUpSine)
+            table.fail("up", "is parallel to the view direction", "a direction that points elsewhere");
+    }
+
+    /// Names become parts of channel and file names and of columns.
+    std::string readName(const TomlTable& table, std::set<std::string>& taken) const {
+        const std::string name = table.text("name");
+        const auto allowed = [](unsigned char c) {
+            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+                   c == '-';
+        };
+        if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), allowed))
+            table.fail("name", fmt::format("is \"{}\"", name.substr(0, 64)),
+                       "1 to 64 of the letters a-z A-Z 0-9 _ -");
+        if (!taken.insert(name).second)
+            table.fail("name", fmt::format("\"{}\" is taken already", name), "another one");
+        return name;
+    }
+
+    void readLights() {
+        std::set<std::string> names;
+        const std::vector<TomlTable> tables = root_.tables("light");
+        if (tables.size() > kMostLights)
+            tables[kMostLights].fail({}, fmt::format("is one of {} lights", tables.size()), "at most 16");
+        for (const TomlTable& table : tables) {
+            Light light;
+            light.name = readName(table, names);
+            if (table.has("to_light") == table.has("position"))
+                table.fail({}, table.has("position") ? "has both to_light and position" : "has no place",
+                           "to_light (a distant light) or position (a near one)");
+            if (table.has("position")) {
+                light.kind = Light::Kind::Point;
+                light.positionWorld = table.vector3("position", -kLargestLength, kLargestLength);
+            } else {
+                const Vec3 direction = table.vector3("to_light", -kLargestLength, kLargestLength);
+                if (!(glm::length(direction) > 0)) table.fail("to_light", "is zero", "a direction");
+                light.toLightWorld = glm::normalize(direction);
+            }
+            table.finish();
+            scene_.lights.push_back(light);
+        }
+    }
+
+    /// A path in the scene file is relative to it.
+    std::filesystem::path readPath(const TomlTable& table, const char* key) {
+        const std::string text = table.text(key);
+        if (text.empty()) table.fail(key, "is empty", "a file");
+        const std::filesystem::path path = (file_.parent_path() / text).lexically_normal();
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(path, error))
+            table.fail(key, fmt::format("no such file as '{}'", path.string()),
+                       "a path relative to the scene file's folder");
+        hash_.addFile(path);
+        return path;
+    }
+
+    void readMap(const TomlTable& table) {
+        const std::string name = readName(table, mapNames_);
+        const std::vector<std::string> wraps{"repeat", "clamp"};
+        const std::vector<std::string> wrap =
+            table.texts("wrap", std::vector<std::string>{"repeat", "repeat"});
+        for (const std::string& w : wrap)
+            if (std::find(wraps.begin(), wraps.end(), w) == wraps.end())
+                table.fail("wrap", fmt::format("is \"{}\"", w), listOf(wraps), didYouMean(w, wraps));
+        if (wrap.size() != 2)
+            table.fail("wrap", fmt::format("has {} entries", wrap.size()), "two: along s and along t");
+        const Wrap wrapS = wrap[0] == "repeat" ? Wrap::Repeat : Wrap::Clamp;
+        const Wrap wrapT = wrap[1] == "repeat" ? Wrap::Repeat : Wrap::Clamp;
+        if (table.has("file") == table.has("generate"))
+            table.fail({}, table.has("file") ? "has both file and generate" : "has no source",
+                       "file or generate");
+        maps_[name] = std::make_shared<const HeightMap>(
+            table.has("file") ? readPictureMap(table, wrapS, wrapT) : readGeneratedMap(table, wrapS, wrapT));
+        table.finish();
+    }
+
+    HeightMap readPictureMap(const TomlTable& table, Wrap wrapS, Wrap wrapT) {
+        const bool depth = table.choice("stores", {"height", "depth"}) == "depth";
+        return readHeightMap(readPath(table, "file"), depth ? Stores::Depth : Stores::Height, wrapS, wrapT);
+    }
+
+    HeightMap readGeneratedMap(const TomlTable& table, Wrap wrapS, Wrap wrapT) const {
+        if (table.choice("stores", {"height", "depth"}, "depth") != "depth")
+            table.fail("stores", "is \"height\"", "\"depth\" or nothing: generated maps are depths");
+        const TomlTable generate = table.table("generate");
+        const std::string kind = generate.choice("kind", generatedMapKinds());
+        const int size = generate.integer("size", 1, 16384, 256);
+        const int seed = generate.integer("seed", 0, std::numeric_limits<int>::max(), 1);
+        generate.finish();
+        try {
+            return generateMap(kind, size, static_cast<unsigned>(seed), wrapS, wrapT);
+        } catch (const InputError& error) {
+            generate.fail({}, error.what());
+        }
+    }
+
+    void readObjects() {
+        const std::vector<TomlTable> tables = root_.tables("object");
+        if (tables.empty()) root_.fail("object", "is missing", "at least one [[object]]");
+        if (tables.size() > kMostObjects)
+            tables[kMostObjects].fail({}, fmt::format("is one of {} objects", tables.size()), "at most 4096");
+        std::set<std::string> names;
+        for (const TomlTable& table : tables) {
+            SceneObject object;
+            object.name = readName(table, names);
+            readSurface(table, object);
+            readPlacement(table, object);
+            if (table.has("relief")) readRelief(table, object);
+            readColor(table, object);
+            table.finish();
+            checkSurface(table, object);
+            scene_.objects.push_back(std::move(object));
+        }
+    }
+
+    void readSurface(const TomlTable& table, SceneObject& object) {
+        const std::string scheme = table.choice("scheme", {"catmull-clark", "loop", "none"}, "catmull-clark");
+        object.scheme = scheme == "loop"   ? Scheme::Loop
+                        : scheme == "none" ? Scheme::None
+                                           : Scheme::CatmullClark;
+        object.proxyRate = table.integer("proxy_rate", 1, 64, 1);
+        if (table.has("mesh") == table.has("shape"))
+            table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has no surface", "mesh or shape");
+        object.mesh = table.has("mesh") ? readObj(readPath(table, "mesh")) : readShape(table.table("shape"));
+        if (object.scheme == Scheme::None && !object.mesh.normalsMissing.empty())
+            table.fail("mesh", "normals of " + object.mesh.name + ": " + object.mesh.normalsMissing,
+                       "normals on every face or on none under scheme \"none\"");
+    }
+
+    static void checkSurface(const TomlTable& table, const SceneObject& object) {
+        try {
+            checkControlMesh(object.meshWorld(), object.scheme);
+        } catch (const InputError& error) { // names the face; the scene's line says which object
+            table.fail(table.has("mesh") ? "mesh" : "shape", error.what());
+        }
+    }
+
+    static void readPlacement(const TomlTable& table, SceneObject& object) {
+        constexpr double kLargestAngle = 1e6; // degrees
+        object.translate = table.vector3("translate", -kLargestLength, kLargestLength, Vec3(0));
+        object.rotateDegrees = table.vector3("rotate_degrees", -kLargestAngle, kLargestAngle, Vec3(0));
+        object.scale = table.number("scale", kSmallestLength, kLargestLength, 1.0);
+    }
+
+    /// `key` names what needs the uvs.
+    static void requireUvs(const TomlTable& table, const char* key, const ControlMesh& mesh) {
+        if (mesh.hasUvs()) return;
+        table.fail(
+            key,
+            fmt::format("{} has no uvs{}{}", mesh.name, mesh.uvsMissing.empty() ? "" : ": ", mesh.uvsMissing),
+            "a mesh with a uv index at every corner");
+    }
+
+    void readRelief(const TomlTable& objectTable, SceneObject& object) {
+        const TomlTable table = objectTable.table("relief");
+        requireUvs(objectTable, "relief", object.mesh);
+        Relief relief;
+        if (table.has("map") == table.has("constant"))
+            table.fail({}, table.has("map") ? "has both map and constant" : "has no depths",
+                       "map (a height map's name) or constant (a depth in [0,1])");
+        relief.map = table.has("map") ? findMap(table)
+                                      : std::make_shared<const HeightMap>(HeightMap::constant(
+                                            "constant", static_cast<float>(table.number("constant", 0, 1))));
+        relief.depth = table.number("depth", 0, kLargestLength);
+        relief.offset = table.number("offset", -kLargestLength, kLargestLength, 0.0);
+        relief.tile = table.vector2("tile", -kLargestTile, kLargestTile, Vec2(1));
+        if (std::abs(relief.tile.x) < kSmallestTile || std::abs(relief.tile.y) < kSmallestTile)
+            table.fail("tile", fmt::format("is [{}, {}]", relief.tile.x, relief.tile.y), "neither of them 0");
+        relief.uvOffset = table.vector2("uv_offset", -kLargestTile, kLargestTile, Vec2(0));
+        table.finish();
+        object.relief = relief;
+    }
+
+    std::shared_ptr<const HeightMap> findMap(const TomlTable& relief) const {
+        const std::string name = relief.text("map");
+        const auto found = maps_.find(name);
+        if (found != maps_.end()) return found->second;
+        const std::vector<std::string> names(mapNames_.begin(), mapNames_.end());
+        relief.fail("map", fmt::format("no height map is called \"{}\"", name),
+                    names.empty() ? "a [[height_map]] of that name" : listOf(names), didYouMean(name, names));
+    }
+
+    void readColor(const TomlTable& table, SceneObject& object) {
+        if (!table.has("color_map")) {
+            object.color = table.vector3("color", 0, 1, object.color);
+            return;
+        }
+        if (table.has("color")) table.fail("color_map", "stands beside color", "one of the two");
+        requireUvs(table, "color_map", object.mesh);
+        const std::filesystem::path path = readPath(table, "color_map");
+        std::shared_ptr<const ColorMap>& map = colorMaps_[path.string()];
+        if (!map) map = std::make_shared<const ColorMap>(readColorMap(path));
+        object.colorMap = map;
+    }
+
+    std::filesystem::path file_;
+    std::string text_;
+    TomlTable root_;
+    Scene scene_;
+    ContentHash hash_;
+    std::set<std::string> mapNames_;
+    std::map<std::string, std::shared_ptr<const HeightMap>> maps_;
+    std::map<std::string, std::shared_ptr<const ColorMap>> colorMaps_;
+};
+
+} // namespace
+
+Scene readScene(const std::filesystem::path& file) {
+    return SceneReader(file).read();
+}
+
+} // namespace plumbline
