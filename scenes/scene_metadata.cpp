@@ -10,6 +10,10 @@ std::string text(const Vec3& v) {
     return fmt::format("{} {} {}", v.x, v.y, v.z);
 }
 
+const char* nameOf(Wrap wrap) {
+    return wrap == Wrap::Repeat ? "repeat" : "clamp";
+}
+
 std::string describe(const Camera& camera) {
     const bool perspective = camera.projection == Camera::Projection::Perspective;
     return fmt::format("{} position {} target {} up {} {} {} size {} {}",
@@ -42,6 +46,8 @@ std::map<std::string, std::string> sceneMetadata(const Scene& scene) {
         metadata[key + "relief_depth"] = fmt::format("{}", object.relief->depth);
         metadata[key + "map_texels"] =
             fmt::format("{} {}", object.relief->map->width(), object.relief->map->height());
+        metadata[key + "map_wrap"] =
+            fmt::format("{} {}", nameOf(object.relief->map->wrapS()), nameOf(object.relief->map->wrapT()));
     }
     return metadata;
 }

@@ -9,12 +9,16 @@
 namespace plumbline {
 
 /// Keys, all with string values:
-///   program               name and version
-///   scene, scene_hash     name and Scene::hash
-///   camera                one line: projection, position, target, up, field of view or view height, size in
-///   pixels lights                names, separated by spaces object.<id>.name      <id> is the value of the
-///   frame's id channel, from 1 object.<id>.relief_depth      world units; only objects with a relief have it
-///   object.<id>.map_texels        "width height" of the relief map
+///   program                   name and version
+///   scene, scene_hash         name and Scene::hash
+///   camera                    one line: projection, position, target, up, field of view or view height, size in
+///                             pixels
+///   lights                    names, separated by spaces
+///   object.<id>.name          <id> is the value of the frame's id channel, from 1
+///   object.<id>.relief_depth  world units; only objects with a relief have it and the two that follow
+///   object.<id>.map_texels    "width height" of the relief map
+///   object.<id>.map_wrap      "repeat clamp": along s and t
+/// validate/frame_metadata.h reads them back.
 std::map<std::string, std::string> sceneMetadata(const Scene& scene);
 
 /// Name and version of the program: "plumbline 0.1.0".

@@ -1,0 +1,106 @@
+#include "../../scenes/error.h"
+#include "../../scenes/scene_metadata.h"
+#include "../../validate/frame_metadata.h"
+#include "painted_frames.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+Scene twoObjects() {
+    Scene scene;
+    scene.name = "two";
+    scene.camera.positionWorld = {0.1, 1.0 / 3.0, 3};
+    scene.camera.width = 20;
+    scene.camera.height = 10;
+    scene.objects.resize(2);
+    scene.objects[0].name = "floor";
+    scene.objects[1].name = "torus with a name";
+    Relief relief;
+    relief.map =
+        std::make_shared<HeightMap>("map", 2, 3, std::vector<float>(6, 0.5f), Wrap::Repeat, Wrap::Clamp);
+    relief.depth = 0.07;
+    scene.objects[1].relief = relief;
+    return scene;
+}
+
+Frame frameOf(const Scene& scene) {
+    Frame frame(scene.camera.width, scene.camera.height);
+    frame.metadata = sceneMetadata(scene);
+    return frame;
+}
+
+TEST(FrameMetadata, ObjectsComeBackAsTheyWere) {
+    const Scene scene = twoObjects();
+    const auto written = objectsOf(scene), read = objectsFromHeader(frameOf(scene), "a.exr");
+    ASSERT_EQ(written.size(), 2u);
+    ASSERT_EQ(read.size(), 2u);
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(read[i].id, written[i].id);
+        EXPECT_EQ(read[i].name, written[i].name);
+        EXPECT_EQ(read[i].reliefDepth, written[i].reliefDepth); // bit for bit
+        EXPECT_EQ(read[i].map.has_value(), written[i].map.has_value());
+    }
+    EXPECT_EQ(*written[0].reliefDepth, 0);
+    EXPECT_EQ(written[1].id, 2);
+    EXPECT_EQ(read[1].map->width, 2);
+    EXPECT_EQ(read[1].map->height, 3);
+    EXPECT_TRUE(read[1].map->repeatS);
+    EXPECT_FALSE(read[1].map->repeatT);
+}
+
+TEST(FrameMetadata, CameraComesBackAsItWas) {
+    Scene scene = twoObjects();
+    for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic}) {
+        scene.camera.projection = projection;
+        const auto camera = cameraFromHeader(frameOf(scene), "a.exr");
+        ASSERT_TRUE(camera);
+        EXPECT_EQ(camera->positionWorld, scene.camera.positionWorld);
+        EXPECT_EQ(camera->projection, projection);
+        EXPECT_EQ(camera->fovYDegrees, scene.camera.fovYDegrees);
+        EXPECT_EQ(camera->viewHeight, scene.camera.viewHeight);
+        EXPECT_EQ(camera->width, 20);
+    }
+}
+
+TEST(FrameMetadata, ForeignFramesSayNothing) {
+    Frame frame(1, 1);
+    frame.metadata["object.color"] = "red";
+    frame.metadata["object.x.relief_depth"] = "0.1";
+    EXPECT_THAT(objectsFromHeader(frame, "a.exr"), IsEmpty());
+    EXPECT_FALSE(cameraFromHeader(frame, "a.exr"));
+}
+
+TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
+    const auto message = [](const std::string& key, const std::string& value) -> std::string {
+        Frame frame(1, 1);
+        frame.metadata[key] = value;
+        try {
+            (void)objectsFromHeader(frame, "a.exr");
+            (void)cameraFromHeader(frame, "a.exr");
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_THAT(message("object.1.relief_depth", "deep"),
+                HasSubstr("a.exr: header field 'object.1.relief_depth'"));
+    for (const char* bad : {"-1", "nan", "inf", "", "0.1 0.2", "1e999"})
+        EXPECT_THAT(message("object.1.relief_depth", bad), HasSubstr("can't be read")) << bad;
+    for (const char* bad : {"0 5", "5", "1e9 5", "2.5 5", "5 5 5", "nan 5"})
+        EXPECT_THAT(message("object.1.map_texels", bad), HasSubstr("can't be read")) << bad;
+    EXPECT_THAT(message("object.1.map_wrap", "mirror repeat"), HasSubstr("can't be read"));
+    EXPECT_THAT(message("camera", "fisheye"), HasSubstr("header field 'camera'"));
+    EXPECT_THAT(
+        message("camera", "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees nan size 1 1"),
+        HasSubstr("can't be read"));
+}
+
+} // namespace
+} // namespace plumbline

@@ -1,0 +1,121 @@
+#include "../../validate/pictures.h"
+#include "../../validate/report_page.h"
+#include "sample_results.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using namespace test;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+Rgb pixelOf(const Picture& picture, int x, int y) {
+    const size_t at =
+        (static_cast<size_t>(y) * static_cast<size_t>(picture.width) + static_cast<size_t>(x)) * 3;
+    return {picture.rgb[at], picture.rgb[at + 1], picture.rgb[at + 2]};
+}
+
+// IEC 61966-2-1: 0.0031308 is where the line meets the curve (code 10.3), 0.5 encodes to 0.7354 = 187.5 /
+// 255, and code 128 means 0.21586 linear.
+TEST(Pictures, SrgbCodes) {
+    EXPECT_EQ(srgbCode(0), 0);
+    EXPECT_EQ(srgbCode(1), 255);
+    EXPECT_EQ(srgbCode(0.0031308), 10);
+    EXPECT_EQ(srgbCode(0.21586), 128);
+    EXPECT_EQ(srgbCode(0.5), 188);
+    EXPECT_EQ(srgbCode(7), 255);
+    EXPECT_EQ(srgbCode(-1), 0);
+    EXPECT_EQ(srgbCode(kNanF), 0);
+}
+
+TEST(Pictures, SilhouetteColoursEachCase) {
+    Frame reference = emptyFrame(5, 1), test = emptyFrame(5, 1);
+    paintPixel(reference, 1, 0, 1, 2); // agree
+    paintPixel(test, 1, 0, 1, 2);
+    paintPixel(reference, 2, 0, 1, 2); // missing
+    paintPixel(test, 3, 0, 1, 2);      // extra
+    paintPixel(reference, 4, 0, 1, 2); // another object
+    paintPixel(test, 4, 0, 2, 2);
+    const Picture picture = silhouettePicture(FramePair(reference, test, {}));
+    EXPECT_EQ(pixelOf(picture, 0, 0), palette::kNothing);
+    EXPECT_EQ(pixelOf(picture, 1, 0), palette::kAgree);
+    EXPECT_EQ(pixelOf(picture, 2, 0), palette::kMissing);
+    EXPECT_EQ(pixelOf(picture, 3, 0), palette::kExtra);
+    EXPECT_EQ(pixelOf(picture, 4, 0), palette::kOther);
+}
+
+TEST(Pictures, DepthErrorIsSymmetricAndSaturates) {
+    Frame reference = emptyFrame(5, 1), test = emptyFrame(5, 1);
+    paintRectangle(reference, 0, 0, 5, 1, 1, 2.0f);
+    const float depths[] = {2.0f, 1.5f, 2.5f, 9.0f, kNanF};
+    for (int x = 0; x < 5; ++x)
+        paintPixel(test, x, 0, 1, depths[x]);
+    const Picture picture =
+        depthErrorPicture(FramePair(reference, test, {}), reference.channel("Z"), test.channel("Z"), 0.5);
+    EXPECT_EQ(pixelOf(picture, 0, 0), divergingColor(0));
+    EXPECT_EQ(pixelOf(picture, 1, 0), divergingColor(-1)); // nearer by the range
+    EXPECT_EQ(pixelOf(picture, 2, 0), divergingColor(1));
+    EXPECT_EQ(pixelOf(picture, 3, 0), divergingColor(1)); // beyond it
+    EXPECT_EQ(pixelOf(picture, 4, 0), palette::kInvalid);
+    EXPECT_GT(divergingColor(-1)[2], divergingColor(-1)[0]); // too near is blue
+    EXPECT_GT(divergingColor(1)[0], divergingColor(1)[2]);   // too far is orange
+}
+
+TEST(Pictures, ShadowColoursEachCase) {
+    Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
+    paintRectangle(reference, 0, 0, 4, 1);
+    paintRectangle(test, 0, 0, 4, 1);
+    for (const int x : {1, 3})
+        set(reference, "shadow.sun", x, 0, 1);
+    for (const int x : {1, 2})
+        set(test, "shadow.sun", x, 0, 1);
+    const Picture picture = shadowPicture(FramePair(reference, test, {}), "sun");
+    EXPECT_EQ(pixelOf(picture, 0, 0), palette::kAgree);
+    EXPECT_EQ(pixelOf(picture, 1, 0), palette::kBothDark);
+    EXPECT_EQ(pixelOf(picture, 2, 0), palette::kExtra);   // false shadow
+    EXPECT_EQ(pixelOf(picture, 3, 0), palette::kMissing); // false light
+}
+
+TEST(ReportPage, EscapesEveryTextFromOutside) {
+    const std::string hostile = "<script>alert('x')</script>&\"";
+    Results results = sampleResults(hostile);
+    results.scene.name = hostile;
+    results.scene.purpose = hostile;
+    results.techniques[0].parameters[hostile] = hostile;
+    results.techniques[0].limits = {hostile};
+    results.techniques[0].comparison.notes = {hostile};
+    results.techniques[0].comparison.objects[0].object.name = hostile;
+    results.techniques[1].error = hostile;
+    results.reference.objects[0].name = hostile;
+    ReportPictures pictures;
+    ReportPicture picture;
+    picture.caption = hostile;
+    picture.file = "a.png";
+    pictures.techniques[hostile] = {picture};
+    const std::string page = reportPage(results, pictures);
+    EXPECT_THAT(page, Not(HasSubstr("<script")));
+    EXPECT_THAT(page, HasSubstr("&lt;script&gt;"));
+}
+
+TEST(ReportPage, SaysWhatAPersonMustKnow) {
+    const std::string page = reportPage(sampleResults(), {});
+    EXPECT_THAT(page, HasSubstr("A scene &lt;of&gt; paint &amp; &quot;quotes&quot;"));
+    EXPECT_THAT(page, HasSubstr("1 234 567 micro-triangles"));
+    EXPECT_THAT(page, HasSubstr("8 segments per control edge instead of the 16"));
+    EXPECT_THAT(page, HasSubstr("broken.glsl:3"));
+    EXPECT_THAT(page, HasSubstr("title=\"the test frame has no channel cost.fetches\">–"));
+    EXPECT_THAT(page, HasSubstr("12.5 ms, median of 5 (wall clock around glFinish)"));
+}
+
+TEST(ReportPage, NeedsNothingFromTheNetwork) {
+    const std::string page = reportPage(sampleResults(), {});
+    for (const char* remote : {"http:", "https:", "//cdn", "<script", "<link", "@import"})
+        EXPECT_THAT(page, Not(HasSubstr(remote))) << remote;
+}
+
+} // namespace
+} // namespace plumbline

@@ -1,0 +1,45 @@
+// A small run's results, made without rendering.
+#pragma once
+
+#include "../../validate/results.h"
+#include "painted_frames.h"
+
+namespace plumbline::test {
+
+inline Frame sampleReference() {
+    Frame frame = emptyFrame(8, 6);
+    paintRectangle(frame, 1, 1, 4, 5, 1, 2.0f);
+    paintRectangle(frame, 4, 1, 7, 5, 2, 2.5f);
+    set(frame, "shadow.sun", 2, 2, 1);
+    return frame;
+}
+
+inline Results sampleResults(const std::string& techniqueName = "linear_binary") {
+    const Frame reference = sampleReference(), test = shiftedRight(reference);
+    Results results;
+    results.program = "plumbline 0.1.0";
+    results.scene = {"painted", "A scene <of> paint & \"quotes\"", "abc123", 8, 6};
+    results.reference.microTriangles = 1234567;
+    results.reference.tessellateMs = 1.5;
+    results.reference.buildMs = 2.5;
+    results.reference.traceMs = 3.5;
+    results.reference.peakBytes = 1e9;
+    results.reference.objects = {{"object 1", 8, 16, 1234567}};
+    TechniqueOutcome good;
+    good.name = techniqueName;
+    good.parameters = {{"linear_steps", "32"}};
+    good.backend = "egl";
+    good.renderer = "llvmpipe";
+    good.msMedian = 12.5;
+    good.msRuns = 5;
+    good.timer = "wall clock around glFinish";
+    good.comparison =
+        compareFrames(reference, test, {objectWithRelief(1, 0.1), objectWithRelief(2, 0)}, std::nullopt);
+    TechniqueOutcome bad;
+    bad.name = "broken";
+    bad.error = "broken.glsl:3: undeclared 'x'";
+    results.techniques = {good, bad};
+    return results;
+}
+
+} // namespace plumbline::test

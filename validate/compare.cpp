@@ -1,0 +1,99 @@
+#include "compare.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace plumbline {
+namespace {
+
+std::set<std::string> lightsOf(const FramePair& pair) {
+    std::set<std::string> lights;
+    for (const Frame* frame : {&pair.reference(), &pair.test()})
+        for (const std::string& light : frame->lightNames())
+            lights.insert(light);
+    return lights;
+}
+
+MetricSet computeMetrics(const FramePair& pair, ObjectSelection selection, const Comparison& comparison,
+                         const std::string& noDepthReason) {
+    MetricSet metrics;
+    metrics.silhouette = computeSilhouetteIou(pair, selection);
+    metrics.depth =
+        computeDepthError(pair, selection, comparison.referenceDepth, comparison.testDepth, noDepthReason);
+    for (const std::string& light : lightsOf(pair))
+        metrics.shadow[light] = computeShadowAgreement(pair, selection, light);
+    metrics.normal = computeNormalAngle(pair, selection);
+    metrics.st = computeStError(pair, selection);
+    metrics.cost = computeFetchCost(pair, selection);
+    return metrics;
+}
+
+void noteMissingChannels(const FramePair& pair, const std::string& noDepthReason,
+                         std::vector<std::string>& notes) {
+    if (!pair.objectsToldApart())
+        notes.push_back(pair.missingChannel("id") + ": everything covered counts as one object");
+    if (!noDepthReason.empty()) notes.push_back(noDepthReason + ": no depth figures");
+    if (lightsOf(pair).empty())
+        notes.push_back("neither frame has a channel shadow.<light>: no shadow figures");
+    for (const std::string& light : lightsOf(pair))
+        if (const std::string missing = pair.missingChannel(shadowChannel(light)); !missing.empty())
+            notes.push_back(fmt::format("{}: no shadow figures for {}", missing, light));
+    for (const char* channel : {"N.X", "N.Y", "N.Z"})
+        if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
+            notes.push_back(missing + ": no normal figures");
+            break;
+        }
+    for (const char* channel : {"st.S", "st.T"})
+        if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
+            notes.push_back(missing + ": no st figures");
+            break;
+        }
+    for (const ObjectInfo& object : pair.objects())
+        if (!object.reliefDepth)
+            notes.push_back(fmt::format(
+                "the relief depth of '{}' is not known: no depth figures relative to it", object.name));
+}
+
+} // namespace
+
+PlanarDepth planarDepth(const Frame& frame, const char* which, const std::optional<Camera>& camera) {
+    if (frame.has("Z")) {
+        const auto plane = frame.channel("Z");
+        return {{plane.begin(), plane.end()}, {}};
+    }
+    if (!frame.has("P.X") || !frame.has("P.Y") || !frame.has("P.Z"))
+        return {{}, fmt::format("the {} frame has neither Z nor P.X P.Y P.Z", which)};
+    if (!camera) return {{}, fmt::format("the {} frame has P but no Z, and the camera is not known", which)};
+    const auto x = frame.channel("P.X"), y = frame.channel("P.Y"), z = frame.channel("P.Z");
+    const CameraRays rays(*camera);
+    PlanarDepth result;
+    result.depth.resize(frame.pixelCount());
+    for (size_t pixel = 0; pixel < result.depth.size(); ++pixel)
+        result.depth[pixel] = static_cast<float>(rays.planarDepth(Vec3(x[pixel], y[pixel], z[pixel])));
+    return result;
+}
+
+Comparison compareFrames(const Frame& reference, const Frame& test, const std::vector<ObjectInfo>& objects,
+                         const std::optional<Camera>& camera) {
+    const FramePair pair(reference, test, objects);
+    Comparison comparison;
+    PlanarDepth referenceDepth = planarDepth(reference, "reference", camera);
+    PlanarDepth testDepth = planarDepth(test, "test", camera);
+    const std::string noDepthReason =
+        referenceDepth.reason.empty() ? testDepth.reason : referenceDepth.reason;
+    comparison.referenceDepth = std::move(referenceDepth.depth);
+    comparison.testDepth = std::move(testDepth.depth);
+
+    const std::vector<size_t> relief = pair.reliefObjects();
+    comparison.pooled = computeMetrics(pair, relief, comparison, noDepthReason);
+    for (const size_t index : relief)
+        comparison.pooledObjects.push_back(pair.objects()[index].name);
+    for (size_t index = 0; index < pair.objects().size(); ++index)
+        comparison.objects.push_back(
+            {pair.objects()[index], computeMetrics(pair, std::span(&index, 1), comparison, noDepthReason)});
+    noteMissingChannels(pair, noDepthReason, comparison.notes);
+    return comparison;
+}
+
+} // namespace plumbline

@@ -1,0 +1,53 @@
+// Two frames to every metric, per object and pooled over the objects with a relief.
+#pragma once
+
+#include "../scenes/camera.h"
+#include "depth_error.h"
+#include "fetch_cost.h"
+#include "normal_angle.h"
+#include "shadow_agreement.h"
+#include "silhouette_iou.h"
+#include "st_error.h"
+
+#include <map>
+#include <optional>
+
+namespace plumbline {
+
+/// Every metric over one selection of objects.
+struct MetricSet {
+    SilhouetteIou silhouette;
+    DepthError depth;
+    std::map<std::string, ShadowAgreement> shadow; // by light
+    NormalAngle normal;
+    StError st;
+    FetchCost cost;
+};
+
+struct ObjectComparison {
+    ObjectInfo object;
+    MetricSet metrics;
+};
+
+struct Comparison {
+    MetricSet pooled;
+    std::vector<ObjectComparison> objects;  // in the order of the scene
+    std::vector<std::string> pooledObjects; // names of those pooled
+    std::vector<std::string> notes;         // what is missing, and what that rules out; a sentence each
+    /// Planar depth of both frames as compared; empty where there is none.
+    std::vector<float> referenceDepth, testDepth;
+};
+
+/// Planar depth of a frame: its Z, or from P and the camera. nullopt with a reason if neither is possible.
+struct PlanarDepth {
+    std::vector<float> depth; // per pixel, world units; empty if there is none
+    std::string reason;       // why there is none
+};
+PlanarDepth planarDepth(const Frame& frame, const char* which, const std::optional<Camera>& camera);
+
+/// `camera`: of the view, to get depth from positions where a frame has P but no Z. Throws InputError as
+/// FramePair does.
+Comparison compareFrames(const Frame& reference, const Frame& test, const std::vector<ObjectInfo>& objects,
+                         const std::optional<Camera>& camera);
+
+} // namespace plumbline

@@ -1,0 +1,65 @@
+// A measured number, or the reason why there is none: the currency of every metric.
+//
+// A metric that can't be computed is absent with its reason, never 0 and never NaN.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace plumbline {
+
+class Figure {
+  public:
+    Figure() : reason_("not computed") {}
+    /// A value; one that isn't finite becomes absent, so that no result file can ever hold NaN or infinity.
+    Figure(double value) { // NOLINT(google-explicit-constructor): a number is a figure
+        if (std::isfinite(value))
+            value_ = value;
+        else
+            reason_ = "the result is not finite";
+    }
+    static Figure absent(std::string reason) {
+        Figure figure;
+        figure.reason_ = std::move(reason);
+        return figure;
+    }
+    /// part / whole; absent with `reasonIfEmpty` for an empty whole.
+    static Figure ratio(uint64_t part, uint64_t whole, const std::string& reasonIfEmpty) {
+        if (whole == 0) return absent(reasonIfEmpty);
+        return {static_cast<double>(part) / static_cast<double>(whole)};
+    }
+
+    explicit operator bool() const { return value_.has_value(); }
+    double operator*() const { return value_.value(); }
+    /// Why there is no value; empty if there is one.
+    const std::string& reason() const { return reason_; }
+
+    friend bool operator==(const Figure&, const Figure&) = default;
+
+  private:
+    std::optional<double> value_;
+    std::string reason_;
+};
+
+/// One named result of a metric: a count of pixels, or a figure. Keys are those of results.json.
+struct MetricValue {
+    std::string key;
+    std::variant<uint64_t, Figure> value;
+};
+using MetricValues = std::vector<MetricValue>;
+
+/// Nearest-rank percentile: the smallest of n values that at least `percent` % of them don't exceed, i.e. the
+/// value of rank ceil(percent/100 * n), counted from 1. Always one of the values; percent in [1, 100]. The
+/// rank is computed in integers, so that it can't be off by one through rounding. `sorted`: ascending, not
+/// empty.
+inline double nearestRank(const std::vector<double>& sorted, unsigned percent) {
+    const size_t rank = (sorted.size() * percent + 99) / 100;
+    return sorted[rank - 1];
+}
+
+} // namespace plumbline

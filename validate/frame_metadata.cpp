@@ -1,0 +1,168 @@
+#include "frame_metadata.h"
+
+#include "../scenes/error.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace plumbline {
+namespace {
+
+[[noreturn]] void refuse(const std::string& where, const std::string& key, const std::string& value,
+                         const char* expected) {
+    throw InputError(fmt::format("{}: header field '{}'", where, key),
+                     fmt::format("'{}' can't be read", value), expected);
+}
+
+/// Words of a header value, taken one by one; any word that isn't what is asked for makes the value
+/// unreadable.
+class Words {
+  public:
+    explicit Words(const std::string& text) : stream_(text) { stream_.imbue(std::locale::classic()); }
+    std::string word() {
+        std::string next;
+        if (!(stream_ >> next)) failed_ = true;
+        return next;
+    }
+    void literal(const char* expected) { failed_ = word() != expected || failed_; }
+    double number() {
+        const std::string next = word();
+        double value = 0;
+        const auto [end, error] = std::from_chars(next.data(), next.data() + next.size(), value);
+        if (error != std::errc() || end != next.data() + next.size() || !std::isfinite(value)) failed_ = true;
+        return value;
+    }
+    int count(int largest) {
+        const double value = number();
+        if (!(value >= 1 && value <= largest) || value != std::floor(value)) {
+            failed_ = true;
+            return 1;
+        }
+        return static_cast<int>(value);
+    }
+    Vec3 vector() {
+        const double x = number(), y = number(), z = number();
+        return {x, y, z};
+    }
+    bool repeats() {
+        const std::string wrap = word();
+        if (wrap != "repeat" && wrap != "clamp") failed_ = true;
+        return wrap == "repeat";
+    }
+    /// Whether everything was as asked for and nothing is left.
+    bool ok() {
+        std::string rest;
+        return !failed_ && !(stream_ >> rest);
+    }
+
+  private:
+    std::istringstream stream_;
+    bool failed_ = false;
+};
+
+constexpr int kLargestMapSide = 1 << 24;
+
+void readObjectField(const std::string& field, const std::string& value, const std::string& where,
+                     const std::string& key, ObjectInfo& object) {
+    if (field == "name") {
+        object.name = value;
+        return;
+    }
+    Words words(value);
+    if (field == "relief_depth") {
+        object.reliefDepth = words.number();
+        if (!words.ok() || *object.reliefDepth < 0) refuse(where, key, value, "a number >= 0, world units");
+    } else if (field == "map_texels") {
+        if (!object.map) object.map.emplace();
+        object.map->width = words.count(kLargestMapSide);
+        object.map->height = words.count(kLargestMapSide);
+        if (!words.ok()) refuse(where, key, value, "two whole numbers: width height");
+    } else if (field == "map_wrap") {
+        if (!object.map) object.map.emplace();
+        object.map->repeatS = words.repeats();
+        object.map->repeatT = words.repeats();
+        if (!words.ok()) refuse(where, key, value, "two words of: repeat clamp");
+    }
+}
+
+} // namespace
+
+std::vector<ObjectInfo> objectsOf(const Scene& scene) {
+    std::vector<ObjectInfo> objects;
+    for (const SceneObject& object : scene.objects) {
+        ObjectInfo info;
+        info.id = static_cast<int>(objects.size()) + 1;
+        info.name = object.name;
+        info.reliefDepth = 0;
+        if (object.relief) {
+            const HeightMap& map = *object.relief->map;
+            info.reliefDepth = object.relief->depth;
+            info.map = ObjectInfo::Map{map.width(), map.height(), map.wrapS() == Wrap::Repeat,
+                                       map.wrapT() == Wrap::Repeat};
+        }
+        objects.push_back(std::move(info));
+    }
+    return objects;
+}
+
+std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string& where) {
+    constexpr std::string_view kPrefix = "object.";
+    std::map<int, ObjectInfo> byId;
+    for (const auto& [key, value] : frame.metadata) {
+        if (!key.starts_with(kPrefix)) continue;
+        const size_t dot = key.find('.', kPrefix.size());
+        if (dot == std::string::npos) continue; // somebody else's key
+        int id = 0;
+        const char* end = key.data() + dot;
+        const auto [stopped, error] = std::from_chars(key.data() + kPrefix.size(), end, id);
+        if (error != std::errc() || stopped != end || id < 1) continue;
+        const auto [entry, isNew] = byId.try_emplace(id);
+        if (isNew) {
+            entry->second.id = id;
+            entry->second.name = fmt::format("object {}", id);
+            entry->second.reliefDepth = 0; // a header that names an object says so where it has a relief
+        }
+        readObjectField(key.substr(dot + 1), value, where, key, entry->second);
+    }
+    std::vector<ObjectInfo> objects;
+    for (auto& [id, object] : byId) {
+        if (object.map && object.map->width == 0) object.map.reset(); // wrap without a size
+        objects.push_back(std::move(object));
+    }
+    return objects;
+}
+
+std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& where) {
+    const auto found = frame.metadata.find("camera");
+    if (found == frame.metadata.end()) return std::nullopt;
+    Words words(found->second);
+    Camera camera;
+    const std::string projection = words.word();
+    const bool perspective = projection == "perspective";
+    words.literal("position");
+    camera.positionWorld = words.vector();
+    words.literal("target");
+    camera.targetWorld = words.vector();
+    words.literal("up");
+    camera.upWorld = words.vector();
+    words.literal(perspective ? "fov_y_degrees" : "view_height");
+    (perspective ? camera.fovYDegrees : camera.viewHeight) = words.number();
+    words.literal("size");
+    words.count(kLargestMapSide);
+    words.count(kLargestMapSide);
+    if (!words.ok() || (!perspective && projection != "orthographic"))
+        refuse(where, "camera", found->second,
+               "'perspective position x y z target x y z up x y z fov_y_degrees F size W H', or "
+               "'orthographic' with "
+               "'view_height'");
+    camera.projection = perspective ? Camera::Projection::Perspective : Camera::Projection::Orthographic;
+    camera.width = frame.width();
+    camera.height = frame.height();
+    return camera;
+}
+
+} // namespace plumbline

@@ -1,0 +1,21 @@
+// What a frame's header says about its scene (written by scenes/scene_metadata.h), read back, so that
+// `compare` needs no scene file. Any program may write these keys.
+#pragma once
+
+#include "../scenes/camera.h"
+#include "../scenes/scene.h"
+#include "frame_pair.h"
+
+namespace plumbline {
+
+/// What metrics must know about a scene's objects; ids as in its frames.
+std::vector<ObjectInfo> objectsOf(const Scene& scene);
+
+/// The same from a frame's header, by its keys `object.<id>.…`; empty if it has none. Throws InputError, with
+/// `where` in front, for a value that can't be read.
+std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string& where);
+
+/// The camera of a frame's header, with the frame's own size; nullopt if it has none. Throws likewise.
+std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& where);
+
+} // namespace plumbline

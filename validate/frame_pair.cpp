@@ -1,0 +1,111 @@
+#include "frame_pair.h"
+
+#include "../scenes/error.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace plumbline {
+namespace {
+
+constexpr int kLargestId =
+    65535; // more than any scene has; above it a plane is a hash, not a number of an object
+
+ObjectInfo unknownObject(int id, std::string name) {
+    ObjectInfo object;
+    object.id = id;
+    object.name = std::move(name);
+    return object;
+}
+
+void checkFrame(const Frame& frame, const char* which) {
+    if (!frame.has("id") && !frame.has("A"))
+        throw InputError(which, "the frame says nowhere which pixels it covers",
+                         "a channel A (coverage, 0 or 1) or id (number of the object, 0 for none)");
+}
+
+/// Number of the object at each pixel; `toldApart` false: 1 where anything is.
+std::vector<int> readIds(const Frame& frame, bool toldApart, const char* which) {
+    std::vector<int> ids(frame.pixelCount(), 0);
+    if (!frame.has("id")) {
+        const auto coverage = frame.channel("A");
+        for (size_t pixel = 0; pixel < ids.size(); ++pixel)
+            ids[pixel] = coverage[pixel] >= 0.5f ? 1 : 0;
+        return ids;
+    }
+    const auto plane = frame.channel("id");
+    for (size_t pixel = 0; pixel < ids.size(); ++pixel) {
+        const float value = plane[pixel];
+        if (std::isnan(value)) continue; // nothing there
+        if (!(value >= 0 && value <= kLargestId) || value != std::floor(value))
+            throw InputError(fmt::format("{}: channel id", which),
+                             fmt::format("the value {} at pixel ({}, {}) is not the number of an object",
+                                         value, pixel % static_cast<size_t>(frame.width()),
+                                         pixel / static_cast<size_t>(frame.width())),
+                             fmt::format("whole numbers from 0 (nothing) to {}", kLargestId));
+        ids[pixel] = toldApart ? static_cast<int>(value) : static_cast<int>(value > 0);
+    }
+    return ids;
+}
+
+} // namespace
+
+FramePair::FramePair(const Frame& reference, const Frame& test, std::vector<ObjectInfo> objects)
+    : reference_(&reference), test_(&test), objects_(std::move(objects)) {
+    if (reference.width() != test.width() || reference.height() != test.height())
+        throw InputError("compare",
+                         fmt::format("the reference is {} x {} pixels, the test {} x {}", reference.width(),
+                                     reference.height(), test.width(), test.height()),
+                         "two frames of one size");
+    checkFrame(reference, "reference");
+    checkFrame(test, "test");
+    toldApart_ = reference.has("id") && test.has("id");
+    referenceIds_ = readIds(reference, toldApart_, "reference");
+    testIds_ = readIds(test, toldApart_, "test");
+
+    if (!toldApart_) {
+        // One object stands for all; what is known about it is known only if the scene has just one.
+        if (objects_.size() == 1)
+            objects_[0].id = 1;
+        else
+            objects_ = {unknownObject(1, "everything")};
+    }
+    std::map<int, size_t> indexOfId;
+    for (size_t i = 0; i < objects_.size(); ++i)
+        indexOfId.emplace(objects_[i].id, i);
+    std::set<int> shown(referenceIds_.begin(), referenceIds_.end());
+    shown.insert(testIds_.begin(), testIds_.end());
+    for (const int id : shown)
+        if (id > 0 && indexOfId.emplace(id, objects_.size()).second)
+            objects_.push_back(unknownObject(id, fmt::format("object {}", id)));
+
+    pixels_.resize(objects_.size());
+    for (uint32_t pixel = 0; pixel < referenceIds_.size(); ++pixel) {
+        const int inReference = referenceIds_[pixel], inTest = testIds_[pixel];
+        if (inReference > 0) pixels_[indexOfId[inReference]].push_back(pixel);
+        if (inTest > 0 && inTest != inReference) pixels_[indexOfId[inTest]].push_back(pixel);
+    }
+}
+
+std::vector<size_t> FramePair::reliefObjects() const {
+    std::vector<size_t> all, relief;
+    for (size_t i = 0; i < objects_.size(); ++i) {
+        all.push_back(i);
+        if (objects_[i].hasRelief()) relief.push_back(i);
+    }
+    return relief.empty() ? all : relief;
+}
+
+std::string FramePair::missingChannel(std::string_view name) const {
+    const bool inReference = reference_->has(name), inTest = test_->has(name);
+    if (inReference && inTest) return {};
+    const char* which = inReference ? "the test frame has"
+                        : inTest    ? "the reference frame has"
+                                    : "neither frame has";
+    return fmt::format("{} {} channel {}", which, inReference || inTest ? "no" : "a", name);
+}
+
+} // namespace plumbline

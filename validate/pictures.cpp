@@ -1,0 +1,104 @@
+#include "pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+/// A picture whose pixel i has the colour colorOf(i).
+template <class ColorOf>
+Picture paint(const Frame& frame, ColorOf&& colorOf) {
+    Picture picture{frame.width(), frame.height(), {}};
+    picture.rgb.reserve(frame.pixelCount() * 3);
+    for (size_t pixel = 0; pixel < frame.pixelCount(); ++pixel) {
+        const Rgb color = colorOf(pixel);
+        picture.rgb.insert(picture.rgb.end(), color.begin(), color.end());
+    }
+    return picture;
+}
+
+Rgb mix(const Rgb& a, const Rgb& b, double t) {
+    Rgb result;
+    for (size_t i = 0; i < 3; ++i)
+        result[i] = static_cast<uint8_t>(std::lround((1 - t) * double(a[i]) + t * double(b[i])));
+    return result;
+}
+
+/// Colour of a pixel that the two frames don't share; the error has no meaning there.
+Rgb unsharedColor(int inReference, int inTest) {
+    return inReference == 0 && inTest == 0 ? palette::kNothing : Rgb{60, 64, 72};
+}
+
+} // namespace
+
+std::string cssColor(const Rgb& color) {
+    return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
+}
+
+uint8_t srgbCode(double linear) {
+    if (!(linear > 0)) return 0;
+    const double clamped = std::min(linear, 1.0);
+    const double encoded =
+        clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1.0 / 2.4) - 0.055;
+    return static_cast<uint8_t>(std::lround(255.0 * encoded));
+}
+
+Picture colorPicture(const Frame& frame) {
+    if (!frame.has("R") || !frame.has("G") || !frame.has("B")) {
+        const auto coverage = frame.channel(frame.has("id") ? "id" : "A");
+        return paint(frame,
+                     [&](size_t i) { return coverage[i] >= 0.5f ? palette::kAgree : palette::kNothing; });
+    }
+    const auto r = frame.channel("R"), g = frame.channel("G"), b = frame.channel("B");
+    return paint(frame, [&](size_t i) {
+        if (!std::isfinite(r[i]) || !std::isfinite(g[i]) || !std::isfinite(b[i])) return palette::kInvalid;
+        return Rgb{srgbCode(r[i]), srgbCode(g[i]), srgbCode(b[i])};
+    });
+}
+
+Picture silhouettePicture(const FramePair& pair) {
+    return paint(pair.reference(), [&](size_t i) {
+        const int inReference = pair.referenceIds()[i], inTest = pair.testIds()[i];
+        if (inReference == inTest) return inReference == 0 ? palette::kNothing : palette::kAgree;
+        if (inTest == 0) return palette::kMissing;
+        return inReference == 0 ? palette::kExtra : palette::kOther;
+    });
+}
+
+Rgb divergingColor(double x) {
+    // Luminance falls evenly from the middle to both ends, so that equal errors of either sign look equally
+    // strong.
+    constexpr Rgb kNear{5, 76, 135}, kNearMid{100, 170, 215}, kZero{247, 247, 247}, kFarMid{240, 165, 80},
+        kFar{150, 65, 0};
+    const double strength = std::min(std::abs(x), 1.0);
+    const Rgb &middle = x < 0 ? kNearMid : kFarMid, &end = x < 0 ? kNear : kFar;
+    return strength < 0.5 ? mix(kZero, middle, 2 * strength) : mix(middle, end, 2 * strength - 1);
+}
+
+Picture depthErrorPicture(const FramePair& pair, std::span<const float> referenceDepth,
+                          std::span<const float> testDepth, double range) {
+    return paint(pair.reference(), [&](size_t i) {
+        const int inReference = pair.referenceIds()[i], inTest = pair.testIds()[i];
+        if (inReference == 0 || inReference != inTest) return unsharedColor(inReference, inTest);
+        const double error = double(testDepth[i]) - double(referenceDepth[i]);
+        return std::isfinite(error) ? divergingColor(error / range) : palette::kInvalid;
+    });
+}
+
+Picture shadowPicture(const FramePair& pair, const std::string& light) {
+    const auto reference = pair.reference().channel(shadowChannel(light));
+    const auto test = pair.test().channel(shadowChannel(light));
+    return paint(pair.reference(), [&](size_t i) {
+        const int inReference = pair.referenceIds()[i], inTest = pair.testIds()[i];
+        if (inReference == 0 || inReference != inTest) return unsharedColor(inReference, inTest);
+        if (!std::isfinite(reference[i]) || !std::isfinite(test[i])) return palette::kInvalid;
+        const bool dark = reference[i] >= 0.5f, darkInTest = test[i] >= 0.5f;
+        if (dark == darkInTest) return dark ? palette::kBothDark : palette::kAgree;
+        return dark ? palette::kMissing : palette::kExtra;
+    });
+}
+
+} // namespace plumbline

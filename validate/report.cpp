@@ -1,0 +1,70 @@
+#include "report.h"
+
+#include "../scenes/image_file.h"
+#include "../scenes/replace_file.h"
+#include "output_files.h"
+#include "pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+using Kind = ReportPicture::Kind;
+
+} // namespace
+
+DepthRange depthRange(const Comparison& comparison) {
+    double deepest = 0;
+    for (const ObjectComparison& object : comparison.objects)
+        if (object.object.reliefDepth) deepest = std::max(deepest, *object.object.reliefDepth);
+    if (deepest > 0) return {0.25 * deepest, "a quarter of the relief depth"};
+    const Figure& p95 = comparison.pooled.depth.world.p95;
+    if (p95 && *p95 > 0) return {*p95, "95 % of the shared pixels lie within"};
+    return {1, "no relief depth known, no error to scale by"};
+}
+
+std::string Report::save(const std::string& name, const Picture& picture) const {
+    const std::string file = safeFileName(name) + ".png";
+    writePng(folder_ / file, picture.width, picture.height, picture.rgb);
+    return file;
+}
+
+void Report::addReference(const Frame& reference) {
+    pictures_.reference = save("reference", colorPicture(reference));
+}
+
+void Report::addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test) {
+    const Comparison& comparison = technique.comparison;
+    std::vector<ObjectInfo> objects;
+    for (const ObjectComparison& object : comparison.objects)
+        objects.push_back(object.object);
+    const FramePair pair(reference, test, objects);
+    // The number keeps names apart that safeFileName makes equal.
+    const std::string stem = fmt::format("{}_{}", pictures_.techniques.size() + 1, technique.name);
+
+    std::vector<ReportPicture> entries;
+    entries.push_back({save(stem + "_color", colorPicture(test)), "Colour", Kind::Color, "", ""});
+    entries.push_back({save(stem + "_silhouette", silhouettePicture(pair)), "Silhouette difference",
+                       Kind::Silhouette, "", ""});
+    if (!comparison.referenceDepth.empty() && !comparison.testDepth.empty()) {
+        const DepthRange range = depthRange(comparison);
+        const Picture picture =
+            depthErrorPicture(pair, comparison.referenceDepth, comparison.testDepth, range.worldUnits);
+        entries.push_back({save(stem + "_depth", picture), "Depth error, signed", Kind::DepthError,
+                           fmt::format("{:.3g}", range.worldUnits), range.note});
+    }
+    for (const auto& [light, agreement] : comparison.pooled.shadow)
+        if (pair.missingChannel(shadowChannel(light)).empty())
+            entries.push_back({save(stem + "_shadow_" + light, shadowPicture(pair, light)),
+                               "Shadow difference, light " + light, Kind::Shadow, "", ""});
+    pictures_.techniques[technique.name] = std::move(entries);
+}
+
+void Report::write(const Results& results) const {
+    replaceFile(folder_ / "index.html", reportPage(results, pictures_));
+}
+
+} // namespace plumbline

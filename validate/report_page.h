@@ -1,0 +1,29 @@
+// The text of report/index.html from results and the names of the pictures beside it.
+#pragma once
+
+#include "results.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+/// A picture of the page; `file` is relative to it.
+struct ReportPicture {
+    enum class Kind { Color, Silhouette, DepthError, Shadow }; // decides the legend
+    std::string file, caption;
+    Kind kind = Kind::Color;
+    std::string range, rangeNote; // depth error only: full colour is at +-range world units, and why there
+};
+
+struct ReportPictures {
+    std::string reference;
+    std::map<std::string, std::vector<ReportPicture>> techniques; // by name
+};
+
+/// Fills validate/report/index.mustache, which escapes every text. Throws MachineError if the template is
+/// missing.
+std::string reportPage(const Results& results, const ReportPictures& pictures);
+
+} // namespace plumbline

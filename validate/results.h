@@ -1,0 +1,67 @@
+// A run's outcome in memory, and the two files it becomes: results.json (schema 1) and results.csv.
+//
+// Equal results give equal bytes; of two runs over equal inputs only timings and peak_bytes differ. A figure
+// that is absent is left out, and its reason stands in the neighbouring "absent" object; NaN and infinity are
+// never written.
+#pragma once
+
+#include "compare.h"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+inline constexpr int kResultsSchema = 1;
+
+struct SceneSummary {
+    std::string name, purpose, hash;
+    int width = 0, height = 0;
+};
+
+struct ReferenceSummary {
+    Figure microTriangles, tessellateMs, buildMs, traceMs; // absent where the reference came from a file
+    Figure peakBytes;                                      // largest resident set of the process so far
+    struct Object {
+        std::string name;
+        int rate = 0;       // segments per control edge taken
+        int wantedRate = 0; // the finest of half a texel and half a pixel
+        uint64_t microTriangles = 0;
+    };
+    std::vector<Object> objects;
+};
+
+struct TechniqueOutcome {
+    std::string name;                              // search@surface:changed=parameters
+    std::map<std::string, std::string> parameters; // all, with the values used
+    std::string backend, renderer;                 // empty where the frame came from a file
+    Figure msMedian;
+    int msRuns = 0;
+    std::string timer;
+    std::vector<std::string> limits;  // known ones, from its manifest
+    std::optional<std::string> error; // set: no metrics
+    Comparison comparison;
+};
+
+struct Results {
+    std::string program;
+    SceneSummary scene;
+    ReferenceSummary reference;
+    std::vector<TechniqueOutcome> techniques;
+};
+
+/// Pretty-printed, keys in the schema's order, ends with a newline.
+std::string toJson(const Results& results);
+
+/// RFC 4180, a head line, then a row a technique x object x light; object "(pooled)" first. A scene without
+/// lights gets rows with an empty light; an absent figure is an empty cell; a technique that failed has one
+/// row with its error.
+std::string toCsv(const Results& results);
+
+/// Plain-text table of the pooled figures people look at first, for the terminal.
+std::string toTable(const Results& results);
+
+} // namespace plumbline
