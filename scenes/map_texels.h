@@ -1,0 +1,75 @@
+// Tools of the generated maps: numbers from a seed, a sine that is the same everywhere, texels filled in
+// parallel.
+#pragma once
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace plumbline {
+
+/// Mixes 64 bits (the finaliser of SplitMix64: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number
+/// Generators", 2014).
+inline uint64_t mixBits(uint64_t x) {
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+    return x ^ (x >> 31);
+}
+
+/// In [0,1), a multiple of 2^-53; a different number for every seed, `purpose` and place.
+inline double randomAt(unsigned seed, uint32_t purpose, int i, int j = 0) {
+    const uint64_t place = (uint64_t(uint32_t(i)) << 32) | uint32_t(j);
+    const uint64_t bits = mixBits(mixBits((uint64_t(seed) << 32) | purpose) ^ place);
+    return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+/// sin(2 pi turns). Taylor series on a quarter turn, error below 1e-13: far below a float's last bit, and the
+/// same bits on every machine, which std::sin does not promise.
+inline double sineOfTurns(double turns) {
+    double x = turns - std::floor(turns); // [0,1)
+    double sign = 1;
+    if (x >= 0.5) {
+        x -= 0.5;
+        sign = -1;
+    }
+    if (x > 0.25) x = 0.5 - x;
+    const double angle = x * 6.283185307179586477, square = angle * angle;
+    double series = 1;
+    for (int k = 17; k >= 3; k -= 2)
+        series = 1 - square / (k * (k - 1)) * series;
+    return sign * angle * series;
+}
+
+/// size x size texels, row 0 at the bottom; `depth(i, j)` is held to [0,1].
+template <typename Depth>
+std::vector<float> fillTexels(int size, Depth depth) {
+    const auto side = static_cast<size_t>(size);
+    std::vector<float> texels(side * side);
+    tbb::parallel_for(tbb::blocked_range<int>(0, size, 16), [&](const tbb::blocked_range<int>& rows) {
+        for (int j = rows.begin(); j < rows.end(); ++j)
+            for (int i = 0; i < size; ++i)
+                texels[static_cast<size_t>(j) * side + static_cast<size_t>(i)] =
+                    static_cast<float>(std::clamp(static_cast<double>(depth(i, j)), 0.0, 1.0));
+    });
+    return texels;
+}
+
+/// Spreads the values over [0,1]; a map of one value stays as it is.
+inline void stretchToFullRange(std::vector<float>& texels) {
+    const auto [low, high] = std::minmax_element(texels.begin(), texels.end());
+    const double least = *low, range = static_cast<double>(*high) - least;
+    if (!(range > 0)) return;
+    for (float& texel : texels)
+        texel = static_cast<float>((texel - least) / range);
+}
+
+// The kinds that need more than a formula.
+std::vector<float> cobbleTexels(int size, unsigned seed);
+std::vector<float> noiseTexels(int size, unsigned seed);
+
+} // namespace plumbline
