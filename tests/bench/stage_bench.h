@@ -1,0 +1,21 @@
+// The stages of the reference, one by one, under Google Benchmark.
+#pragma once
+
+#include <map>
+#include <string>
+
+namespace plumbline {
+
+/// Median figures of one benchmark.
+struct StageResult {
+    double realMs = 0;
+    double itemsPerSecond = 0; // micro-triangles, or rays
+};
+
+/// Registers the stages for Google Benchmark, on the library scene `stone_torus`.
+void registerStageBenchmarks();
+
+/// Runs what is registered, prints Google Benchmark's table, and returns the medians by name ("trace/128").
+std::map<std::string, StageResult> runStageBenchmarks();
+
+} // namespace plumbline
