@@ -79,6 +79,22 @@ double longestEdgePixels(const BaseSurface& surface, const Camera& camera) {
     return longest * kPiecesPerEdge;
 }
 
+/// Whether the coarsest tessellation already is the surface: polygons as they are, without relief, all of them parallelograms, on
+/// which (u,v) is linear. `mesh` may be turned and scaled, so opposite corners meet but for rounding.
+bool isExactWhenCoarse(const ControlMesh& mesh, const SceneObject& object) {
+    if (object.scheme != Scheme::None || object.relief) return false;
+    const auto corner = [&](size_t i) { return mesh.points[static_cast<size_t>(mesh.faceVertices[i])]; };
+    for (size_t face = 0; face < mesh.faceSizes.size(); ++face) {
+        if (mesh.faceSizes[face] != 4) return false;
+        const Vec3 a = corner(4 * face), b = corner(4 * face + 1), c = corner(4 * face + 2),
+                   d = corner(4 * face + 3);
+        const double size = glm::length(c - a) + glm::length(d - b);
+        const double largest = std::max(glm::length(a), glm::length(c));
+        if (glm::length((a + c) - (b + d)) > 0x1p-40 * (size + largest)) return false;
+    }
+    return true;
+}
+
 int powerOfTwoAtLeast(double value) {
     int power = 1;
     while (power < value && power < kMaxRate)
@@ -89,6 +105,7 @@ int powerOfTwoAtLeast(double value) {
 } // namespace
 
 int wantedRate(const BaseSurface& surface, const SceneObject& object, const Camera& camera) {
+    if (isExactWhenCoarse(surface.mesh(), object)) return smallestRate(surface);
     double segments = 2 * longestEdgePixels(surface, camera);
     if (object.relief && object.relief->depth > 0)
         segments = std::max(segments, 2 * longestEdgeTexels(surface.mesh(), *object.relief));

@@ -15,7 +15,7 @@ inline constexpr double kBytesPerMicroTriangle = 20;
 
 /// Smallest power of two at which every segment of every control edge is at most half a texel and, where the
 /// camera can see it, half a pixel long (as if it lay across the line of sight); at most kMaxRate, at least
-/// smallestRate.
+/// smallestRate. Just smallestRate where that is exact: parallelograms under Scheme::None without a relief.
 int wantedRate(const BaseSurface& surface, const SceneObject& object, const Camera& camera);
 
 /// The wanted rates, halved for the object with the most micro-triangles until all fit `memoryBytes`.

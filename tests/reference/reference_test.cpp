@@ -218,6 +218,10 @@ TEST(Reference, RateIsTheFinestOfTexelAndPixelWithinMemory) {
     const ReferenceScene tight(scene, options);
     EXPECT_EQ(tight.stats().objects[0].rate, 32);
     EXPECT_EQ(tight.stats().objects[0].wantedRate, 64);
+    scene.objects[0].relief.reset(); // a square needs no more than its own two triangles
+    EXPECT_EQ(ReferenceScene(scene, options).stats().microTriangles, 2u);
+    scene.objects[0].mesh.points[0].x -= 0.1; // any other quad does
+    EXPECT_EQ(ReferenceScene(scene, options).stats().objects[0].wantedRate, 64);
     options.memoryBytes = 10;
     EXPECT_THROW(ReferenceScene(scene, options), MachineError);
     options.memoryBytes = uint64_t(256) << 20;
