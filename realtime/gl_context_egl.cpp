@@ -1,0 +1,210 @@
+// EGL without a window: Mesa's surfaceless platform, or one device of EGL_EXT_device_enumeration.
+#include "../scenes/error.h"
+#include "gl_context.h"
+
+#include <EGL/egl.h>
+#include <EGL/eglext.h>
+#include <fmt/format.h>
+
+#include <cstring>
+#include <map>
+#include <vector>
+
+namespace plumbline {
+namespace {
+
+std::string eglErrorText() {
+    const EGLint code = eglGetError();
+    switch (code) {
+    case EGL_SUCCESS:
+        return "no reason given";
+    case EGL_NOT_INITIALIZED:
+        return "EGL_NOT_INITIALIZED";
+    case EGL_BAD_ACCESS:
+        return "EGL_BAD_ACCESS";
+    case EGL_BAD_ALLOC:
+        return "EGL_BAD_ALLOC";
+    case EGL_BAD_ATTRIBUTE:
+        return "EGL_BAD_ATTRIBUTE";
+    case EGL_BAD_CONFIG:
+        return "EGL_BAD_CONFIG";
+    case EGL_BAD_CONTEXT:
+        return "EGL_BAD_CONTEXT";
+    case EGL_BAD_DISPLAY:
+        return "EGL_BAD_DISPLAY";
+    case EGL_BAD_MATCH:
+        return "EGL_BAD_MATCH";
+    case EGL_BAD_PARAMETER:
+        return "EGL_BAD_PARAMETER";
+    case EGL_CONTEXT_LOST:
+        return "EGL_CONTEXT_LOST";
+    default:
+        return fmt::format("EGL error {:#x}", static_cast<unsigned>(code));
+    }
+}
+
+bool hasExtension(const char* list, std::string_view name) {
+    std::string_view rest = list ? list : "";
+    while (!rest.empty()) {
+        const size_t end = rest.find(' ');
+        if (rest.substr(0, end) == name) return true;
+        if (end == std::string_view::npos) break;
+        rest.remove_prefix(end + 1);
+    }
+    return false;
+}
+
+template <class Pointer>
+Pointer eglFunction(const char* name) {
+    return reinterpret_cast<Pointer>(eglGetProcAddress(name));
+}
+
+std::vector<EGLDeviceEXT> eglDevices() {
+    const char* clientExtensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (!hasExtension(clientExtensions, "EGL_EXT_device_enumeration") &&
+        !hasExtension(clientExtensions, "EGL_EXT_device_base"))
+        return {};
+    const auto queryDevices = eglFunction<PFNEGLQUERYDEVICESEXTPROC>("eglQueryDevicesEXT");
+    EGLint count = 0;
+    if (!queryDevices || !queryDevices(0, nullptr, &count) || count <= 0) return {};
+    std::vector<EGLDeviceEXT> devices(static_cast<size_t>(count));
+    if (!queryDevices(count, devices.data(), &count)) return {};
+    devices.resize(static_cast<size_t>(count));
+    return devices;
+}
+
+/// EGL hands out one display per platform and device to the whole process, and eglTerminate ends it for
+/// everyone: the last context that uses a display terminates it.
+class SharedDisplay {
+  public:
+    SharedDisplay(EGLDisplay display, const std::string& backend) : display_(display) {
+        EGLint major = 0, minor = 0;
+        if (users()[display]++ == 0 && !eglInitialize(display, &major, &minor)) {
+            users().erase(display);
+            throw MachineError(backend, "eglInitialize failed: " + eglErrorText());
+        }
+    }
+    ~SharedDisplay() {
+        const auto entry = users().find(display_);
+        if (--entry->second > 0) return;
+        users().erase(entry);
+        eglTerminate(display_);
+        eglReleaseThread();
+    }
+    SharedDisplay(const SharedDisplay&) = delete;
+    SharedDisplay& operator=(const SharedDisplay&) = delete;
+    EGLDisplay get() const { return display_; }
+
+  private:
+    static std::map<EGLDisplay, int>& users() {
+        static std::map<EGLDisplay, int> counts;
+        return counts;
+    }
+    EGLDisplay display_;
+};
+
+EGLDisplay openDisplay(int device, const std::string& backend) {
+    const auto getPlatformDisplay = eglFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
+    const char* clientExtensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    if (!getPlatformDisplay || !hasExtension(clientExtensions, "EGL_EXT_platform_base"))
+        throw MachineError(backend, "EGL has no EGL_EXT_platform_base");
+    EGLDisplay display = EGL_NO_DISPLAY;
+    if (device < 0) {
+        if (!hasExtension(clientExtensions, "EGL_MESA_platform_surfaceless"))
+            throw MachineError(backend, "EGL has no EGL_MESA_platform_surfaceless");
+        display = getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    } else {
+        const std::vector<EGLDeviceEXT> devices = eglDevices();
+        if (static_cast<size_t>(device) >= devices.size())
+            throw MachineError(backend, fmt::format("EGL lists {} devices", devices.size()),
+                               devices.empty() ? "" : fmt::format("--device 0 to {}", devices.size() - 1));
+        display = getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(device)], nullptr);
+    }
+    if (display == EGL_NO_DISPLAY) throw MachineError(backend, "no EGL display: " + eglErrorText());
+    return display;
+}
+
+class EglContext final : public GlContext {
+  public:
+    EglContext(int device, const std::string& backend)
+        : GlContext(backend), display_(openDisplay(device, backend), backend) {
+        try {
+            create();
+            describe();
+        } catch (...) {
+            destroy();
+            throw;
+        }
+    }
+    ~EglContext() override { destroy(); }
+
+  protected:
+    void bind() override {
+        if (!eglBindAPI(EGL_OPENGL_API) || !eglMakeCurrent(display_.get(), surface_, surface_, context_))
+            throw MachineError(backend(), "eglMakeCurrent failed: " + eglErrorText());
+    }
+    void unbind() override { eglMakeCurrent(display_.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+    Function functionAddress(const char* name) const override { return eglGetProcAddress(name); }
+
+  private:
+    void create() {
+        if (!eglBindAPI(EGL_OPENGL_API))
+            throw MachineError(backend(), "this EGL has no desktop OpenGL: " + eglErrorText());
+        const bool surfaceless =
+            hasExtension(eglQueryString(display_.get(), EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
+        const EGLConfig config = chooseConfig(surfaceless ? 0 : EGL_PBUFFER_BIT);
+        if (!surfaceless) {
+            const EGLint size[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
+            surface_ = eglCreatePbufferSurface(display_.get(), config, size);
+            if (surface_ == EGL_NO_SURFACE)
+                throw MachineError(backend(), "no pbuffer surface: " + eglErrorText());
+        }
+        for (int minor = kNewestMinorVersion; minor >= kOldestMinorVersion; --minor) {
+            const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                         4,
+                                         EGL_CONTEXT_MINOR_VERSION,
+                                         minor,
+                                         EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                         EGL_NONE};
+            context_ = eglCreateContext(display_.get(), config, EGL_NO_CONTEXT, attributes);
+            if (context_ != EGL_NO_CONTEXT) return;
+        }
+        throw MachineError(
+            backend(), fmt::format("no OpenGL 4.{} core context: {}", kOldestMinorVersion, eglErrorText()));
+    }
+
+    EGLConfig chooseConfig(EGLint surfaceType) const {
+        const EGLint attributes[] = {EGL_SURFACE_TYPE, surfaceType, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                     EGL_NONE};
+        EGLConfig config = nullptr;
+        EGLint count = 0;
+        if (!eglChooseConfig(display_.get(), attributes, &config, 1, &count) || count < 1)
+            throw MachineError(backend(), "no EGL configuration with desktop OpenGL");
+        return config;
+    }
+
+    void destroy() {
+        forget();
+        if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_.get(), context_);
+        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_.get(), surface_);
+        context_ = EGL_NO_CONTEXT;
+        surface_ = EGL_NO_SURFACE;
+    }
+
+    SharedDisplay display_;
+    EGLContext context_ = EGL_NO_CONTEXT;
+    EGLSurface surface_ = EGL_NO_SURFACE;
+};
+
+} // namespace
+
+int eglDeviceCount() {
+    return static_cast<int>(eglDevices().size());
+}
+
+std::unique_ptr<GlContext> createEglContext(int device) {
+    return std::make_unique<EglContext>(device, device < 0 ? "egl" : fmt::format("egl device {}", device));
+}
+
+} // namespace plumbline

@@ -1,0 +1,67 @@
+// Owners of OpenGL objects. Made and destroyed while their context is current.
+#pragma once
+
+#include <glad/gl.h>
+
+#include <string>
+#include <utility>
+
+namespace plumbline {
+
+/// Move-only name of one GL object; `Kind` says how to make and delete it.
+template <class Kind>
+class GlObject {
+  public:
+    GlObject() = default; // none
+    static GlObject make() {
+        GlObject object;
+        object.name_ = Kind::make();
+        return object;
+    }
+    ~GlObject() { reset(); }
+    GlObject(GlObject&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
+    GlObject& operator=(GlObject&& other) noexcept {
+        std::swap(name_, other.name_);
+        return *this;
+    }
+    GLuint get() const { return name_; }
+    explicit operator bool() const { return name_ != 0; }
+    void reset() {
+        if (name_) Kind::destroy(name_);
+        name_ = 0;
+    }
+
+  private:
+    GLuint name_ = 0;
+};
+
+#define PLUMBLINE_GL_KIND(Kind, Gen, Delete)                                                                 \
+    struct Kind##Kind {                                                                                      \
+        static GLuint make() {                                                                               \
+            GLuint name = 0;                                                                                 \
+            Gen(1, &name);                                                                                   \
+            return name;                                                                                     \
+        }                                                                                                    \
+        static void destroy(GLuint name) { Delete(1, &name); }                                               \
+    };                                                                                                       \
+    using Kind = GlObject<Kind##Kind>
+
+PLUMBLINE_GL_KIND(GlBuffer, glGenBuffers, glDeleteBuffers);
+PLUMBLINE_GL_KIND(GlVertexArray, glGenVertexArrays, glDeleteVertexArrays);
+PLUMBLINE_GL_KIND(GlTexture, glGenTextures, glDeleteTextures);
+PLUMBLINE_GL_KIND(GlRenderbuffer, glGenRenderbuffers, glDeleteRenderbuffers);
+PLUMBLINE_GL_KIND(GlFramebuffer, glGenFramebuffers, glDeleteFramebuffers);
+PLUMBLINE_GL_KIND(GlQuery, glGenQueries, glDeleteQueries);
+#undef PLUMBLINE_GL_KIND
+
+/// Throws MachineError naming `doing` ("the frame of 800 x 600") if GL reports an error, out of memory in
+/// plain words.
+void checkGl(const std::string& doing);
+/// Drops errors left over from before.
+void clearGlErrors();
+
+/// Throws MachineError when `bytes` exceed what this machine has free. For software rasterisers, whose "video
+/// memory" is the machine's own: the system would promise it and end the program later.
+void checkMemory(const std::string& doing, double bytes);
+
+} // namespace plumbline

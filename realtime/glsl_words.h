@@ -1,0 +1,13 @@
+// Names a parameter can't have, and words in GLSL text.
+#pragma once
+
+#include <string>
+
+namespace plumbline {
+
+/// A keyword, reserved word, type or built-in function of GLSL 4.10 or GLSL ES 3.00.
+bool isGlslWord(const std::string& name);
+/// A name the harness declares: a setting of its own or a function of the contract.
+bool isHarnessName(const std::string& name);
+
+} // namespace plumbline
