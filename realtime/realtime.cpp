@@ -1,1 +1,150 @@
 #include "realtime.h"
+
+#include "../scenes/error.h"
+#include "../scenes/scene_metadata.h"
+#include "frame_target.h"
+#include "frame_timer.h"
+#include "gpu_scene.h"
+#include "micro_triangles.h"
+#include "technique_program.h"
+#include "view.h"
+
+#include <fmt/format.h>
+
+namespace plumbline {
+namespace {
+
+/// Everything that lives in the context, so that it can be dropped while the context is current.
+struct GpuState {
+    GpuState(const Scene& scene, const GlContext& context)
+        : objects(scene, context), view(scene, objects.boundsWorld()), target(scene, context),
+          plainProgram(buildPlainProgram(scene.lights.size())) {
+        objects.upload(view.originWorld());
+    }
+    GpuScene objects;
+    View view;
+    FrameTarget target;
+    std::unique_ptr<GlProgram> plainProgram;
+};
+
+void checkMicroMeshes(const Technique& technique, const std::vector<MicroMesh>* meshes, size_t objectCount) {
+    if (!meshes || meshes->size() != objectCount)
+        throw InputError(technique.name, "needs the reference's micro-triangles",
+                         "a reference of the same scene");
+    for (const MicroMesh& mesh : *meshes)
+        if (mesh.normalsWorld.size() != mesh.positionsWorld.size() ||
+            mesh.st.size() != mesh.positionsWorld.size())
+            throw InputError(technique.name, "the reference's micro-triangles have no normals and st",
+                             "a reference with microAttributes");
+}
+
+void drawProxies(const GpuState& gpu, const GlProgram* reliefProgram, float shadowBias) {
+    glEnable(GL_CULL_FACE);
+    gpu.plainProgram->use();
+    gpu.view.setUniforms(*gpu.plainProgram);
+    glUniform1i(gpu.plainProgram->uniform("uTwoSided"), 0);
+    for (size_t i = 0; i < gpu.objects.objects().size(); ++i)
+        if (!gpu.objects.objects()[i].hasRelief) gpu.objects.draw(i, *gpu.plainProgram);
+    reliefProgram->use();
+    gpu.view.setUniforms(*reliefProgram);
+    glUniform1f(reliefProgram->uniform("uShadowBias"), shadowBias);
+    for (size_t i = 0; i < gpu.objects.objects().size(); ++i)
+        if (gpu.objects.objects()[i].hasRelief) gpu.objects.draw(i, *reliefProgram);
+}
+
+void drawMicroTriangles(const GpuState& gpu, MicroTriangleDrawer& drawer,
+                        const std::vector<MicroMesh>& meshes) {
+    glDisable(GL_CULL_FACE); // the reference sees both sides
+    gpu.plainProgram->use();
+    gpu.view.setUniforms(*gpu.plainProgram);
+    glUniform1i(gpu.plainProgram->uniform("uTwoSided"), 1);
+    for (size_t i = 0; i < meshes.size(); ++i) {
+        gpu.objects.setUniforms(i, *gpu.plainProgram);
+        drawer.draw(meshes[i], gpu.view.originWorld());
+    }
+}
+
+/// Warm-up, timed runs; the last frame drawn is the result.
+FrameTime drawFrame(const GlContext& context, const GpuState& gpu, const std::function<void()>& drawObjects) {
+    clearGlErrors();
+    const FrameTime time = timeFrame(context, [&] {
+        gpu.target.begin();
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_LESS);
+        drawObjects();
+    });
+    checkGl("drawing");
+    return time;
+}
+
+FrameTime drawTechnique(const GlContext& context, const GpuState& gpu, const Technique& technique,
+                        const std::vector<MicroMesh>* meshes, size_t lightCount) {
+    if (technique.drawsMicroTriangles()) {
+        MicroTriangleDrawer drawer;
+        return drawFrame(context, gpu, [&] { drawMicroTriangles(gpu, drawer, *meshes); });
+    }
+    const std::unique_ptr<GlProgram> program = buildReliefProgram(technique, lightCount);
+    const Technique::Setting* bias = technique.harness("shadow_bias");
+    const float shadowBias = bias ? static_cast<float>(bias->value.number) : 0.0f;
+    return drawFrame(context, gpu, [&] { drawProxies(gpu, program.get(), shadowBias); });
+}
+
+} // namespace
+
+struct RealtimeRenderer::Impl {
+    Impl(const Scene& sceneToDraw, const GlOptions& options)
+        : scene(sceneToDraw), context(createGlContext(options)) {
+        const CurrentContext current(*context);
+        gpu = std::make_unique<GpuState>(scene, *context);
+    }
+    ~Impl() {
+        const CurrentContext current(*context);
+        gpu.reset();
+    }
+
+    const Scene& scene;
+    std::unique_ptr<GlContext> context;
+    std::unique_ptr<GpuState> gpu;
+};
+
+RealtimeRenderer::RealtimeRenderer(const Scene& scene, const GlOptions& options)
+    : impl_(std::make_unique<Impl>(scene, options)) {}
+
+RealtimeRenderer::~RealtimeRenderer() = default;
+
+TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
+                                         const std::map<std::string, std::string>& shared,
+                                         const std::vector<MicroMesh>* microMeshes) {
+    const Technique technique = resolveTechnique(request, shared);
+    if (technique.drawsMicroTriangles())
+        checkMicroMeshes(technique, microMeshes, impl_->scene.objects.size());
+
+    const CurrentContext current(*impl_->context);
+    const GpuState& gpu = *impl_->gpu;
+    const FrameTime time =
+        drawTechnique(*impl_->context, gpu, technique, microMeshes, impl_->scene.lights.size());
+
+    TechniqueResult result;
+    result.name = technique.name;
+    result.parameters = technique.parameters();
+    const std::vector<Vec2> noOrigins(impl_->scene.objects.size(),
+                                      Vec2(0)); // micro-triangles carry st as it is
+    result.frame = gpu.target.read(gpu.view.originWorld(),
+                                   technique.drawsMicroTriangles() ? noOrigins : gpu.objects.stOrigins(),
+                                   technique.search.channels);
+    // Not the driver: frames of different backends are equal byte for byte where their pixels are.
+    result.frame.metadata = sceneMetadata(impl_->scene);
+    result.frame.metadata["renderer"] = "realtime";
+    result.frame.metadata["base"] = technique.drawsMicroTriangles() ? "limit" : "proxy";
+    result.frame.metadata["technique"] = technique.name;
+    for (const auto& [name, value] : result.parameters)
+        result.frame.metadata["parameter." + name] = value;
+    result.backend = impl_->context->backend();
+    result.renderer = impl_->context->renderer();
+    result.msMedian = time.msMedian;
+    result.msRuns = time.runs;
+    result.timer = time.timer;
+    return result;
+}
+
+} // namespace plumbline

@@ -24,15 +24,16 @@ struct GlOptions {
 
 /// What a machine offers; for `plumbline doctor`.
 struct GlProbe {
-    std::string backend;  // "egl", "egl device 0", "osmesa"
+    std::string backend; // "egl", "egl device 0", "osmesa"
     bool works = false;
-    std::string detail;   // renderer and version, or why it doesn't work
+    std::string detail; // renderer and version, or why it doesn't work
 };
 std::vector<GlProbe> probeGl();
 
-/// A technique as the user named it: SEARCH[@SURFACE][:key=value,…], SEARCH a name in realtime/techniques/ or a folder.
+/// A technique as the user named it: SEARCH[@SURFACE][:key=value,…], SEARCH a name in realtime/techniques/ or
+/// a folder.
 struct TechniqueRequest {
-    std::string search;                          // name or path
+    std::string search; // name or path
     std::string surface = "flat";
     std::map<std::string, std::string> settings; // of this technique alone
 };
@@ -47,8 +48,8 @@ struct TechniqueInfo {
         std::string name, type, unit, meaning, defaultValue, range;
     };
     std::vector<Parameter> parameters;
-    std::vector<std::string> limits;   // known limits, a sentence each
-    bool drawsMicroTriangles = false;  // the control technique: needs the reference's micro-meshes
+    std::vector<std::string> limits;  // known limits, a sentence each
+    bool drawsMicroTriangles = false; // the control technique: needs the reference's micro-meshes
 };
 /// Every technique of realtime/techniques/, sorted by name.
 std::vector<TechniqueInfo> listTechniques();
@@ -57,10 +58,10 @@ struct TechniqueResult {
     std::string name;                              // as in every result: search@surface:changed=parameters
     std::map<std::string, std::string> parameters; // all of them, with the values used
     Frame frame;
-    std::string backend, renderer;                 // "egl", GL_RENDERER
-    double msMedian = 0;                           // of one frame, warm
+    std::string backend, renderer; // "egl", GL_RENDERER
+    double msMedian = 0;           // of one frame, warm
     int msRuns = 0;
-    std::string timer;                             // "gpu timer query" or "wall clock around glFinish"
+    std::string timer; // "gpu timer query" or "wall clock around glFinish"
 };
 
 /// Owns a GL context and what techniques share: proxy meshes, height maps.
@@ -70,9 +71,10 @@ class RealtimeRenderer {
     RealtimeRenderer(const Scene& scene, const GlOptions& options);
     ~RealtimeRenderer();
 
-    /// `shared`: settings for every technique (`--set`); keys a technique doesn't know are ignored here, and the caller
-    /// must check that at least one technique knows each (see knownSettings). `microMeshes`: one per object, or null.
-    /// Throws InputError for a technique that can't be used: unknown, manifest, parameter, shader (file:line).
+    /// `shared`: settings for every technique (`--set`); keys a technique doesn't know are ignored here, and
+    /// the caller must check that at least one technique knows each (see knownSettings). `microMeshes`: one
+    /// per object, or null. Throws InputError for a technique that can't be used: unknown, manifest,
+    /// parameter, shader (file:line).
     TechniqueResult render(const TechniqueRequest& request, const std::map<std::string, std::string>& shared,
                            const std::vector<MicroMesh>* microMeshes);
 

@@ -1,0 +1,22 @@
+// How long one frame takes: median of warm runs.
+#pragma once
+
+#include "gl_context.h"
+
+#include <functional>
+#include <string>
+
+namespace plumbline {
+
+struct FrameTime {
+    double msMedian = 0;
+    int runs = 0;
+    std::string timer;
+};
+
+/// Calls `draw` once to warm up, then until about a second has passed, at least 3 and at most 25 times. A
+/// frame that takes over 2 s isn't drawn again: its only run counts. Timer queries on a GPU; wall clock
+/// around glFinish on a software rasteriser, where queries don't measure the work.
+FrameTime timeFrame(const GlContext& context, const std::function<void()>& draw);
+
+} // namespace plumbline

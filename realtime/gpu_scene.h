@@ -1,0 +1,54 @@
+// The scene's objects on the GPU: proxy meshes, height maps, colour maps. Shared by all techniques.
+#pragma once
+
+#include "../scenes/proxy_mesh.h"
+#include "../scenes/scene.h"
+#include "gl_context.h"
+#include "gl_objects.h"
+#include "gl_program.h"
+
+#include <map>
+#include <vector>
+
+namespace plumbline {
+
+/// One object's geometry and what its shader needs to know.
+struct GpuObject {
+    const SceneObject* object = nullptr;
+    GlVertexArray vertexArray;
+    GlBuffer vertices, indices;
+    GLsizei indexCount = 0;
+    Vec2 stOrigin{0, 0};    // whole tiles taken off st, so that float keeps its digits
+    bool hasRelief = false; // a relief too shallow to be told from none counts as none
+    GLuint heightMap = 0, colorMap = 0;
+};
+
+class GpuScene {
+  public:
+    /// Builds the proxies and sends everything. Throws InputError for a scene that has none, MachineError if
+    /// it doesn't fit. A context must be current.
+    GpuScene(const Scene& scene, const GlContext& context);
+
+    const Bounds& boundsWorld() const { return bounds_; }
+    const std::vector<GpuObject>& objects() const { return objects_; }
+    /// Sets the uniforms of one object and draws its proxy with the program in use.
+    void draw(size_t index, const GlProgram& program) const;
+    /// Sets colour, id and textures of one object.
+    void setUniforms(size_t index, const GlProgram& program) const;
+    std::vector<Vec2> stOrigins() const;
+    /// Sends the vertices, relative to the origin a view chose.
+    void upload(const Vec3& originWorld);
+
+  private:
+    void addObject(const SceneObject& object, const GlContext& context);
+    GLuint heightMapTexture(const HeightMap& map, const GlContext& context);
+    GLuint colorMapTexture(const ColorMap& map, const GlContext& context);
+
+    const Scene& scene_;
+    Bounds bounds_;
+    std::vector<ProxyMesh> proxies_; // until upload()
+    std::vector<GpuObject> objects_;
+    std::map<const void*, GlTexture> textures_; // by map
+};
+
+} // namespace plumbline

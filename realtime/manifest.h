@@ -1,0 +1,74 @@
+// What a technique or a surface says of itself: technique.toml, surface.toml. Every field is documented in
+// README.md; missing, unknown or wrong fields are errors with the line they stand on.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace plumbline {
+
+/// A value of a parameter: int, float, bool, or the index of a choice.
+struct ParameterValue {
+    enum class Type { Int, Float, Bool, Choice };
+    Type type = Type::Int;
+    double number = 0; // Int, Float; Bool 0 or 1; Choice: index
+    bool operator==(const ParameterValue&) const = default;
+};
+
+struct Parameter {
+    std::string name;
+    ParameterValue::Type type = ParameterValue::Type::Int;
+    double low = 0, high = 0;         // Int, Float: both inclusive
+    std::vector<std::string> choices; // Choice
+    ParameterValue defaultValue;
+    std::string unit;    // empty: a plain number
+    std::string meaning; // one sentence
+
+    /// Throws InputError naming `where` and the parameter: not of the type, out of range, no such choice.
+    ParameterValue parse(const std::string& where, const std::string& text) const;
+    /// The shortest text that parses to the value.
+    std::string format(const ParameterValue& value) const;
+    /// "int", "float", "bool" or "choice".
+    std::string typeName() const;
+    /// "1 to 4096", "true or false", "exact or hardware".
+    std::string rangeText() const;
+};
+
+/// Geometry a technique is drawn on.
+enum class Geometry { Proxy, MicroTriangles };
+
+struct Manifest {
+    std::string name; // of the folder
+    std::filesystem::path folder, file;
+    std::string title, citation;
+    Geometry geometry = Geometry::Proxy;
+    std::vector<std::string> inputs;   // known ones only
+    std::vector<std::string> surfaces; // of a technique: those it composes with
+    std::vector<std::string> shadows;  // "none", "relief": what the harness may do with it
+    std::vector<std::string> channels; // of a technique: what its frames hold; empty = every channel
+    std::vector<std::string> limits;
+    std::vector<Parameter> parameters;
+
+    bool hasInput(const std::string& input) const;
+    /// FOLDER/NAME.glsl.
+    std::filesystem::path shaderFile() const { return folder / (name + ".glsl"); }
+};
+
+/// Reads FOLDER/technique.toml or FOLDER/surface.toml and checks it, also that FOLDER/NAME.glsl is there and
+/// names every parameter. Throws InputError.
+Manifest readTechniqueManifest(const std::filesystem::path& folder);
+Manifest readSurfaceManifest(const std::filesystem::path& folder);
+
+/// Names under realtime/techniques/ or realtime/surfaces/, sorted; those that begin with '_' or '.' are left
+/// out.
+std::vector<std::string> techniqueNames();
+std::vector<std::string> surfaceNames();
+std::filesystem::path techniquesFolder();
+std::filesystem::path surfacesFolder();
+
+/// Whether `name` stands in GLSL text as a word of its own, outside of comments.
+bool namesIdentifier(const std::string& glsl, const std::string& name);
+
+} // namespace plumbline

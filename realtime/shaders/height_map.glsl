@@ -1,0 +1,61 @@
+// The relief depth d(s,t) in GLSL (C++ twin and conventions: scenes/height_map.h). A test holds the two together.
+
+uniform sampler2D uHeightMap;   // R32F depths, row 0 = bottom
+uniform ivec2 uHeightMapClamps; // along s, t: 1 clamp, 0 repeat
+
+// Look-ups spent on this pixel: view ray and shadow rays. The gradient for the normal isn't one of them.
+int gLookups = 0;
+
+// Texel position of a coordinate: integers at texel centres.
+float texelCoordinate(float s, int size, int clamps) {
+    float unit = clamps != 0 ? clamp(s, -1.0, 2.0) : s - floor(s);
+    return unit * float(size) - 0.5;
+}
+
+int wrapTexel(int i, int size, int clamps) {
+    if (clamps == 0) i += i < 0 ? size : (i >= size ? -size : 0);
+    return clamp(i, 0, size - 1); // under repeat only for coordinates that aren't numbers
+}
+
+// The four texels around st (00, 10, 01, 11) and the weights of the second ones.
+struct TexelPatch {
+    vec4 depths;
+    vec2 weight;
+};
+
+TexelPatch texelPatch(vec2 st) {
+    ivec2 size = textureSize(uHeightMap, 0);
+    vec2 texels = vec2(texelCoordinate(st.x, size.x, uHeightMapClamps.x),
+                       texelCoordinate(st.y, size.y, uHeightMapClamps.y));
+    vec2 low = floor(texels);
+    int i0 = wrapTexel(int(low.x), size.x, uHeightMapClamps.x);
+    int i1 = wrapTexel(int(low.x) + 1, size.x, uHeightMapClamps.x);
+    int j0 = wrapTexel(int(low.y), size.y, uHeightMapClamps.y);
+    int j1 = wrapTexel(int(low.y) + 1, size.y, uHeightMapClamps.y);
+    TexelPatch patch_;
+    patch_.depths = vec4(texelFetch(uHeightMap, ivec2(i0, j0), 0).r, texelFetch(uHeightMap, ivec2(i1, j0), 0).r,
+                         texelFetch(uHeightMap, ivec2(i0, j1), 0).r, texelFetch(uHeightMap, ivec2(i1, j1), 0).r);
+    patch_.weight = texels - low;
+    return patch_;
+}
+
+// Relief depth at st, counted.
+float reliefDepth(vec2 st) {
+    ++gLookups;
+    if (kHardwareFilter) return textureLod(uHeightMap, st, 0.0).r;
+    TexelPatch p = texelPatch(st);
+    float lower = p.depths.x + (p.depths.y - p.depths.x) * p.weight.x;
+    float upper = p.depths.z + (p.depths.w - p.depths.z) * p.weight.x;
+    return lower + (upper - lower) * p.weight.y;
+}
+
+// Change of the depth per unit of s and t, of the exact bilinear patch whatever the filter; on a crease between patches,
+// of the one to the right and above.
+vec2 reliefDepthGradient(vec2 st) {
+    TexelPatch p = texelPatch(st);
+    float slopeLower = p.depths.y - p.depths.x, slopeUpper = p.depths.w - p.depths.z;
+    float lower = p.depths.x + slopeLower * p.weight.x;
+    float upper = p.depths.z + slopeUpper * p.weight.x;
+    return vec2(slopeLower + (slopeUpper - slopeLower) * p.weight.y, upper - lower) *
+           vec2(textureSize(uHeightMap, 0));
+}

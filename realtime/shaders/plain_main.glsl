@@ -1,0 +1,19 @@
+// An object drawn as it is. Attached shadow only.
+
+in vec3 vPosition;
+in vec3 vNormal;
+in vec2 vSt;
+
+// Both sides are seen, as the reference does: shadow and light are those of the side towards the camera.
+uniform bool uTwoSided;
+
+void main() {
+    vec3 toCamera = directionToCamera(vPosition);
+    vec3 normal = directionOr(vNormal, toCamera);
+    bool away = uTwoSided && dot(normal, toCamera) < 0.0;
+    SurfacePoint point = SurfacePoint(vPosition, away ? -normal : normal, vSt);
+    float shadow[kLightSlots];
+    for (int i = 0; i < kLightCount; ++i)
+        shadow[i] = dot(point.normal, directionToLight(i, vPosition)) <= 0.0 ? 1.0 : 0.0;
+    writePoint(point, normal, shadow, 0.0);
+}

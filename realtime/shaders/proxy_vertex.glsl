@@ -1,0 +1,27 @@
+// Vertices of the polygon proxy.
+
+layout(location = 0) in vec3 inPosition; // relative
+layout(location = 1) in vec3 inNormal;   // world, unit
+layout(location = 2) in vec3 inPositionS; // dS/ds, world units per unit of s
+layout(location = 3) in vec3 inPositionT;
+layout(location = 4) in vec2 inSt;
+layout(location = 5) in vec2 inCurvature; // quadric coefficients A, B
+
+uniform mat4 uClipFromRelative;
+
+out vec3 vPosition;
+out vec3 vNormal;
+out vec3 vPositionS;
+out vec3 vPositionT;
+out vec2 vSt;
+out vec2 vCurvature;
+
+void main() {
+    vPosition = inPosition;
+    vNormal = inNormal;
+    vPositionS = inPositionS;
+    vPositionT = inPositionT;
+    vSt = inSt;
+    vCurvature = inCurvature;
+    gl_Position = uClipFromRelative * vec4(inPosition, 1.0);
+}

@@ -1,0 +1,50 @@
+// The contract between harness, surface and search (README.md says it in words).
+//
+// Relief space: (s, t, d), texture coordinates and relief depth, d = 0 on top and 1 at the bottom of the relief.
+
+// Below this cosine between a ray and the normal a ray counts as running along the surface: it never gets down into the
+// relief, and dividing by its descent would leave float's range. 1e-4 is 0.006 degrees.
+const float kGrazingCosine = 1e-4;
+
+// A ray's way through the relief, t from 0 at its entry to 1 at the end of the search interval. Made by the surface; a
+// search reads it through reliefPosition alone.
+struct ReliefRay {
+    vec2 st;           // at t = 0
+    vec2 stTravel;     // st at t = 1 minus st at t = 0
+    float endDepth;    // d at t = 1: 1, or 0 where the ray has left the relief again
+    float bend;        // d(t) = endDepth t + bend t (1 - t); 0 on a flat base
+    float lengthWorld; // from t = 0 to t = 1, world units
+};
+
+struct ReliefHit {
+    bool hit;
+    float t;  // where on the ray: decides position and depth
+    vec2 st;  // where on the map: decides normal and colour
+};
+
+// --- given to a search --------------------------------------------------------------------------------------------
+vec3 reliefPosition(ReliefRay ray, float t); // (s, t, d)
+float reliefDepth(vec2 st);                  // the map's depth; one counted look-up
+ReliefHit hitAt(ReliefRay ray, float t) { return ReliefHit(true, t, reliefPosition(ray, t).xy); }
+ReliefHit missed() { return ReliefHit(false, 1.0, vec2(0.0)); }
+
+// --- supplied by the search ---------------------------------------------------------------------------------------
+ReliefHit traceRelief(ReliefRay ray);
+
+// --- supplied by the surface --------------------------------------------------------------------------------------
+// The base under a fragment.
+struct ReliefFrame {
+    vec3 normal;      // world, unit
+    vec3 positionS;   // world, in the tangent plane: change of position per unit of s
+    vec3 positionT;
+    vec2 st;          // of the fragment
+    vec2 curvature;   // A, B of the quadric z = -(A x^2 + B y^2), world units^-1
+    float depthWorld; // relief depth, world units, > 0
+};
+
+// `direction`: (s, t, d) per world unit of the ray. Returns false where there is nothing to search: the fragment is
+// discarded.
+bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray);
+
+// Change of the base's height along frame.normal per unit of s and t, `stTravelled` away from the fragment.
+vec2 baseSlope(ReliefFrame frame, vec2 stTravelled);

@@ -1,0 +1,85 @@
+// The harness of a relief technique: builds the rays, calls the search, turns its hits into channels.
+
+in vec3 vPosition;
+in vec3 vNormal;
+in vec3 vPositionS;
+in vec3 vPositionT;
+in vec2 vSt;
+in vec2 vCurvature;
+
+uniform float uReliefDepthWorld;
+uniform float uShadowBias; // relief depth
+
+// Two tangents are taken as one direction below this squared sine of the angle between them.
+const float kSmallestSineSquared = 1e-6;
+
+ReliefFrame fragmentFrame() {
+    ReliefFrame frame;
+    frame.normal = directionOr(vNormal, directionToCamera(vPosition));
+    frame.positionS = vPositionS - frame.normal * dot(frame.normal, vPositionS);
+    frame.positionT = vPositionT - frame.normal * dot(frame.normal, vPositionT);
+    frame.st = vSt;
+    frame.curvature = vCurvature;
+    frame.depthWorld = uReliefDepthWorld;
+    return frame;
+}
+
+// (v_s, v_t, v_d): a world direction in relief space, per world unit. Tangents at any angle: the Gram inverse (Premecz,
+// section 1.1), of unit vectors so that no product leaves float's range. Where the texture coordinates have no extent (a
+// pole) the ray goes straight down.
+vec3 reliefDirection(ReliefFrame frame, vec3 direction) {
+    float descent = -dot(direction, frame.normal) / frame.depthWorld;
+    float scaleS = length(frame.positionS), scaleT = length(frame.positionT);
+    if (!(scaleS > 0.0 && scaleT > 0.0)) return vec3(0.0, 0.0, descent);
+    vec3 tangentS = frame.positionS / scaleS, tangentT = frame.positionT / scaleT;
+    float cosine = dot(tangentS, tangentT);
+    float sineSquared = 1.0 - cosine * cosine;
+    if (!(sineSquared > kSmallestSineSquared)) return vec3(0.0, 0.0, descent);
+    float alongS = dot(direction, tangentS), alongT = dot(direction, tangentT);
+    return vec3((alongS - cosine * alongT) / (sineSquared * scaleS), (alongT - cosine * alongS) / (sineSquared * scaleT),
+                descent);
+}
+
+// Normal of P = S - depthWorld * d * normal from its derivatives along s and t.
+vec3 reliefNormal(ReliefFrame frame, vec2 st, vec2 stTravelled) {
+    vec2 slope = baseSlope(frame, stTravelled) - frame.depthWorld * reliefDepthGradient(st);
+    vec3 positionS = frame.positionS + frame.normal * slope.x;
+    vec3 positionT = frame.positionT + frame.normal * slope.y;
+    vec3 across = cross(directionOr(positionS, vec3(0.0)), directionOr(positionT, vec3(0.0)));
+    if (dot(across, frame.normal) < 0.0) across = -across; // mirrored texture coordinates
+    return directionOr(across, frame.normal);
+}
+
+// 1 where a second search along the light is stopped above the point (Policarpo and Oliveira; TECHNIQUES section 4).
+float castShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
+    vec3 direction = reliefDirection(frame, -toLight);
+    if (direction.z * frame.depthWorld <= kGrazingCosine) return 1.0; // the light is below the tangent plane
+    vec2 stEntry = positionRelief.xy - direction.xy * (positionRelief.z / direction.z);
+    ReliefRay ray;
+    if (!enterRelief(frame, stEntry, direction, ray)) return 0.0;
+    ReliefHit hit = traceRelief(ray);
+    return hit.hit && reliefPosition(ray, hit.t).z < positionRelief.z - uShadowBias ? 1.0 : 0.0;
+}
+
+void main() {
+    ReliefFrame frame = fragmentFrame();
+    vec3 toCamera = directionToCamera(vPosition);
+    ReliefRay ray;
+    if (!enterRelief(frame, frame.st, reliefDirection(frame, -toCamera), ray)) discard;
+    ReliefHit hit = traceRelief(ray);
+    if (!hit.hit) discard;
+
+    SurfacePoint point;
+    point.position = vPosition - toCamera * (hit.t * ray.lengthWorld);
+    point.normal = reliefNormal(frame, hit.st, ray.stTravel * hit.t);
+    point.st = hit.st;
+    vec3 positionRelief = vec3(hit.st, reliefPosition(ray, hit.t).z);
+    float shadow[kLightSlots];
+    for (int i = 0; i < kLightCount; ++i) {
+        vec3 toLight = directionToLight(i, point.position);
+        shadow[i] = 1.0;
+        if (dot(point.normal, toLight) > 0.0)
+            shadow[i] = kCastShadows ? castShadow(frame, positionRelief, toLight) : 0.0;
+    }
+    writePoint(point, point.normal, shadow, float(gLookups));
+}

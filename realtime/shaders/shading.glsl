@@ -1,0 +1,56 @@
+// What the harness writes for a surface point, and the one shading formula (C++ twin: kAmbient in scenes/scene.h).
+
+layout(location = 0) out vec4 outColor;    // linear R G B, A = coverage
+layout(location = 1) out vec4 outPosition; // position (relative), planar depth Z
+layout(location = 2) out vec4 outNormal;   // unit normal, world; look-ups spent
+layout(location = 3) out vec4 outTexture;  // s, t, id, unused
+
+uniform vec3 uColor;
+uniform bool uHasColorMap;
+uniform sampler2D uColorMap; // linear RGB, row 0 = bottom
+uniform float uObjectId;     // object index + 1
+
+const float kAmbient = 0.05;
+
+struct SurfacePoint {
+    vec3 position; // relative
+    vec3 normal;   // world, unit; the side towards the camera where both sides are seen
+    vec2 st;
+};
+
+// Unit vector from a point towards light `i`. xyz w: direction and 0, or position and 1.
+vec3 directionToLight(int i, vec3 position) {
+    vec4 light = uLights[i];
+    return light.w > 0.5 ? directionOr(light.xyz - position, vec3(0.0)) : light.xyz;
+}
+
+// Exact bilinear with repeat, as ColorMap::sample.
+vec3 colorAt(vec2 st) {
+    if (!uHasColorMap) return uColor;
+    ivec2 size = textureSize(uColorMap, 0);
+    vec2 texels = (st - floor(st)) * vec2(size) - 0.5;
+    vec2 weight = texels - floor(texels);
+    ivec2 low = ivec2(floor(texels));
+    ivec2 high = low + 1;
+    if (low.x < 0) low.x += size.x;
+    if (low.y < 0) low.y += size.y;
+    if (high.x >= size.x) high.x -= size.x;
+    if (high.y >= size.y) high.y -= size.y;
+    vec3 lower = mix(texelFetch(uColorMap, low, 0).rgb, texelFetch(uColorMap, ivec2(high.x, low.y), 0).rgb, weight.x);
+    vec3 upper = mix(texelFetch(uColorMap, ivec2(low.x, high.y), 0).rgb, texelFetch(uColorMap, high, 0).rgb, weight.x);
+    return mix(lower, upper, weight.y);
+}
+
+// `shadow`: 1 in shadow, 0 lit, one per light.
+void writePoint(SurfacePoint point, vec3 normal, float shadow[kLightSlots], float lookups) {
+    float light = kAmbient;
+    for (int i = 0; i < kLightCount; ++i)
+        light += max(dot(point.normal, directionToLight(i, point.position)), 0.0) * (1.0 - shadow[i]);
+    float depth = planarDepth(point.position);
+    outColor = vec4(colorAt(point.st) * light, 1.0);
+    outPosition = vec4(point.position, depth);
+    outNormal = vec4(normal, lookups);
+    outTexture = vec4(point.st, uObjectId, 0.0);
+    writeShadows(shadow);
+    gl_FragDepth = clamp((depth - uDepthRange.x) * uDepthRange.y, 0.0, 1.0);
+}

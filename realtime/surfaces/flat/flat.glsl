@@ -1,0 +1,12 @@
+// The base is the tangent plane of the fragment: rays are straight in relief space.
+
+bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
+    bool descends = direction.z * frame.depthWorld > kGrazingCosine;
+    float lengthWorld = descends ? 1.0 / direction.z : 0.0; // a grazing ray stays on the polygon
+    ray = ReliefRay(st, direction.xy * lengthWorld, 1.0, 0.0, lengthWorld);
+    return true;
+}
+
+vec3 reliefPosition(ReliefRay ray, float t) { return vec3(ray.st + ray.stTravel * t, t); }
+
+vec2 baseSlope(ReliefFrame frame, vec2 stTravelled) { return vec2(0.0); }

@@ -1,0 +1,46 @@
+// A technique ready to be drawn: search and surface found, their manifests read, every parameter with its
+// value.
+#pragma once
+
+#include "manifest.h"
+#include "realtime.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+struct Technique {
+    struct Setting {
+        Parameter parameter;
+        ParameterValue value;
+    };
+
+    Manifest search;
+    std::optional<Manifest> surface;      // none for micro_triangles
+    std::vector<Setting> shaderSettings;  // of search and surface: become constants of the shader
+    std::vector<Setting> harnessSettings; // filter, shadow, shadow_bias, as far as they apply
+    std::string name;                     // as in every result
+
+    const Setting* harness(const std::string& settingName) const;
+    /// Text of a harness setting of type choice; empty if it doesn't apply.
+    std::string choice(const std::string& settingName) const;
+    bool drawsMicroTriangles() const { return search.geometry == Geometry::MicroTriangles; }
+    bool castsShadows() const { return choice("shadow") == "relief"; }
+    bool hardwareFilter() const { return choice("filter") == "hardware"; }
+    /// Every setting as text.
+    std::map<std::string, std::string> parameters() const;
+    /// The GLSL constants of shaderSettings, one a line.
+    std::string glslConstants() const;
+};
+
+/// Folder of a search: a name of the library, or a path. Throws InputError that lists the names.
+std::filesystem::path techniqueFolder(const std::string& search);
+
+/// Throws InputError: unknown technique or surface, a surface it doesn't compose with, manifest, setting.
+/// Keys of `shared` that the technique doesn't know are ignored.
+Technique resolveTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& shared);
+
+} // namespace plumbline

@@ -1,0 +1,95 @@
+#include "technique_program.h"
+
+#include "../scenes/data_folder.h"
+#include "../scenes/error.h"
+#include "frame_target.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+std::filesystem::path shaderFile(const char* name) {
+    return dataFolder() / "realtime" / "shaders" / name;
+}
+
+/// Declares the lights and their draw buffers. GLSL ES wants each output indexed by a constant: the writes
+/// are spelled out.
+std::string lightDeclarations(size_t lightCount) {
+    const size_t slots = std::max<size_t>(lightCount, 1);
+    const int targets = targetCount(lightCount) - kFixedTargets;
+    std::string text =
+        fmt::format("const int kLightCount = {};\nconst int kLightSlots = {};\n"
+                    "uniform vec4 uLights[kLightSlots]; // to-light direction, 0; or position, 1\n",
+                    lightCount, slots);
+    for (int i = 0; i < targets; ++i)
+        text += fmt::format("layout(location = {}) out vec4 outShadow{};\n", kFixedTargets + i, i);
+    text += "void writeShadows(float shadow[kLightSlots]) {\n";
+    for (int i = 0; i < targets; ++i) {
+        text += fmt::format("    outShadow{} = vec4(", i);
+        for (int k = 0; k < kLightsPerTarget; ++k) {
+            const auto light = static_cast<size_t>(i * kLightsPerTarget + k);
+            text += light < lightCount ? fmt::format("shadow[{}]", light) : "0.0";
+            text += k + 1 < kLightsPerTarget ? ", " : ");\n";
+        }
+    }
+    return text + "}\n";
+}
+
+void addHarness(ShaderSource& fragment, size_t lightCount) {
+    fragment.addText("(lights)", lightDeclarations(lightCount));
+    fragment.addFile(shaderFile("camera.glsl"));
+    fragment.addFile(shaderFile("shading.glsl"));
+}
+
+} // namespace
+
+StageSources plainSources(size_t lightCount) {
+    StageSources sources;
+    sources.vertex.addFile(shaderFile("plain_vertex.glsl"));
+    addHarness(sources.fragment, lightCount);
+    sources.fragment.addFile(shaderFile("plain_main.glsl"));
+    return sources;
+}
+
+StageSources reliefSources(const Technique& technique, size_t lightCount) {
+    StageSources sources;
+    sources.vertex.addFile(shaderFile("proxy_vertex.glsl"));
+    sources.fragment.addText("(settings)",
+                             fmt::format("const bool kHardwareFilter = {};\nconst bool kCastShadows = {};\n",
+                                         technique.hardwareFilter(), technique.castsShadows()));
+    addHarness(sources.fragment, lightCount);
+    sources.fragment.addFile(shaderFile("height_map.glsl"));
+    sources.fragment.addFile(shaderFile("relief_contract.glsl"));
+    sources.fragment.addFile(shaderFile("relief_main.glsl"));
+    sources.fragment.addText("(parameters)", technique.glslConstants());
+    sources.fragment.addFile(technique.surface->shaderFile());
+    sources.fragment.addFile(technique.search.shaderFile());
+    return sources;
+}
+
+std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount) {
+    const std::string author = technique.search.shaderFile().string();
+    if (!namesIdentifier(readText(technique.search.shaderFile()), "traceRelief"))
+        throw InputError(author, "doesn't define traceRelief", "ReliefHit traceRelief(ReliefRay ray) { … }");
+    const StageSources sources = reliefSources(technique, lightCount);
+    auto program = std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+    for (const std::string& name : program->activeUniforms())
+        if (name != "uClipFromRelative" && name != "uEye" && name != "uDepthPlane" && name != "uDepthRange" &&
+            name != "uLights" && name != "uColor" && name != "uHasColorMap" && name != "uColorMap" &&
+            name != "uObjectId" && name != "uHeightMap" && name != "uHeightMapClamps" &&
+            name != "uReliefDepthWorld" && name != "uShadowBias")
+            throw InputError(author,
+                             fmt::format("declares uniform '{}', which the harness doesn't set", name),
+                             "parameters in technique.toml");
+    return program;
+}
+
+std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount) {
+    const StageSources sources = plainSources(lightCount);
+    return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+}
+
+} // namespace plumbline

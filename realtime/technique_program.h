@@ -1,0 +1,27 @@
+// The shader programs of the harness with a technique put in.
+#pragma once
+
+#include "gl_program.h"
+#include "technique.h"
+
+#include <memory>
+
+namespace plumbline {
+
+/// Vertex and fragment stage of a program.
+struct StageSources {
+    ShaderSource vertex, fragment;
+};
+
+/// Draws objects as they are: proxies without relief, micro-triangles.
+StageSources plainSources(size_t lightCount);
+/// Draws proxies with a relief by the technique. The technique's own file comes last, so that nothing in it
+/// can change the meaning of what stands before, and a redefinition is reported where the author wrote it.
+StageSources reliefSources(const Technique& technique, size_t lightCount);
+
+/// Compiles, links and checks that the technique declares no uniform the harness doesn't set. Throws
+/// InputError.
+std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount);
+std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount);
+
+} // namespace plumbline

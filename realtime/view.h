@@ -1,0 +1,29 @@
+// The camera as the GPU needs it: everything relative to an origin near what is seen, worked out in double
+// precision.
+#pragma once
+
+#include "../scenes/camera.h"
+#include "../scenes/scene.h"
+#include "gl_program.h"
+
+namespace plumbline {
+
+class View {
+  public:
+    /// `boundsWorld`: all that may be drawn, relief included.
+    View(const Scene& scene, const Bounds& boundsWorld);
+
+    /// Positions on the GPU are world positions minus this.
+    const Vec3& originWorld() const { return originWorld_; }
+    /// Sets the uniforms of camera.glsl and the lights in the program in use.
+    void setUniforms(const GlProgram& program) const;
+
+  private:
+    const Scene& scene_;
+    Vec3 originWorld_;
+    glm::mat4 clipFromRelative_;
+    glm::vec4 eye_, depthPlane_;
+    glm::vec2 depthRange_; // lowest planar depth, 1 / extent
+};
+
+} // namespace plumbline
