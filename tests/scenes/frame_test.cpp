@@ -1,0 +1,56 @@
+#include "../../scenes/frame.h"
+#include "test_files.h"
+
+#include <cmath>
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+TEST(Frame, EveryConcreteNameHasItsRow) {
+    for (const char* name : {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S",
+                             "st.T", "id", "cost.fetches", "uncertain"})
+        EXPECT_EQ(channelInfo(name).name, name);
+    EXPECT_EQ(channelInfo("shadow.sun").name, "shadow.<light>");
+    EXPECT_EQ(channelInfo("uncertain.shadow.sun").name, "uncertain.shadow.<light>");
+    EXPECT_EQ(channelTable().size(), 18u); // 16 above and the two families
+}
+
+TEST(Frame, UnknownNamesAreRefused) {
+    EXPECT_NE(inputErrorOf([] { channelInfo("P.x"); }).find("did you mean 'P.X'?"), std::string::npos);
+    EXPECT_THROW(channelInfo("shadow."), InputError); // a light without a name
+    EXPECT_THROW(channelInfo("shadow"), InputError);
+    EXPECT_THROW(channelInfo(""), InputError);
+}
+
+TEST(Frame, AddFillsWithTheMissValue) {
+    Frame frame(3, 2);
+    for (const float z : frame.add("Z"))
+        EXPECT_EQ(z, kInfinityF);
+    for (const float a : frame.add("A"))
+        EXPECT_EQ(a, 0.0f);
+    for (const float shadow : frame.add("shadow.sun"))
+        EXPECT_TRUE(std::isnan(shadow));
+    EXPECT_EQ(frame.channel("Z").size(), 6u);
+    frame.channel("Z")[5] = 2;
+    EXPECT_EQ(frame.add("Z")[5], kInfinityF); // adding again begins anew
+}
+
+TEST(Frame, MissingChannelNamesWhatThereIs) {
+    Frame frame(1, 1);
+    frame.add("Z");
+    frame.add("A");
+    EXPECT_FALSE(frame.has("id"));
+    EXPECT_NE(inputErrorOf([&] { frame.channel("id"); }).find("which are: A Z"), std::string::npos);
+}
+
+TEST(Frame, LightNames) {
+    Frame frame(1, 1);
+    frame.add("shadow.sun");
+    frame.add("shadow.lamp");
+    frame.add("uncertain.shadow.moon");
+    EXPECT_THAT(frame.lightNames(), testing::UnorderedElementsAre("sun", "lamp"));
+}
+
+} // namespace
+} // namespace plumbline
