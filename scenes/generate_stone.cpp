@@ -156,7 +156,7 @@ std::vector<float> cobbleTexels(int size, unsigned seed) {
         const double s = (i + 0.5) / size, t = (j + 0.5) / size;
         const Stones::Place place = stones.at(s, t);
         const double x = std::clamp((place.toBorder - kJoint) / kRound, 0.0, 1.0);
-        const double rounded = std::sqrt(x * (2 - x)); // a quarter circle
+        const double rounded = 1 - (1 - x) * (1 - x) * (1 - x); // steep at the joint, but not a wall
         const double height = rounded * (kLowestStone + (1 - kLowestStone) * place.top);
         return 0.9 * (1 - height) + 0.05 + kRoughness * rough.at(s, t);
     });

@@ -49,7 +49,12 @@ constexpr Section kSpout[] = {{1.7, 1.425, 1.7, 0.6, 0.66},       {2.6, 1.425, 3
 /// Control points of a closed cubic spline in Bezier form: every third one is on the curve.
 using Ring = std::vector<Vec3>;
 /// Rings along v; every third one is on the surface. Seen from outside, u along a ring is to the right of v.
-using Chart = std::vector<Ring>;
+/// uv runs from 0 to uvExtent, whole numbers so that maps close, chosen so that a unit of u and of v are
+/// about equally long and about as long in one chart as in the next (1.6 to 3.1).
+struct Chart {
+    std::vector<Ring> rings;
+    Vec2 uvExtent;
+};
 
 Ring turnedRing(const ProfilePoint& p) {
     Ring ring;
@@ -68,19 +73,19 @@ Ring mirroredRing(const Section& s) {
 }
 
 template <size_t count, typename Row>
-Chart makeChart(const Row (&rows)[count], Ring (*ringOf)(const Row&)) {
-    Chart chart;
+Chart makeChart(const Row (&rows)[count], Ring (*ringOf)(const Row&), const Vec2& uvExtent) {
+    Chart chart{{}, uvExtent};
     for (const Row& row : rows)
-        chart.push_back(ringOf(row));
+        chart.rings.push_back(ringOf(row));
     return chart;
 }
 
 /// Charts whose vertices are joined where they meet.
 std::vector<std::vector<Chart>> teapotParts() {
-    return {{makeChart(kBody, turnedRing), makeChart(kBottom, turnedRing)},
-            {makeChart(kLid, turnedRing)},
-            {makeChart(kHandle, mirroredRing)},
-            {makeChart(kSpout, mirroredRing)}};
+    return {{makeChart(kBody, turnedRing, {4, 1}), makeChart(kBottom, turnedRing, {4, 1})},
+            {makeChart(kLid, turnedRing, {2, 1})},
+            {makeChart(kHandle, mirroredRing, {1, 2})},
+            {makeChart(kSpout, mirroredRing, {1, 1})}};
 }
 
 std::array<double, 4> bernstein(double t) {
@@ -92,7 +97,8 @@ std::array<double, 4> bernstein(double t) {
 struct ChartLattice {
     int columns, rows;        // quads; closed along the columns
     std::vector<Vec3> points; // columns x (rows + 1)
-    std::vector<double> v;    // of each row, by arc length, from 0 to 1
+    Vec2 uvExtent;
+    std::vector<double> v; // of each row, by arc length, from 0 to uvExtent.y
     const Vec3& at(int i, int j) const {
         return points[static_cast<size_t>(j) * static_cast<size_t>(columns) +
                       static_cast<size_t>(i % columns)];
@@ -100,13 +106,13 @@ struct ChartLattice {
 };
 
 Vec3 evaluateChart(const Chart& chart, int segments, int i, int j) {
-    const int lastPatch = static_cast<int>(chart.size()) / 3 - 1;
+    const int lastPatch = static_cast<int>(chart.rings.size()) / 3 - 1;
     const int patchV = std::min(j / segments, lastPatch), patchU = i / segments;
     const auto weightU = bernstein(double(i - patchU * segments) / segments);
     const auto weightV = bernstein(double(j - patchV * segments) / segments);
     Vec3 sum(0);
     for (size_t q = 0; q < 4; ++q) {
-        const Ring& ring = chart[3 * static_cast<size_t>(patchV) + q];
+        const Ring& ring = chart.rings[3 * static_cast<size_t>(patchV) + q];
         for (size_t p = 0; p < 4; ++p)
             sum += weightV[q] * weightU[p] * ring[(3 * static_cast<size_t>(patchU) + p) % ring.size()];
     }
@@ -115,8 +121,9 @@ Vec3 evaluateChart(const Chart& chart, int segments, int i, int j) {
 
 ChartLattice makeChartLattice(const Chart& chart, int segments) {
     ChartLattice lattice;
-    lattice.columns = static_cast<int>(chart[0].size()) / 3 * segments;
-    lattice.rows = static_cast<int>(chart.size()) / 3 * segments;
+    lattice.uvExtent = chart.uvExtent;
+    lattice.columns = static_cast<int>(chart.rings[0].size()) / 3 * segments;
+    lattice.rows = static_cast<int>(chart.rings.size()) / 3 * segments;
     for (int j = 0; j <= lattice.rows; ++j)
         for (int i = 0; i < lattice.columns; ++i)
             lattice.points.push_back(evaluateChart(chart, segments, i, j));
@@ -127,9 +134,10 @@ ChartLattice makeChartLattice(const Chart& chart, int segments) {
             length += glm::length(lattice.at(i, j + 1) - lattice.at(i, j));
         lattice.v.push_back(lattice.v.back() + length);
     }
+    const double length = lattice.v.back();
     for (double& v : lattice.v)
-        v /= lattice.v.back();
-    lattice.v.back() = 1;
+        v *= lattice.uvExtent.y / length;
+    lattice.v.back() = lattice.uvExtent.y;
     return lattice;
 }
 
@@ -168,12 +176,13 @@ void appendChart(ControlMesh& mesh, VertexJoiner& joiner, const ChartLattice& la
     for (int j = 0; j < lattice.rows; ++j)
         for (int i = 0; i < lattice.columns; ++i) {
             const auto corner = [&](int di, int dj) {
-                const double u = double(i + di) / lattice.columns;
+                const double u = lattice.uvExtent.x * (i + di) / lattice.columns;
                 return std::pair(joiner.vertexAt(lattice.at(i + di, j + dj)),
                                  Vec2(u, lattice.v[static_cast<size_t>(j + dj)]));
             };
             auto a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-            const double middle = (i + 0.5) / lattice.columns; // u of a pole, where every u meets
+            const double middle =
+                lattice.uvExtent.x * (i + 0.5) / lattice.columns; // u of a pole, where every u meets
             if (a.first == b.first) {
                 a.second.x = middle;
                 appendFace(mesh, {a, c, d});
@@ -192,11 +201,11 @@ std::vector<std::array<Vec3, 16>> teapotPatches() {
     std::vector<std::array<Vec3, 16>> patches;
     for (const std::vector<Chart>& part : teapotParts())
         for (const Chart& chart : part)
-            for (size_t v = 0; v + 3 < chart.size(); v += 3)
-                for (size_t u = 0; u < chart[0].size(); u += 3) {
+            for (size_t v = 0; v + 3 < chart.rings.size(); v += 3)
+                for (size_t u = 0; u < chart.rings[0].size(); u += 3) {
                     std::array<Vec3, 16>& patch = patches.emplace_back();
                     for (size_t k = 0; k < 16; ++k)
-                        patch[k] = chart[v + k / 4][(u + k % 4) % chart[0].size()];
+                        patch[k] = chart.rings[v + k / 4][(u + k % 4) % chart.rings[0].size()];
                 }
     return patches;
 }
