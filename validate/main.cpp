@@ -1,3 +1,185 @@
-int main() {
-    return 0;
+// The command line: arguments to structs, errors to one line and an exit code. What is done is in commands/.
+#include "../scenes/error.h"
+#include "../scenes/scene_metadata.h"
+#include "commands/commands.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <memory>
+
+namespace plumbline {
+namespace {
+
+struct Arguments {
+    ReferenceArguments reference;
+    RealtimeArguments realtime;
+    ValidateArguments validate;
+    CompareArguments compare;
+    std::string listed;
+    int threads = 0; // 0: as many as the machine has
+};
+
+void addThreads(CLI::App& command, Arguments& arguments) {
+    command.add_option("--threads", arguments.threads, "Threads of reference and llvmpipe (default: all)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+}
+
+void addReferenceOptions(CLI::App& command, ReferenceArguments& arguments) {
+    command
+        .add_option("--rate", arguments.rate, "Segments per control edge, a power of two (default: chosen)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command.add_option("--memory", arguments.memory, "Budget of micro-triangles, as 256M or 2G")
+        ->type_name("SIZE");
+}
+
+void addRealtimeOptions(CLI::App& command, RealtimeArguments& arguments) {
+    command
+        .add_option("--technique", arguments.techniques,
+                    "SEARCH[@SURFACE][:key=value,…], SEARCH a name or a folder; may be repeated")
+        ->type_name("NAME|DIR")
+        ->allow_extra_args(false);
+    command.add_option("--set", arguments.settings, "A parameter of all techniques; may be repeated")
+        ->type_name("key=value")
+        ->allow_extra_args(false);
+    command.add_option("--gl", arguments.glBackend, "auto, egl or osmesa")->type_name("BACKEND");
+    command.add_option("--device", arguments.glDevice, "EGL device")
+        ->check(CLI::Range(0, 1023))
+        ->type_name("N");
+}
+
+/// Adds the commands to `app`; the one chosen stores what is to be run in `run`.
+void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
+    CLI::App* validate =
+        app.add_subcommand("validate", "Hold techniques against the displaced truth: metrics and report");
+    validate->add_option("SCENE", arguments.validate.reference.scene,
+                         fmt::format("A scene file or a name of the library (default: {})", kDefaultScene));
+    validate
+        ->add_option("-o", arguments.validate.output, "Folder of the results (default: plumbline-out/SCENE)")
+        ->type_name("DIR");
+    addReferenceOptions(*validate, arguments.validate.reference);
+    addRealtimeOptions(*validate, arguments.validate.realtime);
+    addThreads(*validate, arguments);
+    validate->callback([&] { run = [&] { return runValidate(arguments.validate); }; });
+
+    CLI::App* reference = app.add_subcommand("reference", "Write the exact frame of a scene");
+    reference->add_option("SCENE", arguments.reference.scene, "A scene file or a name of the library")
+        ->required();
+    reference->add_option("-o", arguments.reference.output, "The frame's file")->type_name("FILE.exr");
+    addReferenceOptions(*reference, arguments.reference);
+    addThreads(*reference, arguments);
+    reference->callback([&] { run = [&] { return runReference(arguments.reference); }; });
+
+    CLI::App* realtime = app.add_subcommand("realtime", "Write the frame of one technique");
+    realtime->add_option("SCENE", arguments.realtime.scene, "A scene file or a name of the library")
+        ->required();
+    realtime->add_option("-o", arguments.realtime.output, "The frame's file")->type_name("FILE.exr");
+    addRealtimeOptions(*realtime, arguments.realtime);
+    addThreads(*realtime, arguments);
+    realtime->callback([&] { run = [&] { return runRealtime(arguments.realtime); }; });
+
+    CLI::App* compare = app.add_subcommand("compare", "Hold one frame against another, of any renderer");
+    compare->add_option("REFERENCE", arguments.compare.reference, "The true frame, EXR")->required();
+    compare->add_option("TEST", arguments.compare.test, "The frame to judge, EXR")->required();
+    compare->add_option("-o", arguments.compare.output, "Folder for results and report")->type_name("DIR");
+    compare->add_flag("--json", arguments.compare.json, "Print results.json instead of the table");
+    compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
+
+    CLI::App* list = app.add_subcommand("list", "List scenes, techniques or metrics");
+    list->add_option("WHAT", arguments.listed, "scenes, techniques or metrics")->required();
+    list->callback([&] { run = [&] { return runList(arguments.listed); }; });
+
+    app.add_subcommand("doctor", "Say what this machine can do")->callback([&] {
+        run = [] { return runDoctor(); };
+    });
+}
+
+/// A message of CLI11 as one of ours, with a guess at what was meant.
+InputError usageError(const CLI::App& app, const CLI::ParseError& error) {
+    const auto used = app.get_subcommands();
+    const CLI::App& command = used.empty() ? app : *used[0];
+    const std::string where = used.empty() ? "plumbline" : command.get_name();
+    const std::string help =
+        fmt::format("'plumbline {}--help' lists what there is", used.empty() ? "" : where + " ");
+    std::vector<std::string> choices;
+    for (const CLI::Option* option : command.get_options())
+        for (const std::string& name : option->get_lnames())
+            choices.push_back("--" + name);
+    const std::vector<std::string> unknown = command.remaining();
+    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unknown.empty()) {
+        const std::string guess = didYouMean(unknown[0], choices);
+        return {where, fmt::format("'{}' was not expected", unknown[0]), "", guess.empty() ? help : guess};
+    }
+    return {where, error.what(), "", help};
+}
+
+void requireCommand(const CLI::App& app, const std::string& first) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({}))
+        names.push_back(command->get_name());
+    if (first.starts_with("-") || std::find(names.begin(), names.end(), first) != names.end()) return;
+    throw InputError("plumbline", fmt::format("there is no command '{}'", first), listOf(names),
+                     didYouMean(first, names));
+}
+
+void limitThreads(int threads, std::unique_ptr<tbb::global_control>& control) {
+    if (threads == 0) return;
+    control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                    static_cast<size_t>(threads));
+    ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1); // llvmpipe reads it when GL starts
+}
+
+int runProgram(int argc, char** argv) {
+    CLI::App app("Holds fast approximations of displaced surfaces against a true one.", "plumbline");
+    app.set_version_flag("--version", programName());
+    app.require_subcommand(1);
+    Arguments arguments;
+    std::function<int()> run;
+    addCommands(app, arguments, run);
+    if (argc < 2) {
+        std::fputs(app.help().c_str(), stderr);
+        return kExitBadInput;
+    }
+    requireCommand(app, argv[1]);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error); // --help and --version
+        throw usageError(app, error);
+    }
+    std::unique_ptr<tbb::global_control> control;
+    limitThreads(arguments.threads, control);
+    return run();
+}
+
+int fail(int exitCode, std::string message) {
+    std::replace(message.begin(), message.end(), '\n', ' '); // one error, one line
+    std::fputs((message + "\n").c_str(), stderr);
+    return exitCode;
+}
+
+} // namespace
+} // namespace plumbline
+
+int main(int argc, char** argv) {
+    using namespace plumbline;
+    try {
+        return runProgram(argc, argv);
+    } catch (const InputError& error) {
+        return fail(kExitBadInput, error.what());
+    } catch (const MachineError& error) {
+        return fail(kExitMachine, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(kExitMachine,
+                    "plumbline: this machine hasn't the memory for that; expected a smaller scene or frame");
+    } catch (const std::exception& error) {
+        return fail(kExitInternal, std::string("internal error: ") + error.what());
+    }
 }

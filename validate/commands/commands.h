@@ -1,0 +1,58 @@
+// The commands of the program, one .cpp each: arguments in, exit code out. main.cpp reads the command line.
+//
+// All throw InputError or MachineError; main.cpp turns those into one line on stderr and exit code 2 or 3.
+// Results go to stdout, progress to stderr when that is a terminal.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+inline constexpr int kExitDone = 0;
+inline constexpr int kExitBadInput = 2;  // bad input or usage; also: a technique failed on its own files
+inline constexpr int kExitMachine = 3;   // this machine lacks something
+inline constexpr int kExitInternal = 70; // a fault of the program itself (EX_SOFTWARE of sysexits.h)
+inline constexpr const char* kDefaultScene = "small_torus";
+
+struct ReferenceArguments {
+    std::string scene = kDefaultScene; // path or library name
+    std::optional<std::filesystem::path> output;
+    int rate = 0;       // segments per control edge; 0: chosen
+    std::string memory; // "256M"; empty: the reference's own default
+};
+
+struct RealtimeArguments {
+    std::string scene = kDefaultScene;
+    std::vector<std::string> techniques;
+    std::vector<std::string> settings; // key=value, for all of them
+    std::optional<std::filesystem::path> output;
+    std::string glBackend = "auto";
+    int glDevice = -1;
+};
+
+struct ValidateArguments {
+    ReferenceArguments reference;
+    RealtimeArguments realtime;
+    std::optional<std::filesystem::path> output; // folder
+};
+
+struct CompareArguments {
+    std::filesystem::path reference, test;
+    std::optional<std::filesystem::path> output; // folder
+    bool json = false;
+};
+
+int runValidate(const ValidateArguments& arguments);
+int runReference(const ReferenceArguments& arguments);
+int runRealtime(const RealtimeArguments& arguments);
+int runCompare(const CompareArguments& arguments);
+/// `what`: scenes, techniques or metrics.
+int runList(const std::string& what);
+int runDoctor();
+
+} // namespace plumbline

@@ -1,0 +1,80 @@
+#include "../../scenes/data_folder.h"
+#include "../../scenes/error.h"
+#include "../../scenes/scene_file.h"
+#include "../../scenes/scene_metadata.h"
+#include "shared.h"
+
+#include <fmt/format.h>
+
+#include <thread>
+#include <unistd.h>
+
+namespace plumbline {
+namespace {
+
+void report(bool good, const std::string& what, const std::string& detail) {
+    fmt::print("{:<4} {:<16} {}\n", good ? "ok" : "--", what, detail);
+}
+
+std::string memoryText() {
+    const double bytes =
+        static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
+    return fmt::format("{:.1f} GB of memory", bytes / 1e9);
+}
+
+bool checkData() {
+    try {
+        report(true, "data",
+               fmt::format("{}, {} scenes in the library", dataFolder().string(), libraryScenes().size()));
+        return true;
+    } catch (const std::runtime_error& error) {
+        report(false, "data", error.what());
+        return false;
+    }
+}
+
+#ifdef PLUMBLINE_GL
+bool checkGl() {
+    bool any = false;
+    for (const GlProbe& probe : probeGl()) {
+        report(probe.works, "GL " + probe.backend, probe.detail);
+        any = any || probe.works;
+    }
+    if (!any)
+        report(false, "GL",
+               "nothing works: no 'validate' and no 'realtime'; install libegl1 and libgl1-mesa-dri");
+    return any;
+}
+
+bool checkTechniques() {
+    try {
+        std::string names;
+        for (const TechniqueInfo& technique : listTechniques())
+            names += (names.empty() ? "" : ", ") + technique.name;
+        report(true, "techniques", names);
+        return true;
+    } catch (const std::runtime_error& error) {
+        report(false, "techniques", error.what());
+        return false;
+    }
+}
+#else
+bool checkGl() {
+    report(false, "GL", "built without it (preset no-gl): no 'validate' and no 'realtime'");
+    return false;
+}
+bool checkTechniques() {
+    return true;
+}
+#endif
+
+} // namespace
+
+int runDoctor() {
+    report(true, "program", programName());
+    report(true, "machine", fmt::format("{} threads, {}", std::thread::hardware_concurrency(), memoryText()));
+    const bool data = checkData(), techniques = checkTechniques(), gl = checkGl();
+    return data && techniques && gl ? kExitDone : kExitMachine;
+}
+
+} // namespace plumbline

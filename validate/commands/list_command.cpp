@@ -1,0 +1,67 @@
+#include "../../scenes/error.h"
+#include "../../scenes/scene_file.h"
+#include "../metric_table.h"
+#include "shared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+void listScenes() {
+    const auto scenes = libraryScenes();
+    size_t width = 0;
+    for (const LibraryScene& scene : scenes)
+        width = std::max(width, scene.name.size());
+    for (const LibraryScene& scene : scenes)
+        fmt::print("{:<{}}  {}\n", scene.name, width, scene.purpose);
+}
+
+void listMetrics() {
+    for (const MetricInfo& metric : metricTable())
+        fmt::print("{:<28}  {:<13}  {}{}\n", metric.key, metric.unit, metric.meaning,
+                   metric.best.empty() ? "" : fmt::format(" (best: {})", metric.best));
+}
+
+#ifdef PLUMBLINE_GL
+void listAllTechniques() {
+    for (const TechniqueInfo& technique : listTechniques()) {
+        fmt::print("{}: {}\n", technique.name, technique.title);
+        if (!technique.citation.empty()) fmt::print("    source: {}\n", technique.citation);
+        if (!technique.surfaces.empty())
+            fmt::print("    surfaces: {}\n", fmt::join(technique.surfaces, ", "));
+        if (!technique.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(technique.inputs, ", "));
+        for (const TechniqueInfo::Parameter& parameter : technique.parameters)
+            fmt::print("    {} = {}  {}{}{}: {}\n", parameter.name, parameter.defaultValue, parameter.type,
+                       parameter.range.empty() ? "" : " " + parameter.range,
+                       parameter.unit.empty() ? "" : ", " + parameter.unit, parameter.meaning);
+        for (const std::string& limit : technique.limits)
+            fmt::print("    limit: {}\n", limit);
+    }
+}
+#else
+void listAllTechniques() {
+    throw MachineError("list techniques", "this program was built without OpenGL (preset no-gl)",
+                       "a build with it");
+}
+#endif
+
+} // namespace
+
+int runList(const std::string& what) {
+    if (what == "scenes")
+        listScenes();
+    else if (what == "techniques")
+        listAllTechniques();
+    else if (what == "metrics")
+        listMetrics();
+    else {
+        const std::vector<std::string> choices{"scenes", "techniques", "metrics"};
+        throw InputError("list", fmt::format("found '{}'", what), listOf(choices), didYouMean(what, choices));
+    }
+    return kExitDone;
+}
+
+} // namespace plumbline

@@ -1,0 +1,56 @@
+#include "../../scenes/error.h"
+#include "../../scenes/frame_exr.h"
+#include "../../scenes/scene_file.h"
+#include "../output_files.h"
+#include "shared.h"
+
+#include <fmt/format.h>
+
+namespace plumbline {
+
+#ifdef PLUMBLINE_GL
+
+int runRealtime(const RealtimeArguments& arguments) {
+    if (arguments.techniques.size() != 1)
+        throw InputError("realtime", fmt::format("found {} techniques", arguments.techniques.size()),
+                         "exactly one --technique", "'plumbline validate' takes several");
+    Progress progress;
+    progress.step("reading the scene");
+    const Scene scene = readScene(findScene(arguments.scene));
+    const auto settings = parseSettings(arguments.settings);
+    const auto requests = chosenTechniques(arguments.techniques, settings);
+    if (requests.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
+    const TechniqueRequest& request = requests[0];
+    checkSettings(settings, requests);
+    const GlOptions gl = glOptions(arguments);
+    const std::filesystem::path file =
+        arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
+                                  "frames" / (safeFileName(displayName(request, settings)) + ".exr"));
+    requireWritableFile(file);
+
+    std::optional<ReferenceScene> reference;
+    if (drawsMicroTriangles(request)) {
+        progress.step("tessellating");
+        ReferenceOptions options;
+        options.microAttributes = true;
+        reference.emplace(scene, options);
+    }
+    progress.step("drawing");
+    RealtimeRenderer renderer(scene, gl);
+    const TechniqueResult result =
+        renderer.render(request, settings, reference ? &reference->microMeshes() : nullptr);
+    writeFrame(result.frame, file);
+    fmt::print("{}\n{} on {} ({}): {:.2f} ms, median of {} ({})\n", file.string(), result.name,
+               result.renderer, result.backend, result.msMedian, result.msRuns, result.timer);
+    return kExitDone;
+}
+
+#else
+
+int runRealtime(const RealtimeArguments&) {
+    throw MachineError("realtime", "this program was built without OpenGL (preset no-gl)", "a build with it");
+}
+
+#endif
+
+} // namespace plumbline

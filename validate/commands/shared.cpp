@@ -1,0 +1,86 @@
+#include "shared.h"
+
+#include "../../scenes/error.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace plumbline {
+
+uint64_t parseMemorySize(const std::string& text) {
+    constexpr uint64_t kSmallest = uint64_t(1) << 20, kLargest = uint64_t(1) << 46;
+    uint64_t number = 0;
+    const char* end = text.data() + text.size();
+    const auto [unit, error] = std::from_chars(text.data(), end, number);
+    const std::string suffix(unit, end);
+    const int shift = suffix.empty() ? 0 : suffix == "K" ? 10 : suffix == "M" ? 20 : suffix == "G" ? 30 : -1;
+    const bool fits = error == std::errc() && shift >= 0 && number <= (kLargest >> shift);
+    if (!fits || (number << shift) < kSmallest)
+        throw InputError("--memory", fmt::format("'{}' is not a size of memory", text),
+                         "a whole number of bytes, or with K, M or G behind it, from 1M to 65536G");
+    return number << shift;
+}
+
+std::map<std::string, std::string> parseSettings(const std::vector<std::string>& texts) {
+    std::map<std::string, std::string> settings;
+    for (const std::string& text : texts) {
+        const size_t equals = text.find('=');
+        if (equals == std::string::npos || equals == 0)
+            throw InputError("--set", fmt::format("found '{}'", text),
+                             "key=value, for example linear_steps=64");
+        if (!settings.emplace(text.substr(0, equals), text.substr(equals + 1)).second)
+            throw InputError("--set", fmt::format("'{}' is given twice", text.substr(0, equals)));
+    }
+    return settings;
+}
+
+ReferenceOptions referenceOptions(const ReferenceArguments& arguments) {
+    ReferenceOptions options;
+    options.rate = arguments.rate;
+    if (!arguments.memory.empty()) options.memoryBytes = parseMemorySize(arguments.memory);
+    return options;
+}
+
+ReferenceSummary summaryOf(const ReferenceStats& stats) {
+    ReferenceSummary summary;
+    summary.microTriangles = static_cast<double>(stats.microTriangles);
+    summary.tessellateMs = stats.tessellateMs;
+    summary.buildMs = stats.buildMs;
+    summary.traceMs = stats.traceMs;
+    summary.peakBytes = static_cast<double>(peakBytes());
+    for (const ReferenceStats::Object& object : stats.objects)
+        summary.objects.push_back({object.name, object.rate, object.wantedRate, object.microTriangles});
+    return summary;
+}
+
+SceneSummary summaryOf(const Scene& scene) {
+    return {scene.name, scene.purpose, scene.hash, scene.camera.width, scene.camera.height};
+}
+
+uint64_t peakBytes() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
+}
+
+namespace {
+constexpr const char* kClearLine = "\r\033[K";
+}
+
+Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+Progress::~Progress() {
+    if (terminal_) std::fputs(kClearLine, stderr);
+}
+
+void Progress::step(const std::string& what) {
+    if (!terminal_) return;
+    std::fputs((kClearLine + what + " …").c_str(), stderr);
+    std::fflush(stderr);
+}
+
+} // namespace plumbline

@@ -1,0 +1,61 @@
+// What several commands need: argument texts to values, progress, the reference's summary.
+#pragma once
+
+#include "../../reference/reference.h"
+#include "../results.h"
+#include "commands.h"
+
+#ifdef PLUMBLINE_GL
+#include "../../realtime/realtime.h"
+#endif
+
+#include <functional>
+
+namespace plumbline {
+
+/// "268435456", "256M", "2G", "512K" (powers of 1024) to bytes. Throws InputError; at least 1M, at most 64T.
+uint64_t parseMemorySize(const std::string& text);
+
+/// "key=value" texts to a map. Throws InputError for a text without '=', without a key, or a key given twice.
+std::map<std::string, std::string> parseSettings(const std::vector<std::string>& texts);
+
+ReferenceOptions referenceOptions(const ReferenceArguments& arguments);
+ReferenceSummary summaryOf(const ReferenceStats& stats);
+SceneSummary summaryOf(const Scene& scene);
+
+/// Largest resident set of this process so far, bytes.
+uint64_t peakBytes();
+
+/// Says on stderr what is being done, on one line that is overwritten, if stderr is a terminal; else nothing.
+class Progress {
+  public:
+    Progress();
+    ~Progress();
+    void step(const std::string& what);
+
+  private:
+    bool terminal_;
+};
+
+#ifdef PLUMBLINE_GL
+/// "auto", "egl" or "osmesa". Throws InputError.
+GlOptions glOptions(const RealtimeArguments& arguments);
+
+/// The techniques named; with none named or with "all", every technique on each of its surfaces, the control
+/// technique first. Throws InputError for a text that isn't of the form, a name there is no technique of, one
+/// named twice.
+std::vector<TechniqueRequest> chosenTechniques(const std::vector<std::string>& texts,
+                                               const std::map<std::string, std::string>& settings);
+
+/// Throws InputError for a setting that none of the techniques takes.
+void checkSettings(const std::map<std::string, std::string>& settings,
+                   const std::vector<TechniqueRequest>& requests);
+
+/// As in results; for one whose manifest can't be read, as the user wrote it.
+std::string displayName(const TechniqueRequest& request, const std::map<std::string, std::string>& settings);
+
+/// False also where the manifest can't be read: drawing it will say why.
+bool drawsMicroTriangles(const TechniqueRequest& request);
+#endif
+
+} // namespace plumbline

@@ -1,0 +1,113 @@
+// The part of shared.h that needs realtime/.
+#include "../../scenes/error.h"
+#include "shared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace plumbline {
+namespace {
+
+std::vector<TechniqueRequest> allTechniques() {
+    std::vector<TechniqueRequest> requests;
+    for (const TechniqueInfo& info : listTechniques()) {
+        TechniqueRequest request;
+        request.search = info.name;
+        if (info.surfaces.empty()) requests.push_back(request);
+        for (const std::string& surface : info.surfaces) {
+            request.surface = surface;
+            requests.push_back(request);
+        }
+    }
+    // The control goes first: where it fails, no other result means anything.
+    std::stable_partition(requests.begin(), requests.end(), drawsMicroTriangles);
+    return requests;
+}
+
+/// A typing error must not cost a whole run: names that aren't there are refused at once, faults inside a
+/// technique's folder are reported beside the results of the others.
+void requireExists(const TechniqueRequest& request) {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(request.search, ignored)) return;
+    std::vector<std::string> names;
+    for (const TechniqueInfo& info : listTechniques())
+        names.push_back(info.name);
+    if (std::find(names.begin(), names.end(), request.search) != names.end()) return;
+    (void)techniqueInfo(request); // says more where there is a folder with a broken manifest
+    throw InputError("--technique", fmt::format("there is no technique '{}'", request.search),
+                     listOf(names) + ", or a folder", didYouMean(request.search, names));
+}
+
+void refuseDuplicates(const std::vector<TechniqueRequest>& requests,
+                      const std::map<std::string, std::string>& settings) {
+    std::set<std::string> names;
+    for (const TechniqueRequest& request : requests)
+        if (const std::string name = displayName(request, settings); !names.insert(name).second)
+            throw InputError("--technique", fmt::format("'{}' is named twice", name), "each technique once");
+}
+
+} // namespace
+
+GlOptions glOptions(const RealtimeArguments& arguments) {
+    GlOptions options;
+    options.device = arguments.glDevice;
+    if (arguments.glBackend == "egl")
+        options.backend = GlBackend::Egl;
+    else if (arguments.glBackend == "osmesa")
+        options.backend = GlBackend::Osmesa;
+    else if (arguments.glBackend != "auto")
+        throw InputError("--gl", fmt::format("found '{}'", arguments.glBackend), "auto, egl or osmesa");
+    return options;
+}
+
+std::vector<TechniqueRequest> chosenTechniques(const std::vector<std::string>& texts,
+                                               const std::map<std::string, std::string>& settings) {
+    const bool all = texts.empty() || std::find(texts.begin(), texts.end(), "all") != texts.end();
+    std::vector<TechniqueRequest> requests = all ? allTechniques() : std::vector<TechniqueRequest>{};
+    for (const std::string& text : texts) {
+        if (text == "all") continue;
+        requests.push_back(parseTechnique(text));
+        requireExists(requests.back());
+    }
+    refuseDuplicates(requests, settings);
+    return requests;
+}
+
+void checkSettings(const std::map<std::string, std::string>& settings,
+                   const std::vector<TechniqueRequest>& requests) {
+    if (settings.empty()) return;
+    std::set<std::string> known;
+    for (const TechniqueRequest& request : requests) {
+        try {
+            for (const std::string& name : knownSettings(request))
+                known.insert(name);
+        } catch (const InputError&) {
+            return; // its manifest can't be read, so nobody knows what it takes; drawing it will say so
+        }
+    }
+    const std::vector<std::string> names(known.begin(), known.end());
+    for (const auto& [key, value] : settings)
+        if (!known.contains(key))
+            throw InputError("--set", fmt::format("no technique of this run takes '{}'", key), listOf(names),
+                             didYouMean(key, names));
+}
+
+std::string displayName(const TechniqueRequest& request, const std::map<std::string, std::string>& settings) {
+    try {
+        return techniqueName(request, settings);
+    } catch (const InputError&) {
+        return request.surface == "flat" ? request.search : request.search + "@" + request.surface;
+    }
+}
+
+bool drawsMicroTriangles(const TechniqueRequest& request) {
+    try {
+        return techniqueInfo(request).drawsMicroTriangles;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+} // namespace plumbline
