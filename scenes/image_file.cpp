@@ -3,6 +3,7 @@
 #include "error.h"
 #include "exr_file.h"
 #include "image_module.h"
+#include "picture_check.h"
 #include "replace_file.h"
 
 #include <fmt/format.h>
@@ -84,29 +85,6 @@ bool hasExrName(const std::filesystem::path& file) {
     return ending == ".exr";
 }
 
-/// libjpeg fills what a truncated file lacks with grey and calls that a warning, so look for the end
-/// ourselves: walk the marker segments (ITU T.81, annex B) to the end-of-image marker. A thumbnail's own end
-/// lies within a segment.
-bool jpegIsWhole(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::vector<char> text{std::istreambuf_iterator<char>(stream), {}};
-    const auto byte = [&](size_t i) { return static_cast<uint8_t>(text[i]); };
-    for (size_t i = 2; i + 1 < text.size();) {
-        const uint8_t marker = byte(i + 1);
-        if (byte(i) != 0xff || marker == 0x00 || (marker >= 0xd0 && marker <= 0xd7)) {
-            ++i; // entropy-coded data, with stuffed zeros and restart markers
-        } else if (marker == 0xff) {
-            ++i; // a fill byte
-        } else if (marker == 0xd9) {
-            return true;
-        } else {
-            if (i + 3 >= text.size()) return false;
-            i += 2 + static_cast<size_t>(byte(i + 2) << 8 | byte(i + 3));
-        }
-    }
-    return false;
-}
-
 std::vector<std::string> pictureChannels(const std::filesystem::path& file,
                                          const std::vector<std::string>& names) {
     const auto has = [&](const char* name) {
@@ -186,8 +164,7 @@ struct ImageCollector {
 Image readImage(const std::filesystem::path& file) {
     const std::vector<uint8_t> magic = firstBytes(file, 4);
     if (hasExrName(file) || beginsWith(magic, {0x76, 0x2f, 0x31, 0x01})) return readExrImage(file);
-    if (beginsWith(magic, {0xff, 0xd8}) && !jpegIsWhole(file))
-        throw InputError(file.string(), "is truncated", "a whole JPEG file");
+    if (beginsWith(magic, {0xff, 0xd8}) || beginsWith(magic, {0x89, 'P'})) checkPictureIsWhole(file);
     ImageCollector collector;
     const PlumblinePictureSink sink{&collector, ImageCollector::begin, ImageCollector::values,
                                     ImageCollector::fail};

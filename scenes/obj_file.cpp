@@ -45,7 +45,7 @@ void appendFaces(ControlMesh& mesh, const std::vector<tinyobj::shape_t>& shapes,
 } // namespace
 
 ControlMesh readObj(const std::filesystem::path& file) {
-    std::string text = readTextFile(file);
+    std::string text = readWholeFile(file);
     const ObjScan scan = scanObj(file.string(), text);
     tinyobj::ObjReaderConfig config;
     config.triangulate = false;

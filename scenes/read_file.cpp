@@ -8,7 +8,7 @@
 
 namespace plumbline {
 
-std::string readTextFile(const std::filesystem::path& file) {
+std::string readWholeFile(const std::filesystem::path& file) {
     constexpr uintmax_t kLongest = uintmax_t(1) << 30;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) throw InputError(file.string(), "no such file");

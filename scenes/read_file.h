@@ -1,4 +1,4 @@
-// Whole text files in memory.
+// Whole files in memory.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,6 @@
 namespace plumbline {
 
 /// Throws InputError: missing, not a regular file, not readable, empty or longer than 1 GB.
-std::string readTextFile(const std::filesystem::path& file);
+std::string readWholeFile(const std::filesystem::path& file);
 
 } // namespace plumbline

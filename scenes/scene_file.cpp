@@ -34,7 +34,7 @@ constexpr double kSmallestUpSine = 1e-6;
 class SceneReader {
   public:
     explicit SceneReader(const std::filesystem::path& file)
-        : file_(file), text_(readTextFile(file)), root_(TomlTable::parse(file.string(), text_)) {}
+        : file_(file), text_(readWholeFile(file)), root_(TomlTable::parse(file.string(), text_)) {}
 
     Scene read() {
         scene_.name = file_.stem().string();

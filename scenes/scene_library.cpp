@@ -31,7 +31,7 @@ std::vector<LibraryScene> libraryScenes() {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".toml") continue;
         const TomlTable root =
-            TomlTable::parse(entry.path().string(), rootFields(readTextFile(entry.path())));
+            TomlTable::parse(entry.path().string(), rootFields(readWholeFile(entry.path())));
         scenes.push_back({entry.path().stem().string(), root.text("purpose"), entry.path()});
     }
     std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });

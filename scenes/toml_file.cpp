@@ -144,7 +144,7 @@ Vector vectorOf(const TomlTable& table, std::string_view key, const TomlValue& v
 TomlTable::TomlTable(std::shared_ptr<TomlNode> node) : node_(std::move(node)) {}
 
 TomlTable TomlTable::readFile(const std::filesystem::path& file) {
-    return parse(file.string(), readTextFile(file));
+    return parse(file.string(), readWholeFile(file));
 }
 
 TomlTable TomlTable::parse(const std::string& fileName, const std::string& text) {
