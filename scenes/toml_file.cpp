@@ -100,7 +100,7 @@ std::string rangeText(const char* what, double low, double high) {
     constexpr double kUnlimited = std::numeric_limits<double>::max();
     if (low <= -kUnlimited && high >= kUnlimited) return fmt::format("a finite {}", what);
     if (high >= kUnlimited) return fmt::format("a finite {}, at least {}", what, low);
-    return fmt::format("{} from {} to {}", what, low, high);
+    return fmt::format("a {} from {} to {}", what, low, high);
 }
 
 double numberOf(const TomlTable& table, std::string_view key, const TomlValue& value, double low,

@@ -1,0 +1,87 @@
+#include "../../scenes/toml_file.h"
+#include "test_files.h"
+
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TomlTable parse(const std::string& text) {
+    return TomlTable::parse("a.toml", text);
+}
+
+TEST(TomlFile, ReadsWhatIsAskedFor) {
+    const TomlTable root = parse("name = 'n'\nflag = true\ncount = 3\nsize = 2\nplace = [1, 2.5, -3]\n"
+                                 "[camera]\nwidth = 8\n[[light]]\nname='a'\n[[light]]\nname='b'\n");
+    EXPECT_EQ(root.text("name"), "n");
+    EXPECT_TRUE(root.boolean("flag"));
+    EXPECT_EQ(root.integer("count", 0, 9), 3);
+    EXPECT_EQ(root.number("size", 0, 9), 2); // a whole number is a number
+    EXPECT_EQ(root.vector3("place", -9, 9), Vec3(1, 2.5, -3));
+    EXPECT_EQ(root.table("camera").integer("width", 1, 9), 8);
+    ASSERT_EQ(root.tables("light").size(), 2u);
+    EXPECT_EQ(root.tables("light")[1].text("name"), "b");
+    EXPECT_NO_THROW(root.finish());
+}
+
+TEST(TomlFile, FallbacksStandForMissingFieldsAlone) {
+    const TomlTable root = parse("a = 1\n");
+    EXPECT_EQ(root.integer("b", 0, 9, 5), 5);
+    EXPECT_EQ(root.number("b", 0, 9, 0.5), 0.5);
+    EXPECT_EQ(root.text("b", "x"), "x");
+    EXPECT_EQ(root.choice("b", {"x", "y"}, "y"), "y");
+    EXPECT_THAT(root.texts("b", std::vector<std::string>{"q"}), ElementsAre("q"));
+    EXPECT_THROW(root.integer("a", 2, 9, 5), InputError); // there, but wrong
+    EXPECT_EQ(inputErrorOf([&] { root.integer("b", 0, 9); }),
+              "a.toml:1: b: is missing; expected a whole number from 0 to 9");
+}
+
+TEST(TomlFile, WrongTypesAndRanges) {
+    const TomlTable root = parse("a = 1.5\nb = 'text'\nc = [1, 2]\nd = nan\ne = inf\nf = 2024-01-01\n"
+                                 "g = 99999999999\nh = [1, 'x', 3]\n[t]\nu = -1\n");
+    EXPECT_EQ(inputErrorOf([&] { root.integer("a", 0, 9); }),
+              "a.toml:1: a: is 1.5; expected a whole number from 0 to 9");
+    EXPECT_THAT(inputErrorOf([&] { root.number("b", 0, 9); }),
+                HasSubstr("a.toml:2: b: is the text \"text\""));
+    EXPECT_THAT(inputErrorOf([&] { root.vector3("c", 0, 9); }),
+                HasSubstr("is an array of 2; expected an array of 3"));
+    EXPECT_THAT(inputErrorOf([&] { root.number("d", 0, 9); }),
+                HasSubstr("is nan; expected a number from 0 to 9"));
+    EXPECT_THAT(inputErrorOf([&] { root.number("e", 0, 1e308); }), HasSubstr("is inf"));
+    EXPECT_THAT(inputErrorOf([&] { root.text("f"); }), HasSubstr("is a date or time"));
+    EXPECT_THAT(inputErrorOf([&] { root.integer("g", 0, 9); }), HasSubstr("is 99999999999"));
+    EXPECT_THAT(inputErrorOf([&] { root.vector3("h", 0, 9); }), HasSubstr("is the text \"x\""));
+    EXPECT_THAT(inputErrorOf([&] { root.table("a"); }), HasSubstr("is 1.5; expected a table"));
+    EXPECT_THAT(inputErrorOf([&] { root.tables("t"); }), HasSubstr("is a table; expected tables [[t]]"));
+    EXPECT_THAT(inputErrorOf([&] { root.table("t").number("u", 0, 9); }), HasSubstr("a.toml:10: t.u: is -1"));
+    EXPECT_THAT(inputErrorOf([&] { root.boolean("a"); }), HasSubstr("true or false"));
+}
+
+TEST(TomlFile, UnknownFieldsAreErrors) {
+    const TomlTable root = parse("widht = 3\n");
+    root.integer("width", 0, 9, 1);
+    root.integer("height", 0, 9, 1);
+    EXPECT_EQ(inputErrorOf([&] { root.finish(); }),
+              "a.toml:1: widht: unknown field; expected height or width; did you mean 'width'?");
+}
+
+TEST(TomlFile, ChoicesHaveHints) {
+    EXPECT_EQ(inputErrorOf([] {
+                  parse("\nwrap = 'repaet'").choice("wrap", {"repeat", "clamp"});
+              }),
+              "a.toml:2: wrap: is the text \"repaet\"; expected repeat or clamp; did you mean 'repeat'?");
+}
+
+TEST(TomlFile, SyntaxErrorsHaveTheirLine) {
+    EXPECT_THAT(inputErrorOf([] { parse("a = 1\nb = = 2\n"); }), HasSubstr("a.toml:2: is not valid TOML"));
+    EXPECT_THAT(inputErrorOf([] { parse("a = 1\na = 2\n"); }), HasSubstr("a.toml:2"));
+    EXPECT_THAT(inputErrorOf([] { parse("a = \"\xff\xfe\"\n"); }), HasSubstr("not valid TOML"));
+    EXPECT_THAT(inputErrorOf([] { parse(std::string("a = \0", 5)); }), HasSubstr("not valid TOML"));
+    EXPECT_THAT(inputErrorOf([] { parse("a = " + std::string(100000, '[')); }), HasSubstr("not valid TOML"));
+}
+
+} // namespace
+} // namespace plumbline
