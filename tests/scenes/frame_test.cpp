@@ -52,5 +52,26 @@ TEST(Frame, LightNames) {
     EXPECT_THAT(frame.lightNames(), testing::UnorderedElementsAre("sun", "lamp"));
 }
 
+/// The row of the README's channel table that names a channel.
+std::string readmeRow(const std::string& channel) {
+    std::ifstream readme(PLUMBLINE_SOURCE_DIR "/scenes/README.md");
+    for (std::string line; std::getline(readme, line);)
+        if (line.starts_with("| `") && line.find('`' + channel + '`') < line.find('|', 1)) return line;
+    return {};
+}
+
+TEST(Frame, ReadmeSaysWhatTheTableSays) {
+    for (const ChannelInfo& info : channelTable()) {
+        const std::string row = readmeRow(std::string(info.name));
+        ASSERT_NE(row, "") << info.name;
+        const bool color = info.space == "linear"; // the table's 0 is written over with the background
+        const std::string miss = color                        ? "background"
+                                 : std::isnan(info.missValue) ? "NaN"
+                                 : std::isinf(info.missValue) ? "+inf"
+                                                              : "0";
+        EXPECT_THAT(row, testing::HasSubstr("| " + miss + " |")) << info.name;
+    }
+}
+
 } // namespace
 } // namespace plumbline
