@@ -143,7 +143,8 @@ class FrameTracer {
         const DisplacedSample surface =
             displace(evaluator.sample(hit.u, hit.v), object.relief ? &*object.relief : nullptr);
         const Vec3 toCamera = rays_.towardsCamera(hit.position);
-        const Vec3 facing = glm::dot(surface.normal, toCamera) < 0 ? -surface.normal : surface.normal;
+        // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the facet faces.
+        const Vec3 facing = glm::dot(hit.facetNormal, toCamera) < 0 ? -surface.normal : surface.normal;
 
         uint64_t shadowRays = 0;
         double light = kAmbient;

@@ -146,6 +146,22 @@ TEST(Reference, BothSidesAreSeenAndShadedForTheCamera) {
     EXPECT_EQ(PixelReader{frame}("shadow.sun", 20, 20), 0.0f); // the side seen faces the light
 }
 
+// The ramp at rate 1 is one flat facet from (-1, ., 0) to (1, ., -1), normal (1, 0, 2); the true normal on its slope is (1, 0, 1). A
+// camera towards (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), though the true normal leans away (-1 + 0.8 < 0). A light
+// towards (1, 0, 0.2) is on the outer side of both: lit.
+TEST(Reference, TheSideSeenIsTheFacets) {
+    const auto map =
+        std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
+    Scene scene = squareScene(map, 1);
+    scene.camera.positionWorld = Vec3(-5, 0, 4);
+    scene.camera.targetWorld = Vec3(0, 0, -0.5);
+    scene.lights[0].toLightWorld = glm::normalize(Vec3(1, 0, 0.2));
+    const Frame frame = renderReference(scene, 1);
+    const PixelReader at{frame};
+    EXPECT_NEAR(at("N.X", 20, 20), std::sqrt(0.5), 1e-6);
+    EXPECT_EQ(at("shadow.sun", 20, 20), 0.0f);
+}
+
 TEST(Reference, LoopAndSubFacesCloseTheSurface) {
     // An icosahedron (Loop) and a pentagonal prism (Catmull-Clark with n-gons), displaced, from inside: every
     // ray hits, which it wouldn't through a crack.
