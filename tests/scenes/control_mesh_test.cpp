@@ -85,6 +85,9 @@ TEST(SceneObject, RotatesAboutXThenYThenZ) {
     const Vec4 byMatrix = object.worldFromObject() * Vec4(0, 1, 0, 1);
     EXPECT_NEAR(glm::length(Vec3(byMatrix) - moved), 0, 1e-14);
 
+    object.rotateDegrees = {0, 90, 90}; // (1,0,0) about y to (0,0,-1), which turning about z leaves
+    EXPECT_NEAR(object.meshWorld().points[1].z, -2, 1e-14);
+
     object.rotateDegrees = {0, 0, 90}; // (1,0,0) about z to (0,1,0)
     EXPECT_NEAR(object.meshWorld().points[1].y, 2, 1e-14);
 }

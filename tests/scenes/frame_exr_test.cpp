@@ -296,6 +296,8 @@ TEST(FrameExr, AbsurdSizesAreRefusedBeforeMemoryIsTaken) {
     EXPECT_THAT(messageFor(999999999, 9), HasSubstr("is 1000000000 x 10 pixels large"));
     EXPECT_THAT(messageFor(2147483647, 2147483647), HasSubstr("2147483648 x 2147483648"));
     EXPECT_THAT(messageFor(-5, 9), HasSubstr("empty data window"));
+    // One chunk of 4 lines, as in the file, but 64 MB of pixels, which no few hundred bytes unpack to.
+    EXPECT_THAT(messageFor((1 << 20) - 1, 3), HasSubstr("is truncated; expected"));
     EXPECT_THAT(messageFor(32767, 32767), HasSubstr("truncated")); // 4 GB can't be in a few hundred bytes
 }
 

@@ -83,6 +83,8 @@ TEST(HeightMap, OnACreaseTheGradientIsThatOfTheRightAndUpperPatch) {
     EXPECT_EQ(ramp.sample({0.375, 0.5}).gradient, Vec2(0, 0)); // texel 1: flat to its right
     EXPECT_EQ(ramp.sample({0.625, 0.5}).gradient, Vec2(2, 0)); // texel 2: 0.5 a texel, 4 texels
     EXPECT_EQ(ramp.sample({0.375 - 1e-9, 0.5}).gradient, Vec2(2, 0));
+    // The double just below a crease at the first texel's centre: clamped there, so flat.
+    EXPECT_EQ(ramp.sample({std::nextafter(0.125, 0.0), 0.5}).gradient, Vec2(0, 0));
 }
 
 TEST(HeightMap, ConstantIsTheSameEverywhere) {

@@ -197,7 +197,11 @@ TEST(Picture, TruncatedIsRefused) {
         const std::filesystem::path cut = folder / ("cut" + std::filesystem::path(name).extension().string());
         for (size_t percent = 0; percent < 100; percent += 3) {
             writeBytes(cut, whole.substr(0, whole.size() * percent / 100));
-            EXPECT_THROW(readImage(cut), InputError) << name << " cut to " << percent << " %";
+            const std::string message = inputErrorOf([&] { readImage(cut); });
+            // Found by us, before a library prints its own line about it; of the first bytes alone nobody can tell.
+            const bool ours = (cut.extension() == ".png" || cut.extension() == ".jpg") && percent > 0;
+            EXPECT_TRUE(!ours || message.find("is truncated; expected") != std::string::npos)
+                << message << " cut to " << percent << " %";
         }
         // The last bytes may be padding or a trailer that isn't needed, but nothing may crash.
         for (size_t missing = 1; missing < 40; ++missing) {
