@@ -13,9 +13,9 @@ constexpr size_t kLongestLine = 2000;
 constexpr size_t kLongestFlatLog = 600;
 
 std::optional<ShaderMessage> parseLine(const std::string& line) {
-    static const std::regex mesa(R"(^(\d{1,6}):(\d{1,6})\(\d+\): (error|warning): (.*))");
-    static const std::regex nvidia(R"(^(\d{1,6})\((\d{1,6})\) : (error|warning) \w+: (.*))");
-    static const std::regex angle(R"(^(ERROR|WARNING): (\d{1,6}):(\d{1,6}): (.*))");
+    static const std::regex mesa(R"(^(\d{1,6}):(\d{1,9})\(\d+\): (error|warning): (.*))");
+    static const std::regex nvidia(R"(^(\d{1,6})\((\d{1,9})\) : (error|warning) \w+: (.*))");
+    static const std::regex angle(R"(^(ERROR|WARNING): (\d{1,6}):(\d{1,9}): (.*))");
     std::smatch match;
     if (std::regex_match(line, match, mesa) || std::regex_match(line, match, nvidia))
         return ShaderMessage{std::stoi(match[1]), std::stoi(match[2]), match[3] == "error", match[4]};
@@ -48,10 +48,13 @@ std::optional<LocatedMessage> locateFirstError(const std::string& log,
             ++further;
             continue;
         }
-        const auto source = static_cast<size_t>(message.source);
+        const bool lineKnowsBetter = message.line > kLinesASource;
+        const auto source =
+            static_cast<size_t>(lineKnowsBetter ? message.line / kLinesASource : message.source);
+        const int line = lineKnowsBetter ? message.line % kLinesASource : message.line;
         const std::string file =
             source < files.size() ? files[source] : fmt::format("shader source {}", message.source);
-        first = LocatedMessage{fmt::format("{}:{}", file, message.line), message.text};
+        first = LocatedMessage{fmt::format("{}:{}", file, line), message.text};
     }
     if (first && further > 0)
         first->what += fmt::format(" (and {} more {})", further, further == 1 ? "error" : "errors");

@@ -7,6 +7,13 @@
 
 namespace plumbline {
 
+/// The number to give line `line` of source `source` in a #line directive. Mesa forgets the source number in
+/// every message about a name (it says 0), so the line number carries it too; locateFirstError takes it out.
+inline constexpr int kLinesASource = 100000;
+constexpr int lineInShader(size_t source, int line) {
+    return static_cast<int>(source) * kLinesASource + line;
+}
+
 /// One message of a log. `source` and `line` are those of the #line directives the shader was assembled with.
 struct ShaderMessage {
     int source = 0;
