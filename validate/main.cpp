@@ -120,11 +120,14 @@ InputError usageError(const CLI::App& app, const CLI::ParseError& error) {
     return {where, error.what(), "", help};
 }
 
+/// CLI11 would only say that a command is missing.
 void requireCommand(const CLI::App& app, const std::string& first) {
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({}))
         names.push_back(command->get_name());
-    if (first.starts_with("-") || std::find(names.begin(), names.end(), first) != names.end()) return;
+    for (const char* option : {"-h", "--help", "--version"})
+        names.emplace_back(option);
+    if (std::find(names.begin(), names.end(), first) != names.end()) return;
     throw InputError("plumbline", fmt::format("there is no command '{}'", first), listOf(names),
                      didYouMean(first, names));
 }

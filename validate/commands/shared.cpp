@@ -41,7 +41,7 @@ std::map<std::string, std::string> parseSettings(const std::vector<std::string>&
 ReferenceOptions referenceOptions(const ReferenceArguments& arguments) {
     ReferenceOptions options;
     options.rate = arguments.rate;
-    if (!arguments.memory.empty()) options.memoryBytes = parseMemorySize(arguments.memory);
+    if (arguments.memory) options.memoryBytes = parseMemorySize(*arguments.memory);
     return options;
 }
 

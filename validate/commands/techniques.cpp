@@ -26,18 +26,35 @@ std::vector<TechniqueRequest> allTechniques() {
     return requests;
 }
 
+/// Throws for a surface the technique doesn't compose with; says nothing where its manifest can't be read.
+void requireSurface(const TechniqueRequest& request) {
+    std::vector<std::string> surfaces;
+    try {
+        surfaces = techniqueInfo(request).surfaces;
+    } catch (const InputError&) {
+        return;
+    }
+    if (surfaces.empty()) surfaces = {"flat"}; // what a request without '@' says
+    if (std::find(surfaces.begin(), surfaces.end(), request.surface) == surfaces.end())
+        throw InputError("--technique",
+                         fmt::format("'{}' has no surface '{}'", request.search, request.surface),
+                         listOf(surfaces), didYouMean(request.surface, surfaces));
+}
+
 /// A typing error must not cost a whole run: names that aren't there are refused at once, faults inside a
 /// technique's folder are reported beside the results of the others.
 void requireExists(const TechniqueRequest& request) {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(request.search, ignored)) return;
     std::vector<std::string> names;
     for (const TechniqueInfo& info : listTechniques())
         names.push_back(info.name);
-    if (std::find(names.begin(), names.end(), request.search) != names.end()) return;
-    (void)techniqueInfo(request); // says more where there is a folder with a broken manifest
-    throw InputError("--technique", fmt::format("there is no technique '{}'", request.search),
-                     listOf(names) + ", or a folder", didYouMean(request.search, names));
+    std::error_code ignored;
+    if (std::find(names.begin(), names.end(), request.search) == names.end() &&
+        !std::filesystem::is_directory(request.search, ignored)) {
+        (void)techniqueInfo(request); // says more where there is a folder of that name with a broken manifest
+        throw InputError("--technique", fmt::format("there is no technique '{}'", request.search),
+                         listOf(names) + ", or a folder", didYouMean(request.search, names));
+    }
+    requireSurface(request);
 }
 
 void refuseDuplicates(const std::vector<TechniqueRequest>& requests,
