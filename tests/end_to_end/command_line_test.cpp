@@ -1,0 +1,171 @@
+// Usage, and everything that must not depend on OpenGL: reference, compare, list.
+#include "../../scenes/frame_exr.h"
+#include "../validate/painted_frames.h"
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using namespace test;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// What every refusal looks like: the exit code, one line on stderr, nothing on stdout.
+void expectRefusal(const Outcome& outcome, int exitCode, const std::string& part) {
+    EXPECT_EQ(outcome.signal, 0) << "crashed";
+    EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(part));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_THAT(outcome.out, IsEmpty());
+}
+
+TEST_F(EndToEnd, UnknownCommandsAndOptions) {
+    expectRefusal(run({"valdate"}), 2, "did you mean 'validate'?");
+    expectRefusal(run({"xyzzy"}), 2, "there is no command 'xyzzy'; expected validate, reference");
+    expectRefusal(run({"reference", "x", "--memry", "1G"}), 2, "did you mean '--memory'?");
+    expectRefusal(run({"reference"}), 2, "SCENE");
+    expectRefusal(run({"compare", "only_one.exr"}), 2, "TEST");
+    expectRefusal(run({"list", "scense"}), 2, "did you mean 'scenes'?");
+    expectRefusal(run({"--frobnicate"}), 2, "--frobnicate");
+    expectRefusal(run({"list", "scenes", "extra"}), 2, "'extra' was not expected");
+}
+
+TEST_F(EndToEnd, OptionsOutOfRange) {
+    const std::string scene = writeSmallScene();
+    for (const char* bad : {"0", "-1", "1e9", "two", ""})
+        expectRefusal(run({"reference", scene, "--threads", bad}), 2, "--threads");
+    for (const char* bad : {"3", "2048", "-2"})
+        expectRefusal(run({"reference", scene, "--rate", bad}), 2, "--rate");
+    for (const char* bad : {"", "M", "1T", "-5M", "0", "99999999999G", "1 M", "1.5G"})
+        expectRefusal(run({"reference", scene, "--memory", bad}), 2, "--memory");
+    expectRefusal(run({"reference", scene, "--base", "proxy"}), 2, "--base");
+    EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
+}
+
+TEST_F(EndToEnd, NoArgumentsShowTheCommands) {
+    const Outcome bare = run({});
+    EXPECT_EQ(bare.exitCode, 2);
+    EXPECT_THAT(bare.err, HasSubstr("validate"));
+    EXPECT_THAT(bare.out, IsEmpty());
+}
+
+TEST_F(EndToEnd, HelpAndVersionAreResults) {
+    EXPECT_THAT(run({"--version"}).out, HasSubstr("plumbline "));
+    const Outcome help = run({"validate", "--help"});
+    EXPECT_EQ(help.exitCode, 0);
+    EXPECT_THAT(help.out, HasSubstr("--technique"));
+}
+
+TEST_F(EndToEnd, ListsScenesAndMetrics) {
+    const Outcome scenes = run({"list", "scenes"});
+    EXPECT_EQ(scenes.exitCode, 0);
+    EXPECT_THAT(scenes.out, HasSubstr("stone_torus"));
+    EXPECT_THAT(run({"list", "metrics"}).out, HasSubstr("silhouette.iou"));
+}
+
+TEST_F(EndToEnd, ReferenceGivesEqualBytesTwiceAndOnOneOrTwoThreads) {
+    const std::string scene = writeSmallScene();
+    const std::vector<std::vector<std::string>> ways{{"-o", "a.exr"},
+                                                     {"-o", "b.exr"},
+                                                     {"-o", "one.exr", "--threads", "1"},
+                                                     {"-o", "two.exr", "--threads", "2"}};
+    for (std::vector<std::string> way : ways) {
+        way.insert(way.begin(), {"reference", scene, "--rate", "16"});
+        const Outcome made = run(way);
+        ASSERT_EQ(made.exitCode, 0) << made.err;
+        EXPECT_THAT(made.err, IsEmpty()); // no terminal, no progress
+    }
+    const std::string bytes = readFile(folder_ / "a.exr");
+    EXPECT_GT(bytes.size(), 1000u);
+    EXPECT_TRUE(bytes == readFile(folder_ / "b.exr"));
+    EXPECT_TRUE(bytes == readFile(folder_ / "one.exr"));
+    EXPECT_TRUE(bytes == readFile(folder_ / "two.exr"));
+}
+
+TEST_F(EndToEnd, MemoryTooSmallForTheRateIsTheMachinesFault) {
+    const std::string scene = writeSmallScene();
+    expectRefusal(run({"reference", scene, "--rate", "1024", "--memory", "1M", "-o", "a.exr"}), 3,
+                  "--memory");
+    EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
+}
+
+TEST_F(EndToEnd, AFrameWithItself) {
+    const std::string scene = writeSmallScene();
+    ASSERT_EQ(run({"reference", scene, "--rate", "16", "-o", "a.exr"}).exitCode, 0);
+    const Outcome compared = run({"compare", "a.exr", "a.exr", "--json"});
+    ASSERT_EQ(compared.exitCode, 0) << compared.err;
+    const json technique = json::parse(compared.out).at("techniques").at(0);
+    EXPECT_EQ(technique["pooled_objects"], json::array({"torus"})); // the floor has no relief
+    EXPECT_EQ(technique["silhouette"]["iou"], 1.0);
+    EXPECT_GT(technique["silhouette"]["reference_px"], 1000);
+    for (const char* key : {"bias", "mae", "rmse", "max", "rmse_relief", "badpix_1pct"})
+        EXPECT_EQ(technique["depth"].at(key), 0.0) << key;
+    EXPECT_EQ(technique["shadow"]["sun"]["agreement"], 1.0);
+    EXPECT_EQ(technique["shadow"]["sun"]["ber"], 0.0);
+    EXPECT_EQ(technique["normal"]["p95_degrees"], 0.0);
+    EXPECT_EQ(technique["st"]["p95_texels"], 0.0);
+    EXPECT_EQ(technique["objects"].size(), 2u);
+}
+
+// A plane of depth Z = 2 + x/8 over columns 2 … 9 of ten rows (80 pixels), its shadow in columns 2 … 4, moved right by one:
+//   silhouette: columns 3 … 9 shared (70), column 2 missing (10), column 10 extra (10): IoU 70/90
+//   depth: the test shows at x what the reference shows at x - 1, so e = -1/8 everywhere: bias -1/8, MAE = RMSE = p50 =
+//          p99 = max = 1/8; with a relief 1/2 deep that is 1/4 of it: above 1 % and 5 %, not above 25 %
+//   shadow: reference dark in 3 4 of the shared columns, test in 3 4 5: TP 20, FP 10, FN 0, TN 40:
+//          agreement 60/70, IoU 20/30, F1 40/50, BER = (10/50 + 0)/2 = 0.1
+TEST_F(EndToEnd, AFrameShiftedByOnePixel) {
+    Frame reference = emptyFrame(12, 12);
+    for (int x = 2; x < 10; ++x) {
+        paintRectangle(reference, x, 1, x + 1, 11, 1, 2.0f + static_cast<float>(x) / 8.0f);
+        for (int y = 1; y < 11; ++y)
+            set(reference, "shadow.sun", x, y, x < 5 ? 1.0f : 0.0f);
+    }
+    reference.metadata = {{"object.1.name", "plane"}, {"object.1.relief_depth", "0.5"}};
+    writeFrame(reference, folder_ / "reference.exr");
+    writeFrame(shiftedRight(reference), folder_ / "test.exr");
+
+    const Outcome compared = run({"compare", "reference.exr", "test.exr", "-o", "out"});
+    ASSERT_EQ(compared.exitCode, 0) << compared.err;
+    const json technique = json::parse(readFile(folder_ / "out/results.json")).at("techniques").at(0);
+    const json &silhouette = technique["silhouette"], &depth = technique["depth"],
+               &shadow = technique["shadow"]["sun"];
+    EXPECT_DOUBLE_EQ(silhouette["iou"], 70.0 / 90.0);
+    EXPECT_EQ(silhouette["missing_px"], 10);
+    EXPECT_EQ(silhouette["extra_px"], 10);
+    EXPECT_EQ(depth["domain_px"], 70);
+    EXPECT_EQ(depth["bias"], -0.125);
+    for (const char* key : {"mae", "rmse", "p50", "p95", "p99", "max"})
+        EXPECT_EQ(depth[key], 0.125) << key;
+    EXPECT_EQ(depth["rmse_relief"], 0.25);
+    EXPECT_EQ(depth["badpix_5pct"], 1.0);
+    EXPECT_EQ(depth["badpix_25pct"], 0.0);
+    EXPECT_DOUBLE_EQ(shadow["agreement"], 60.0 / 70.0);
+    EXPECT_DOUBLE_EQ(shadow["iou"], 20.0 / 30.0);
+    EXPECT_DOUBLE_EQ(shadow["f1"], 0.8);
+    EXPECT_DOUBLE_EQ(shadow["ber"], 0.1);
+    EXPECT_EQ(shadow["false_shadow_px"], 10);
+    EXPECT_EQ(shadow["false_lit_px"], 0);
+    EXPECT_THAT(filesBelow(folder_ / "out"),
+                ::testing::IsSupersetOf(
+                    {"results.json", "results.csv", "report/index.html", "report/reference.png"}));
+}
+
+TEST_F(EndToEnd, AForeignFrameWithCoverageAndDepthAlone) {
+    Frame frame(2, 1);
+    frame.add("A")[0] = 1;
+    frame.add("Z")[0] = 2;
+    writeFrame(frame, folder_ / "foreign.exr");
+    const Outcome compared = run({"compare", "foreign.exr", "foreign.exr"});
+    EXPECT_EQ(compared.exitCode, 0) << compared.err;
+    EXPECT_THAT(compared.out, HasSubstr("note: neither frame has a channel id"));
+    EXPECT_THAT(compared.out, HasSubstr("no normal figures"));
+}
+
+} // namespace
+} // namespace plumbline

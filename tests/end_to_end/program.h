@@ -1,0 +1,51 @@
+// Runs the built program the way a person would: arguments in; exit code, stdout and stderr out.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plumbline::test {
+
+struct Outcome {
+    int exitCode = -1; // -1: ended by a signal
+    int signal = 0;    // that signal; SIGKILL after the time limit
+    std::string out, err;
+};
+
+/// `environment`: variables on top of this process's own. Ended after two minutes: nothing here takes longer than seconds,
+/// so that is a hang.
+Outcome runProgram(const std::vector<std::string>& arguments, const std::filesystem::path& workingFolder,
+                   const std::map<std::string, std::string>& environment = {});
+
+std::string readFile(const std::filesystem::path& file);
+void writeFile(const std::filesystem::path& file, const std::string& text);
+
+/// Every regular file below a folder, as relative paths, sorted.
+std::vector<std::string> filesBelow(const std::filesystem::path& folder);
+
+/// A folder of its own for each test, removed after it.
+class EndToEnd : public ::testing::Test {
+  protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    Outcome run(const std::vector<std::string>& arguments,
+                const std::map<std::string, std::string>& environment = {}) const {
+        return runProgram(arguments, folder_, environment);
+    }
+    /// Writes small.toml: a torus with a relief and one without, 96 x 72 pixels, one light.
+    std::filesystem::path writeSmallScene() const;
+
+    std::filesystem::path folder_;
+};
+
+/// A scene's text with one line replaced; fails the test if `line` isn't in it exactly once.
+std::string withLine(const std::string& text, const std::string& line, const std::string& replacement);
+
+extern const char* const kSmallScene;
+
+} // namespace plumbline::test

@@ -1,0 +1,277 @@
+// The main job with OpenGL: reference, techniques, metrics, report.
+#include "../../scenes/data_folder.h"
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+
+class Validate : public EndToEnd {
+  protected:
+    Outcome validate(const std::string& output, std::vector<std::string> more = {}) const {
+        std::vector<std::string> arguments{"validate", "small.toml", "--rate", "16", "-o", output};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    }
+    json resultsOf(const std::string& output) const {
+        return json::parse(readFile(folder_ / output / "results.json"));
+    }
+    /// A copy of a technique that ships with the program, to be damaged.
+    fs::path copyTechnique(const std::string& name) const {
+        fs::copy(dataFolder() / "realtime" / "techniques" / "linear_binary", folder_ / name,
+                 fs::copy_options::recursive);
+        fs::rename(folder_ / name / "linear_binary.glsl", folder_ / name / (name + ".glsl"));
+        return folder_ / name;
+    }
+    /// Every frame of one output equal to that of another, byte for byte.
+    void expectEqualFrames(const std::string& first, const std::string& second) const {
+        const auto files = filesBelow(folder_ / first / "frames");
+        ASSERT_GE(files.size(), 2u);
+        ASSERT_EQ(files, filesBelow(folder_ / second / "frames"));
+        for (const std::string& file : files)
+            EXPECT_TRUE(readFile(folder_ / first / "frames" / file) ==
+                        readFile(folder_ / second / "frames" / file))
+                << file;
+    }
+};
+
+/// Timings and memory are measurements; everything else must be equal.
+json withoutMeasurements(json results) {
+    for (const char* key : {"tessellate_ms", "build_ms", "trace_ms", "peak_bytes"})
+        results["reference"].erase(key);
+    for (json& technique : results["techniques"]) {
+        technique["cost"].erase("ms_median");
+        technique["cost"].erase("ms_runs");
+    }
+    return results;
+}
+
+TEST_F(Validate, AllTechniquesOfTheSmallScene) {
+    writeSmallScene();
+    const Outcome made = validate("out");
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_THAT(made.err, IsEmpty());
+    EXPECT_THAT(made.out, HasSubstr("linear_binary@quadric"));
+    EXPECT_THAT(filesBelow(folder_ / "out"),
+                IsSupersetOf({"results.json", "results.csv", "report/index.html", "report/reference.png",
+                              "frames/reference.exr", "frames/micro_triangles.exr",
+                              "frames/linear_binary@quadric.exr"}));
+    for (const std::string& file : filesBelow(folder_ / "out"))
+        EXPECT_THAT(file, Not(HasSubstr("tmp")));
+
+    const json results = resultsOf("out");
+    EXPECT_EQ(results["techniques"][0]["name"], "micro_triangles"); // the control goes first
+    EXPECT_GT(results["reference"]["micro_triangles"], 0);
+    for (const json& technique : results["techniques"]) {
+        EXPECT_TRUE(technique["error"].is_null());
+        EXPECT_GT(technique["silhouette"]["iou"], 0.5) << technique["name"]; // all show the torus where it is
+        EXPECT_GT(technique["cost"]["ms_median"], 0.0);
+    }
+}
+
+// The control draws the triangles that the reference traces. What may differ is a pixel whose centre lies within the
+// rasteriser's sub-pixel grid of an edge: DESIGN asks for an IoU of 0.9999 and a depth p99 of 1e-3 of the relief.
+TEST_F(Validate, TheControlAgreesWithTheReference) {
+    writeFile(folder_ / "small.toml",
+              withLine(withLine(kSmallScene, "width = 96", "width = 400"), "height = 72", "height = 300"));
+    ASSERT_EQ(validate("out", {"--technique", "micro_triangles"}).exitCode, 0);
+    const json technique = resultsOf("out")["techniques"][0];
+    EXPECT_GE(technique["silhouette"]["iou"], 0.9999);
+    EXPECT_LE(technique["depth"]["p99_relief"], 1e-3);
+    EXPECT_GT(technique["depth"]["domain_px"], 20000);
+}
+
+TEST_F(Validate, TwoRunsAndAnyThreadCountGiveEqualBytes) {
+    writeSmallScene();
+    ASSERT_EQ(validate("first").exitCode, 0);
+    ASSERT_EQ(validate("second").exitCode, 0);
+    ASSERT_EQ(validate("one", {"--threads", "1"}).exitCode, 0);
+    ASSERT_EQ(validate("two", {"--threads", "2"}).exitCode, 0);
+    for (const char* other : {"second", "one", "two"}) {
+        expectEqualFrames("first", other);
+        EXPECT_EQ(withoutMeasurements(resultsOf("first")), withoutMeasurements(resultsOf(other)));
+    }
+}
+
+TEST_F(Validate, EglAndOsmesaGiveEqualBytes) {
+    const std::string doctor = run({"doctor"}).out;
+    if (doctor.find("ok   GL osmesa") == std::string::npos)
+        GTEST_SKIP() << "no OSMesa here (Mesa removed it in 25.1)";
+    if (doctor.find("llvmpipe") == std::string::npos)
+        GTEST_SKIP() << "no llvmpipe here: hardware may differ from it";
+    writeSmallScene();
+    const Outcome egl = validate("egl", {"--gl", "egl"}), osmesa = validate("osmesa", {"--gl", "osmesa"});
+    ASSERT_EQ(egl.exitCode, 0) << egl.err;
+    ASSERT_EQ(osmesa.exitCode, 0) << osmesa.err;
+    expectEqualFrames("egl", "osmesa");
+    EXPECT_EQ(resultsOf("egl")["techniques"][0]["gl"]["backend"], "egl");
+    EXPECT_EQ(resultsOf("osmesa")["techniques"][0]["gl"]["backend"], "osmesa");
+}
+
+TEST_F(Validate, RealtimeWritesTheFrameThatValidateWrites) {
+    writeSmallScene();
+    ASSERT_EQ(validate("out", {"--technique", "linear_binary"}).exitCode, 0);
+    const Outcome drawn = run({"realtime", "small.toml", "--technique", "linear_binary", "-o", "alone.exr"});
+    ASSERT_EQ(drawn.exitCode, 0) << drawn.err;
+    EXPECT_TRUE(readFile(folder_ / "alone.exr") == readFile(folder_ / "out/frames/linear_binary.exr"));
+}
+
+TEST_F(Validate, SettingsReachTheTechniqueAndItsName) {
+    writeSmallScene();
+    ASSERT_EQ(validate("out", {"--technique", "linear_binary:linear_steps=33", "--technique",
+                               "linear_binary@quadric", "--set", "binary_steps=3"})
+                  .exitCode,
+              0);
+    const json results = resultsOf("out");
+    EXPECT_EQ(results["techniques"][0]["parameters"]["linear_steps"], "33");
+    EXPECT_EQ(results["techniques"][0]["parameters"]["binary_steps"], "3");
+    EXPECT_THAT(results["techniques"][0]["name"].get<std::string>(), HasSubstr("linear_steps=33"));
+    EXPECT_EQ(results["techniques"][1]["parameters"]["binary_steps"], "3");
+}
+
+// --- what goes wrong ---------------------------------------------------------------------------------------------------
+
+void expectRefused(const Outcome& outcome, int exitCode, const std::string& part) {
+    EXPECT_EQ(outcome.signal, 0) << "crashed: " << part;
+    EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr(part));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST_F(Validate, WrongNamesAreRefusedBeforeAnythingIsWritten) {
+    writeSmallScene();
+    expectRefused(validate("out", {"--technique", "linear_binry"}), 2, "did you mean 'linear_binary'?");
+    expectRefused(validate("out", {"--technique", "./nowhere"}), 2, "nowhere");
+    expectRefused(validate("out", {"--technique", "linear_binary@cubic"}), 2, "cubic");
+    expectRefused(validate("out", {"--technique", "linear_binary:steps"}), 2, "steps");
+    expectRefused(validate("out", {"--technique", "linear_binary", "--technique", "linear_binary"}), 2,
+                  "twice");
+    expectRefused(validate("out", {"--set", "linear_stepps=5"}), 2, "did you mean 'linear_steps'?");
+    expectRefused(validate("out", {"--set", "linear_steps"}), 2, "--set");
+    expectRefused(validate("out", {"--gl", "vulkan"}), 2, "--gl");
+    expectRefused(run({"realtime", "small.toml"}), 2, "--technique");
+    EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
+}
+
+TEST_F(Validate, AMachineWithoutTheDeviceIsExitThree) {
+    writeSmallScene();
+    expectRefused(validate("out", {"--gl", "egl", "--device", "99"}), 3, "99");
+    EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
+}
+
+TEST_F(Validate, AnOutputFolderThatCannotBeWritten) {
+    writeSmallScene();
+    expectRefused(validate("small.toml/out"), 2, "small.toml");
+    writeFile(folder_ / "blocked", "a file where a folder should be");
+    expectRefused(validate("blocked"), 2, "blocked");
+    fs::create_directories(folder_ / "out");
+    writeFile(folder_ / "out/frames", "a file where a folder should be");
+    expectRefused(validate("out"), 2, "frames");
+    EXPECT_FALSE(fs::exists(folder_ / "out/results.json"));
+}
+
+/// A broken technique is recorded; the good one beside it still has its figures.
+void expectOnlySecondFailed(const Outcome& outcome, const json& results, const std::string& part) {
+    EXPECT_EQ(outcome.exitCode, 2) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("failed"));
+    ASSERT_EQ(results["techniques"].size(), 3u);
+    EXPECT_TRUE(results["techniques"][0]["error"].is_null());
+    EXPECT_THAT(results["techniques"][1]["error"].get<std::string>(), HasSubstr(part));
+    EXPECT_FALSE(results["techniques"][1].contains("silhouette"));
+    EXPECT_TRUE(results["techniques"][2]["error"].is_null()); // the context survives a failure
+    EXPECT_GT(results["techniques"][2]["silhouette"]["iou"], 0.5);
+}
+
+TEST_F(Validate, AShaderThatDoesNotCompile) {
+    writeSmallScene();
+    const fs::path mine = copyTechnique("mine");
+    const std::string text = readFile(mine / "mine.glsl");
+    writeFile(mine / "mine.glsl", "float wrong = undeclared;\n" + text);
+    const Outcome made = validate("out", {"--technique", "normal_mapping", "--technique", mine.string(),
+                                          "--technique", "linear_binary"});
+    expectOnlySecondFailed(made, resultsOf("out"), "mine.glsl:1"); // file and line of its author
+    EXPECT_EQ(filesBelow(folder_ / "out/frames").size(), 3u);      // the reference and the two that worked
+    EXPECT_NE(readFile(folder_ / "out/report/index.html").find("mine.glsl:1"), std::string::npos);
+}
+
+TEST_F(Validate, AManifestThatCannotBeRead) {
+    writeSmallScene();
+    const fs::path mine = copyTechnique("mine");
+    const std::string manifest = readFile(mine / "technique.toml");
+    const std::vector<std::string> chosen{"--technique", "normal_mapping", "--technique",
+                                          mine.string(), "--technique",    "linear_binary"};
+    for (const auto& [damaged, part] :
+         {std::pair<std::string, std::string>{"colour = 1\n" + manifest, "colour"},
+          {manifest.substr(manifest.find('\n')), "title"},
+          {manifest.substr(0, manifest.size() / 2), "technique.toml"}}) {
+        writeFile(mine / "technique.toml", damaged);
+        const Outcome made = validate("out", chosen);
+        expectOnlySecondFailed(made, resultsOf("out"), part);
+    }
+}
+
+TEST_F(Validate, ATechniqueOfOnesOwnFromAFolder) {
+    writeSmallScene();
+    copyTechnique("mine");
+    const Outcome made = validate("out", {"--technique", "./mine", "--technique", "linear_binary"});
+    ASSERT_EQ(made.exitCode, 0) << made.err << made.out;
+    const json results = resultsOf("out");
+    EXPECT_EQ(results["techniques"][0]["silhouette"], results["techniques"][1]["silhouette"]);
+    EXPECT_EQ(results["techniques"][0]["depth"], results["techniques"][1]["depth"]);
+}
+
+TEST_F(Validate, ResultsOfAnEarlierRunAreReplacedAsAWhole) {
+    writeSmallScene();
+    ASSERT_EQ(validate("out", {"--technique", "linear_binary"}).exitCode, 0);
+    ASSERT_EQ(validate("out", {"--technique", "normal_mapping"}).exitCode, 0);
+    const json results = resultsOf("out");
+    ASSERT_EQ(results["techniques"].size(), 1u);
+    EXPECT_EQ(results["techniques"][0]["name"], "normal_mapping");
+}
+
+// spot (Keenan Crane, public domain): a real mesh with uvs of its own under a map that stores depth.
+TEST_F(Validate, SpotWithAToyBoxForASkin) {
+    const fs::path data = PLUMBLINE_SHARED_DATA;
+    if (!fs::exists(data / "spot_control_mesh.obj"))
+        GTEST_SKIP() << "not there: " << data / "spot_control_mesh.obj";
+    writeFile(folder_ / "small.toml", R"(purpose = "Spot"
+[camera]
+position = [2, 1.2, -2.6]
+target = [0, 0.1, 0.1]
+fov_y_degrees = 40
+width = 96
+height = 72
+[[light]]
+name = "sun"
+to_light = [0.7, 0.6, -0.5]
+[[height_map]]
+name = "toy_box"
+file = ")" + (data / "toy_box_disp.png").string() +
+                                          R"("
+stores = "depth"
+[[object]]
+name = "spot"
+mesh = ")" + (data / "spot_control_mesh.obj").string() +
+                                          R"("
+relief = { map = "toy_box", depth = 0.05, tile = [4, 4] }
+)");
+    const Outcome made = validate("out");
+    ASSERT_EQ(made.exitCode, 0) << made.err << made.out;
+    for (const json& technique : resultsOf("out")["techniques"])
+        EXPECT_GT(technique["silhouette"]["iou"], 0.5);
+}
+
+} // namespace
+} // namespace plumbline
