@@ -12,6 +12,8 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
 
 namespace plumbline {
@@ -32,109 +34,123 @@ const Torus& torus() {
     return instance;
 }
 
-void tessellateStage(benchmark::State& state) {
-    const int rate = static_cast<int>(state.range(0));
-    for (auto _ : state)
-        benchmark::DoNotOptimize(tessellate(*torus().surface, torus().relief, rate, false));
-    state.SetItemsProcessed(state.iterations() *
-                            static_cast<int64_t>(microMeshSize(*torus().surface, rate).microTriangles));
+using Clock = std::chrono::steady_clock;
+
+template <typename Work>
+double seconds(Work work) {
+    const auto start = Clock::now();
+    work();
+    return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Nothing but OpenSubdiv: the same number of samples with first derivatives, on all cores.
-void bareBfrStage(benchmark::State& state) {
+/// Times `stage` and, right after each run of it, `bare`: machines drift, and what is asked for is the ratio of both.
+template <typename Stage, typename Bare>
+void runPaired(benchmark::State& state, double items, Stage stage, Bare bare) {
+    std::vector<double> ratios;
+    for (auto _ : state) {
+        const double stageSeconds = seconds(stage);
+        state.SetIterationTime(stageSeconds);
+        ratios.push_back(seconds(bare) / stageSeconds);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    state.counters["of_bare"] = ratios[ratios.size() / 2];
+    state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(items));
+}
+
+/// Bare: nothing but OpenSubdiv, the same number of samples with first derivatives, on all cores.
+void tessellateStage(benchmark::State& state) {
     const int rate = static_cast<int>(state.range(0));
     const int patchCount = static_cast<int>(torus().surface->patches().size());
-    for (auto _ : state)
-        tbb::parallel_for(0, patchCount, [&](int patch) {
-            BaseSurface::Evaluator evaluator(*torus().surface);
-            evaluator.setPatch(patch);
-            Vec3 sum(0);
-            for (int row = 0; row < rate; ++row)
-                for (int column = 0; column < rate; ++column)
-                    sum += evaluator.point(double(column) / rate, double(row) / rate).position;
-            benchmark::DoNotOptimize(sum);
+    const auto microTriangles = static_cast<double>(microMeshSize(*torus().surface, rate).microTriangles);
+    runPaired(
+        state, microTriangles,
+        [&] { benchmark::DoNotOptimize(tessellate(*torus().surface, torus().relief, rate, false)); },
+        [&] {
+            tbb::parallel_for(0, patchCount, [&](int patch) {
+                BaseSurface::Evaluator evaluator(*torus().surface);
+                evaluator.setPatch(patch);
+                Vec3 sum(0);
+                for (int row = 0; row < rate; ++row)
+                    for (int column = 0; column < rate; ++column)
+                        sum += evaluator.point(double(column) / rate, double(row) / rate).position;
+                benchmark::DoNotOptimize(sum);
+            });
         });
-    state.SetItemsProcessed(state.iterations() *
-                            static_cast<int64_t>(microMeshSize(*torus().surface, rate).microTriangles));
 }
 
 void buildStage(benchmark::State& state) {
     std::vector<MicroMesh> meshes;
     meshes.push_back(tessellate(*torus().surface, torus().relief, static_cast<int>(state.range(0)), false));
     for (auto _ : state)
-        benchmark::DoNotOptimize(EmbreeScene(meshes));
+        state.SetIterationTime(seconds([&] { benchmark::DoNotOptimize(EmbreeScene(meshes)); }));
     state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(meshes[0].microTriangleCount));
 }
 
-/// The torus in Embree, with the frame it gives.
-struct TracedTorus {
-    std::vector<MicroMesh> meshes;
-    std::unique_ptr<EmbreeScene> embree;
-    RayCounts rays;
-
-    explicit TracedTorus(int rate) {
-        meshes.push_back(tessellate(*torus().surface, torus().relief, rate, false));
-        embree = std::make_unique<EmbreeScene>(meshes);
-    }
-    Frame render() {
-        rays = {};
-        return renderFrame(torus().scene, {{&torus().scene.objects[0], torus().surface.get(), &meshes[0]}},
-                           *embree, rays);
-    }
-};
-
-void traceStage(benchmark::State& state) {
-    TracedTorus traced(static_cast<int>(state.range(0)));
-    for (auto _ : state)
-        benchmark::DoNotOptimize(traced.render());
-    state.SetItemsProcessed(state.iterations() *
-                            static_cast<int64_t>(traced.rays.camera + traced.rays.shadow));
-}
-
-/// The same rays with nothing around them: camera rays made and intersected, shadow rays from the frame's
-/// points.
-void bareTraceStage(benchmark::State& state) {
-    TracedTorus traced(static_cast<int>(state.range(0)));
-    const Frame frame = traced.render();
-    const CameraRays rays(torus().scene.camera);
-    const Vec3 toLight = torus().scene.lights[0].toLightWorld;
-    std::vector<Vec3f> shadowOrigins;
+/// Where the shadow rays of a frame start: every lit or cast-shadowed point, a little off the surface.
+std::vector<Vec3f> shadowRayOrigins(const Frame& frame, const Vec3& toLight) {
+    std::vector<Vec3f> origins;
     for (size_t i = 0; i < frame.pixelCount(); ++i) {
         const auto at = [&](const char* channel) { return double(frame.channel(channel)[i]); };
         const Vec3 normal(at("N.X"), at("N.Y"), at("N.Z"));
         if (at("A") > 0 && glm::dot(normal, toLight) > 0)
-            shadowOrigins.push_back(Vec3(at("P.X"), at("P.Y"), at("P.Z")) + 1e-5 * normal);
+            origins.push_back(Vec3(at("P.X"), at("P.Y"), at("P.Z")) + 1e-5 * normal);
     }
-    const auto width = static_cast<size_t>(frame.width());
-    for (auto _ : state) {
-        tbb::parallel_for(tbb::blocked_range<size_t>(0, frame.pixelCount(), 1024), [&](const auto& range) {
-            const FlushDenormals flush;
-            for (size_t i = range.begin(); i < range.end(); ++i) {
-                const Ray ray = rays.ray(double(i % width) + 0.5, double(i / width) + 0.5);
-                benchmark::DoNotOptimize(traced.embree->intersect(ray.origin, ray.direction));
-            }
-        });
-        tbb::parallel_for(tbb::blocked_range<size_t>(0, shadowOrigins.size(), 1024), [&](const auto& range) {
-            const FlushDenormals flush;
-            for (size_t i = range.begin(); i < range.end(); ++i)
-                benchmark::DoNotOptimize(traced.embree->occluded(shadowOrigins[i], toLight, kInfinityF));
-        });
-    }
-    state.SetItemsProcessed(state.iterations() *
-                            static_cast<int64_t>(frame.pixelCount() + shadowOrigins.size()));
+    return origins;
 }
 
-/// Prints as usual and keeps the medians.
+template <typename Body>
+void forEachFlushed(size_t count, Body body) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 1024), [&](const auto& range) {
+        const FlushDenormals flush;
+        for (size_t i = range.begin(); i < range.end(); ++i)
+            body(i);
+    });
+}
+
+/// The whole frame: rays, hits in double, normals by second derivatives, colour. Bare: the same rays with nothing around them.
+void traceStage(benchmark::State& state) {
+    std::vector<MicroMesh> meshes;
+    meshes.push_back(tessellate(*torus().surface, torus().relief, static_cast<int>(state.range(0)), false));
+    const EmbreeScene embree(meshes);
+    const std::vector<TracedObject> objects{{&torus().scene.objects[0], torus().surface.get(), &meshes[0]}};
+    const auto render = [&] {
+        RayCounts rays;
+        return renderFrame(torus().scene, objects, embree, rays);
+    };
+    const Frame frame = render();
+    const auto width = static_cast<size_t>(frame.width());
+    const CameraRays rays(torus().scene.camera);
+    const Vec3 toLight = torus().scene.lights[0].toLightWorld;
+    const std::vector<Vec3f> shadowOrigins = shadowRayOrigins(frame, toLight);
+    runPaired(
+        state, static_cast<double>(frame.pixelCount() + shadowOrigins.size()),
+        [&] { benchmark::DoNotOptimize(render()); },
+        [&] {
+            forEachFlushed(frame.pixelCount(), [&](size_t i) {
+                const Ray ray = rays.ray(double(i % width) + 0.5, double(i / width) + 0.5);
+                benchmark::DoNotOptimize(embree.intersect(ray.origin, ray.direction));
+            });
+            forEachFlushed(shadowOrigins.size(), [&](size_t i) {
+                benchmark::DoNotOptimize(embree.occluded(shadowOrigins[i], toLight, kInfinityF));
+            });
+        });
+}
+
+/// Prints and keeps the medians.
 class KeepingReporter : public benchmark::ConsoleReporter {
   public:
     KeepingReporter() : ConsoleReporter(OO_None) {}
     void ReportRuns(const std::vector<Run>& runs) override {
-        ConsoleReporter::ReportRuns(runs);
-        for (const Run& run : runs) {
-            if (run.aggregate_name != "median") continue;
+        std::vector<Run> kept;
+        for (const Run& run : runs)
+            if (run.aggregate_name == "median") kept.push_back(run);
+        ConsoleReporter::ReportRuns(kept);
+        for (const Run& run : kept) {
             StageResult& result = medians[run.run_name.function_name + "/" + run.run_name.args];
             result.realMs = run.GetAdjustedRealTime();
             result.itemsPerSecond = run.counters.at("items_per_second");
+            const auto ratio = run.counters.find("of_bare");
+            result.ofBare = ratio == run.counters.end() ? 0 : static_cast<double>(ratio->second);
         }
     }
     std::map<std::string, StageResult> medians;
@@ -143,11 +159,8 @@ class KeepingReporter : public benchmark::ConsoleReporter {
 } // namespace
 
 void registerStageBenchmarks() {
-    const std::pair<const char*, benchmark::internal::Function*> stages[] = {{"tessellate", tessellateStage},
-                                                                             {"bare_bfr", bareBfrStage},
-                                                                             {"embree_build", buildStage},
-                                                                             {"trace", traceStage},
-                                                                             {"bare_trace", bareTraceStage}};
+    const std::pair<const char*, benchmark::internal::Function*> stages[] = {
+        {"tessellate", tessellateStage}, {"embree_build", buildStage}, {"trace", traceStage}};
     for (const auto& [name, function] : stages)
         for (const int rate : kRates)
             benchmark::RegisterBenchmark(name, function)
@@ -155,7 +168,7 @@ void registerStageBenchmarks() {
                 ->Unit(benchmark::kMillisecond)
                 ->Repetitions(kRepetitions)
                 ->ReportAggregatesOnly()
-                ->UseRealTime();
+                ->UseManualTime();
 }
 
 std::map<std::string, StageResult> runStageBenchmarks() {

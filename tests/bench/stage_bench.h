@@ -10,6 +10,7 @@ namespace plumbline {
 struct StageResult {
     double realMs = 0;
     double itemsPerSecond = 0; // micro-triangles, or rays
+    double ofBare = 0; // speed as a share of the bare library's, measured in turn; 0: nothing to compare with
 };
 
 /// Registers the stages for Google Benchmark, on the library scene `stone_torus`.
