@@ -59,6 +59,7 @@ const ChannelInfo& channelInfo(std::string_view channelName) {
     for (const ChannelInfo& info : kChannels)
         if (matches(info.name, channelName)) return info;
     std::vector<std::string> names;
+    names.reserve(kChannels.size());
     for (const ChannelInfo& info : kChannels)
         names.emplace_back(info.name);
     throw InputError("frame", fmt::format("no channel is called '{}'", channelName), listOf(names),

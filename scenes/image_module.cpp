@@ -83,8 +83,8 @@ Layout checkSpec(const oiio::ImageSpec& spec) {
 }
 
 /// Reads rows [begin, end) in the file's own type: tiles can only be read by whole rows of tiles.
-void readBand(oiio::ImageInput& input, const oiio::ImageSpec& spec, int begin, int end, oiio::TypeDesc type,
-              void* into) {
+void readBand(oiio::ImageInput& input, const oiio::ImageSpec& spec, int begin, int end,
+              const oiio::TypeDesc& type, void* into) {
     const bool ok = spec.tile_width > 0 ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + begin,
                                                            spec.y + end, 0, 1, 0, spec.nchannels, type, into)
                                         : input.read_scanlines(0, 0, spec.y + begin, spec.y + end, 0, 0,
