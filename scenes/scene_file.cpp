@@ -99,7 +99,7 @@ class SceneReader {
 
     /// Names become parts of channel and file names and of columns.
     std::string readName(const TomlTable& table, std::set<std::string>& taken) const {
-        const std::string name = table.text("name");
+        std::string name = table.text("name");
         const auto allowed = [](unsigned char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
                    c == '-';
@@ -140,7 +140,7 @@ class SceneReader {
     std::filesystem::path readPath(const TomlTable& table, const char* key) {
         const std::string text = table.text(key);
         if (text.empty()) table.fail(key, "is empty", "a file");
-        const std::filesystem::path path = (file_.parent_path() / text).lexically_normal();
+        std::filesystem::path path = (file_.parent_path() / text).lexically_normal();
         std::error_code error;
         if (!std::filesystem::is_regular_file(path, error))
             table.fail(key, fmt::format("no such file as '{}'", path.string()),
