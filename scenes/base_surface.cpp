@@ -2,6 +2,7 @@
 
 #include "error.h"
 #include "linear_patch.h"
+#include "topology.h"
 #include "vertex_normals.h"
 
 #include <fmt/format.h>
@@ -9,9 +10,6 @@
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/bfr/surface.h>
 #include <opensubdiv/bfr/tessellation.h>
-#include <opensubdiv/far/error.h>
-#include <opensubdiv/far/topologyDescriptor.h>
-#include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include <array>
 #include <mutex>
@@ -43,45 +41,6 @@ Vec3 unitOrZero(const Vec3& vector) {
     return length > 0 ? vector / length : Vec3(0);
 }
 
-/// OpenSubdiv reports through a global callback; the last message is kept for the error that follows.
-std::string& lastOpenSubdivMessage() {
-    thread_local std::string message;
-    return message;
-}
-void keepOpenSubdivError(Far::ErrorType, const char* message) {
-    lastOpenSubdivMessage() = message;
-}
-void keepOpenSubdivWarning(const char* message) {
-    lastOpenSubdivMessage() = message;
-}
-
-std::unique_ptr<Far::TopologyRefiner> makeRefiner(const ControlMesh& mesh, Scheme scheme) {
-    Far::SetErrorCallback(keepOpenSubdivError);
-    Far::SetWarningCallback(keepOpenSubdivWarning);
-    lastOpenSubdivMessage().clear();
-
-    Far::TopologyDescriptor descriptor;
-    descriptor.numVertices = static_cast<int>(mesh.points.size());
-    descriptor.numFaces = mesh.faceCount();
-    descriptor.numVertsPerFace = mesh.faceSizes.data();
-    descriptor.vertIndicesPerFace = mesh.faceVertices.data();
-
-    Sdc::Options options;
-    options.SetVtxBoundaryInterpolation(mesh.boundaryFacesSupportOnly
-                                            ? Sdc::Options::VTX_BOUNDARY_NONE
-                                            : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
-    const Sdc::SchemeType type = scheme == Scheme::CatmullClark ? Sdc::SCHEME_CATMARK
-                                 : scheme == Scheme::Loop       ? Sdc::SCHEME_LOOP
-                                                                : Sdc::SCHEME_BILINEAR;
-    using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
-    std::unique_ptr<Far::TopologyRefiner> refiner(
-        Factory::Create(descriptor, Factory::Options(type, options)));
-    if (!refiner)
-        throw InputError(mesh.name, "OpenSubdiv refuses the mesh: " + lastOpenSubdivMessage(),
-                         "a mesh whose faces share edges and vertices consistently");
-    return refiner;
-}
-
 } // namespace
 
 struct BaseSurface::Impl {
@@ -95,7 +54,7 @@ struct BaseSurface::Impl {
 
     Impl(ControlMesh meshWorld, Scheme schemeOfMesh) : mesh(std::move(meshWorld)), scheme(schemeOfMesh) {
         checkControlMesh(mesh, scheme);
-        refiner = makeRefiner(mesh, scheme);
+        refiner = makeTopology(mesh, scheme);
         if (scheme != Scheme::None) {
             Bfr::SurfaceFactory::Options options;
             options.SetApproxLevelSmooth(kApproximationLevel).SetApproxLevelSharp(kApproximationLevel);

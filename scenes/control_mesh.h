@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// How a surface follows from the control mesh (DESIGN: "The surface").
+/// How a surface follows from the control mesh.
 enum class Scheme { CatmullClark, Loop, None };
 
 struct ControlMesh {

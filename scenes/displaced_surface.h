@@ -1,4 +1,4 @@
-// The one definition of the displaced surface (DESIGN: "The surface"):
+// The one definition of the displaced surface:
 //
 //     P(u,v) = S(u,v) + n(u,v) * (offset - depth * d(st(u,v))),     st = tile * uv + uvOffset
 //

@@ -11,7 +11,7 @@
 
 namespace plumbline {
 
-/// A row of the channel table (DESIGN: "The frame").
+/// A row of the channel table.
 struct ChannelInfo {
     std::string_view name;  // "shadow.<light>" stands for one channel per light
     std::string_view unit;

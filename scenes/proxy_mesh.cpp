@@ -10,8 +10,8 @@ namespace plumbline {
 
 namespace {
 
-// A determinant below this fraction of its largest possible value counts as zero (TECHNIQUES E28: an absolute
-// bound rejects small meshes).
+// A determinant below this fraction of its largest possible value counts as zero. (The absolute bound of 0.001 in the
+// listing of Policarpo's "Chapter 5" would reject every small mesh: a ring of radius 0.3 on a unit sphere has 3e-4.)
 constexpr double kSingularFraction = 1e-6;
 // Where the map from uv to space is singular at a corner (a pole), the derivatives are taken this far inside
 // the patch.
@@ -42,7 +42,7 @@ class QuadricFit {
     }
     void add(const Vec3& neighbour) {
         const Vec3 offset = neighbour - origin_;
-        // Oblique coordinates by the Gram inverse of two unit vectors (ITP section 1.1).
+        // Oblique coordinates by the Gram inverse of two unit vectors (Premecz, Iterative parallax mapping with slope information, section 1.1).
         const double cosine = glm::dot(tangent_, bitangent_);
         const double alongT = glm::dot(offset, tangent_), alongB = glm::dot(offset, bitangent_);
         const double sineSquared = 1 - cosine * cosine;

@@ -9,15 +9,15 @@ namespace plumbline {
 struct ProxyVertex {
     Vec3 position; // on the limit surface + normal * offset
     Vec3 normal;   // unit, of the limit surface
-    Vec3
-        positionS; // dS/ds of the limit surface per unit of (tiled) s: the tangent times the mapping scale sx
-    Vec3
-        positionT; // dS/dt; its length is the mapping scale sy. Not necessarily at a right angle to positionS
-    Vec2 st;       // tiled, unwrapped
-    /// Coefficients of the quadric z = -(A x^2 + B y^2) that fits the one-ring (all vertices that share a
-    /// facet) in the frame (x along positionS, y along positionT, z along normal), world units^-1; A > 0
-    /// where the surface is convex along s (RP-351 section 3.1; TECHNIQUES E13, E28). 0 where the ring
-    /// doesn't determine them.
+    /// dS/ds and dS/dt of the limit surface, per unit of the tiled st: tangents times the mapping scales sx, sy.
+    /// Not necessarily at a right angle to each other; zero where the map from st to space is singular.
+    Vec3 positionS;
+    Vec3 positionT;
+    Vec2 st; // tiled, unwrapped
+    /// Coefficients of the quadric z = -(A x^2 + B y^2) that fits the one-ring (all vertices that share a facet) in
+    /// the frame (x along positionS, y along positionT, z along normal), world units^-1. Oliveira and Policarpo,
+    /// UFRGS RP-351 (2005), section 3.1, with the sign their Eqs 6 and 7 need: A > 0 where the surface is convex
+    /// along s. 0 where the ring doesn't determine them.
     double quadricA = 0, quadricB = 0;
 };
 

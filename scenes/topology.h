@@ -1,0 +1,16 @@
+// The connectivity of a control mesh as OpenSubdiv holds it. A heavy header: for base_surface.cpp alone.
+#pragma once
+
+#include "control_mesh.h"
+
+#include <opensubdiv/far/topologyRefiner.h>
+
+#include <memory>
+
+namespace plumbline {
+
+/// Boundaries as ControlMesh::boundaryFacesSupportOnly says. Throws InputError with OpenSubdiv's own words for a mesh
+/// it refuses.
+std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Scheme scheme);
+
+} // namespace plumbline
