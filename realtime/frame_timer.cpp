@@ -9,7 +9,6 @@
 namespace plumbline {
 namespace {
 
-constexpr double kBudgetMs = 1000, kTooSlowMs = 2000;
 constexpr size_t kFewestRuns = 3, kMostRuns = 25;
 
 double wallMs(const std::function<void()>& draw) {
@@ -39,14 +38,14 @@ double median(std::vector<double> values) {
 
 } // namespace
 
-FrameTime timeFrame(const GlContext& context, const std::function<void()>& draw) {
+FrameTime timeFrame(const GlContext& context, double budgetMs, const std::function<void()>& draw) {
     const bool software = context.softwareRasteriser();
     const std::string timer = software ? "wall clock around glFinish" : "gpu timer query";
     const double firstMs = wallMs(draw);
-    if (firstMs > kTooSlowMs) return {firstMs, 1, "wall clock around glFinish"};
+    if (firstMs > 2 * budgetMs) return {firstMs, 1, "wall clock around glFinish"};
     std::vector<double> times;
     double spentMs = 0; // by the wall: queries leave out what the driver does
-    while (times.size() < kFewestRuns || (spentMs < kBudgetMs && times.size() < kMostRuns)) {
+    while (times.size() < kFewestRuns || (spentMs < budgetMs && times.size() < kMostRuns)) {
         double queriedMs = 0;
         const double ms = wallMs([&] { software ? draw() : static_cast<void>(queriedMs = queryMs(draw)); });
         times.push_back(software ? ms : queriedMs);

@@ -75,7 +75,7 @@ void ShaderSource::addText(const std::string& name, const std::string& text) {
 std::string ShaderSource::assemble(std::string_view version, std::string_view preamble) const {
     std::string text = fmt::format("#version {}\n{}\n", version, preamble);
     for (size_t i = 1; i < texts_.size(); ++i)
-        text += fmt::format("#line {} {}\n{}\n", lineInShader(i, 1), i, texts_[i]);
+        text += fmt::format("#line {}\n{}\n", i * kLinesPerFile + 1, texts_[i]);
     return text;
 }
 

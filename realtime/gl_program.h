@@ -20,9 +20,9 @@ class ShaderSource {
     /// Appends text under a name in brackets, such as "(parameters)".
     void addText(const std::string& name, const std::string& text);
 
-    /// Everything after a first line `#version VERSION` and `preamble`, each piece after a #line of its own.
+    /// Everything after a first line `#version VERSION` and `preamble`, each piece after a #line of its own (kLinesPerFile in shader_log.h).
     std::string assemble(std::string_view version = "410 core", std::string_view preamble = {}) const;
-    /// Names by source number of the #line directives; 0 is the preamble.
+    /// Names by number; 0 is the preamble.
     const std::vector<std::string>& files() const { return files_; }
     /// Name of the last piece: the technique's own.
     const std::string& author() const { return files_.back(); }

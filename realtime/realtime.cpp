@@ -38,18 +38,18 @@ void checkMicroMeshes(const Technique& technique, const std::vector<MicroMesh>* 
                              "a reference with microAttributes");
 }
 
-void drawProxies(const GpuState& gpu, const GlProgram* reliefProgram, float shadowBias) {
+void drawProxies(const GpuState& gpu, const GlProgram& reliefProgram, float shadowBias) {
     glEnable(GL_CULL_FACE);
     gpu.plainProgram->use();
     gpu.view.setUniforms(*gpu.plainProgram);
     glUniform1i(gpu.plainProgram->uniform("uTwoSided"), 0);
     for (size_t i = 0; i < gpu.objects.objects().size(); ++i)
         if (!gpu.objects.objects()[i].hasRelief) gpu.objects.draw(i, *gpu.plainProgram);
-    reliefProgram->use();
-    gpu.view.setUniforms(*reliefProgram);
-    glUniform1f(reliefProgram->uniform("uShadowBias"), shadowBias);
+    reliefProgram.use();
+    gpu.view.setUniforms(reliefProgram);
+    glUniform1f(reliefProgram.uniform("uShadowBias"), shadowBias);
     for (size_t i = 0; i < gpu.objects.objects().size(); ++i)
-        if (gpu.objects.objects()[i].hasRelief) gpu.objects.draw(i, *reliefProgram);
+        if (gpu.objects.objects()[i].hasRelief) gpu.objects.draw(i, reliefProgram);
 }
 
 void drawMicroTriangles(const GpuState& gpu, MicroTriangleDrawer& drawer,
@@ -64,45 +64,49 @@ void drawMicroTriangles(const GpuState& gpu, MicroTriangleDrawer& drawer,
     }
 }
 
-/// Warm-up, timed runs; the last frame drawn is the result.
-FrameTime drawFrame(const GlContext& context, const GpuState& gpu, const std::function<void()>& drawObjects) {
-    clearGlErrors();
-    const FrameTime time = timeFrame(context, [&] {
-        gpu.target.begin();
-        glEnable(GL_DEPTH_TEST);
-        glDepthFunc(GL_LESS);
-        drawObjects();
-    });
-    checkGl("drawing");
-    return time;
-}
-
-FrameTime drawTechnique(const GlContext& context, const GpuState& gpu, const Technique& technique,
-                        const std::vector<MicroMesh>* meshes, size_t lightCount) {
-    if (technique.drawsMicroTriangles()) {
-        MicroTriangleDrawer drawer;
-        return drawFrame(context, gpu, [&] { drawMicroTriangles(gpu, drawer, *meshes); });
-    }
-    const std::unique_ptr<GlProgram> program = buildReliefProgram(technique, lightCount);
-    const Technique::Setting* bias = technique.harness("shadow_bias");
-    const float shadowBias = bias ? static_cast<float>(bias->value.number) : 0.0f;
-    return drawFrame(context, gpu, [&] { drawProxies(gpu, program.get(), shadowBias); });
-}
-
 } // namespace
 
 struct RealtimeRenderer::Impl {
     Impl(const Scene& sceneToDraw, const GlOptions& options)
-        : scene(sceneToDraw), context(createGlContext(options)) {
+        : scene(sceneToDraw), timingBudgetMs(options.timingBudgetMs), context(createGlContext(options)) {
         const CurrentContext current(*context);
         gpu = std::make_unique<GpuState>(scene, *context);
     }
     ~Impl() {
-        const CurrentContext current(*context);
-        gpu.reset();
+        try {
+            const CurrentContext current(*context);
+            gpu.reset();
+        } catch (const MachineError&) {
+            gpu.release(); // the driver is gone and took the objects along
+        }
+    }
+
+    FrameTime drawTechnique(const Technique& technique, const std::vector<MicroMesh>* meshes) const {
+        if (technique.drawsMicroTriangles()) {
+            MicroTriangleDrawer drawer;
+            return drawFrame([&] { drawMicroTriangles(*gpu, drawer, *meshes); });
+        }
+        const std::unique_ptr<GlProgram> program = buildReliefProgram(technique, scene.lights.size());
+        const Technique::Setting* bias = technique.harness("shadow_bias");
+        const float shadowBias = bias ? static_cast<float>(bias->value.number) : 0.0f;
+        return drawFrame([&] { drawProxies(*gpu, *program, shadowBias); });
+    }
+
+    /// Warm-up and timed runs; the last frame drawn is the result.
+    FrameTime drawFrame(const std::function<void()>& drawObjects) const {
+        clearGlErrors();
+        const FrameTime time = timeFrame(*context, timingBudgetMs, [&] {
+            gpu->target.begin();
+            glEnable(GL_DEPTH_TEST);
+            glDepthFunc(GL_LESS);
+            drawObjects();
+        });
+        checkGl("drawing");
+        return time;
     }
 
     const Scene& scene;
+    double timingBudgetMs;
     std::unique_ptr<GlContext> context;
     std::unique_ptr<GpuState> gpu;
 };
@@ -121,14 +125,13 @@ TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
 
     const CurrentContext current(*impl_->context);
     const GpuState& gpu = *impl_->gpu;
-    const FrameTime time =
-        drawTechnique(*impl_->context, gpu, technique, microMeshes, impl_->scene.lights.size());
+    const FrameTime time = impl_->drawTechnique(technique, microMeshes);
 
     TechniqueResult result;
     result.name = technique.name;
     result.parameters = technique.parameters();
-    const std::vector<Vec2> noOrigins(impl_->scene.objects.size(),
-                                      Vec2(0)); // micro-triangles carry st as it is
+    // Micro-triangles carry st as it is.
+    const std::vector<Vec2> noOrigins(impl_->scene.objects.size(), Vec2(0));
     result.frame = gpu.target.read(gpu.view.originWorld(),
                                    technique.drawsMicroTriangles() ? noOrigins : gpu.objects.stOrigins(),
                                    technique.search.channels);

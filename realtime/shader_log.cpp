@@ -12,15 +12,19 @@ namespace {
 constexpr size_t kLongestLine = 2000;
 constexpr size_t kLongestFlatLog = 600;
 
+ShaderMessage messageAt(const std::string& line, bool isError, const std::string& text) {
+    const int number = std::stoi(line);
+    return {number / kLinesPerFile, number % kLinesPerFile, isError, text};
+}
+
 std::optional<ShaderMessage> parseLine(const std::string& line) {
-    static const std::regex mesa(R"(^(\d{1,6}):(\d{1,9})\(\d+\): (error|warning): (.*))");
-    static const std::regex nvidia(R"(^(\d{1,6})\((\d{1,9})\) : (error|warning) \w+: (.*))");
-    static const std::regex angle(R"(^(ERROR|WARNING): (\d{1,6}):(\d{1,9}): (.*))");
+    static const std::regex mesa(R"(^\d{1,6}:(\d{1,9})\(\d+\): (error|warning): (.*))");
+    static const std::regex nvidia(R"(^\d{1,6}\((\d{1,9})\) : (error|warning) \w+: (.*))");
+    static const std::regex angle(R"(^(ERROR|WARNING): \d{1,6}:(\d{1,9}): (.*))");
     std::smatch match;
     if (std::regex_match(line, match, mesa) || std::regex_match(line, match, nvidia))
-        return ShaderMessage{std::stoi(match[1]), std::stoi(match[2]), match[3] == "error", match[4]};
-    if (std::regex_match(line, match, angle))
-        return ShaderMessage{std::stoi(match[2]), std::stoi(match[3]), match[1] == "ERROR", match[4]};
+        return messageAt(match[1], match[2] == "error", match[3]);
+    if (std::regex_match(line, match, angle)) return messageAt(match[2], match[1] == "ERROR", match[3]);
     return std::nullopt;
 }
 
@@ -48,13 +52,10 @@ std::optional<LocatedMessage> locateFirstError(const std::string& log,
             ++further;
             continue;
         }
-        const bool lineKnowsBetter = message.line > kLinesASource;
-        const auto source =
-            static_cast<size_t>(lineKnowsBetter ? message.line / kLinesASource : message.source);
-        const int line = lineKnowsBetter ? message.line % kLinesASource : message.line;
+        const auto index = static_cast<size_t>(message.file);
         const std::string file =
-            source < files.size() ? files[source] : fmt::format("shader source {}", message.source);
-        first = LocatedMessage{fmt::format("{}:{}", file, line), message.text};
+            index < files.size() ? files[index] : fmt::format("shader source {}", message.file);
+        first = LocatedMessage{fmt::format("{}:{}", file, message.line), message.text};
     }
     if (first && further > 0)
         first->what += fmt::format(" (and {} more {})", further, further == 1 ? "error" : "errors");

@@ -7,17 +7,14 @@
 
 namespace plumbline {
 
-/// The number to give line `line` of source `source` in a #line directive. Mesa forgets the source number in
-/// every message about a name (it says 0), so the line number carries it too; locateFirstError takes it out.
-inline constexpr int kLinesASource = 100000;
-constexpr int lineInShader(size_t source, int line) {
-    return static_cast<int>(source) * kLinesASource + line;
-}
+/// Lines of file k of a shader are numbered from k * kLinesPerFile + 1: Mesa forgets the source number of a #line
+/// directive in most of its messages, but no driver loses the line.
+inline constexpr int kLinesPerFile = 1000000;
 
-/// One message of a log. `source` and `line` are those of the #line directives the shader was assembled with.
+/// One message of a log.
 struct ShaderMessage {
-    int source = 0;
-    int line = 0;
+    int file = 0;
+    int line = 0; // in that file
     bool isError = true;
     std::string text;
 };
@@ -26,8 +23,8 @@ struct ShaderMessage {
 /// "ERROR: 0:12: …"; lines of any other form are left out.
 std::vector<ShaderMessage> parseShaderLog(const std::string& log);
 
-/// The first error of a log as "file:line" and text, with the number of further errors in the text; nothing
-/// if no line of the log is understood. `files`: names by source number.
+/// The first error of a log as "file:line" and text, with the number of further errors in the text; nothing if no line of
+/// the log is understood. `files`: names by number.
 struct LocatedMessage {
     std::string where, what;
 };

@@ -1,0 +1,96 @@
+// What the tests that need OpenGL share: skipping where there is none, small scenes, pixels of frames.
+#pragma once
+
+#include "../../realtime/gl_context.h"
+#include "../../realtime/realtime.h"
+#include "../../scenes/error.h"
+#include "../../scenes/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+
+namespace plumbline {
+
+/// Why no context can be had, empty if one can.
+inline std::string missingGl(GlBackend backend = GlBackend::Auto) {
+    try {
+        createGlContext({backend, -1});
+        return {};
+    } catch (const MachineError& error) {
+        return error.what();
+    }
+}
+
+#define PLUMBLINE_NEEDS_GL(backend)                                                                          \
+    if (const std::string reason = missingGl(backend); !reason.empty()) GTEST_SKIP() << reason
+
+/// Orthographic, so that a pixel is a ray known by hand: looks at the origin from `position`, `viewHeight` world units
+/// tall, square.
+inline Camera orthographicCamera(const Vec3& position, const Vec3& up, double viewHeight, int pixels) {
+    Camera camera;
+    camera.positionWorld = position;
+    camera.targetWorld = Vec3(0);
+    camera.upWorld = up;
+    camera.projection = Camera::Projection::Orthographic;
+    camera.viewHeight = viewHeight;
+    camera.width = camera.height = pixels;
+    return camera;
+}
+
+/// A square in the plane y = 0, facing +y, uv once over it: s along +x, t along -z.
+inline SceneObject squareObject(double side, std::shared_ptr<const HeightMap> map, double depth) {
+    SceneObject object;
+    object.name = "square";
+    object.mesh = makePlane(side, side, 1, 1);
+    object.scheme = Scheme::None;
+    if (map) object.relief = Relief{std::move(map), depth, 0.0, Vec2(1), Vec2(0)};
+    return object;
+}
+
+inline Light directionalLight(const std::string& name, const Vec3& toLight) {
+    Light light;
+    light.name = name;
+    light.toLightWorld = glm::normalize(toLight);
+    return light;
+}
+
+inline Scene sceneOf(SceneObject object, const Camera& camera) {
+    Scene scene;
+    scene.name = "test";
+    scene.background = Vec3(0.25, 0.5, 0.75);
+    scene.camera = camera;
+    scene.lights = {directionalLight("sun", {0.3, 1, 0.2})};
+    scene.objects.push_back(std::move(object));
+    return scene;
+}
+
+/// Once, without timing.
+inline Frame draw(const Scene& scene, const std::string& technique) {
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
+    return renderer.render(parseTechnique(technique), {}, nullptr).frame;
+}
+
+/// Index of a pixel; row 0 on top.
+inline size_t pixelAt(const Frame& frame, int x, int y) {
+    return static_cast<size_t>(y) * static_cast<size_t>(frame.width()) + static_cast<size_t>(x);
+}
+
+inline Vec3 vectorAt(const Frame& frame, const std::string& name, size_t pixel) {
+    return {frame.channel(name + ".X")[pixel], frame.channel(name + ".Y")[pixel],
+            frame.channel(name + ".Z")[pixel]};
+}
+
+inline Vec2 stAt(const Frame& frame, size_t pixel) {
+    return {frame.channel("st.S")[pixel], frame.channel("st.T")[pixel]};
+}
+
+inline size_t coveredPixels(const Frame& frame) {
+    size_t count = 0;
+    for (const float a : frame.channel("A"))
+        count += a > 0;
+    return count;
+}
+
+} // namespace plumbline
