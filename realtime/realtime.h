@@ -62,7 +62,7 @@ struct TechniqueResult {
     std::string backend, renderer; // "egl", GL_RENDERER
     double msMedian = 0;           // of one frame, warm
     int msRuns = 0;
-    std::string timer; // "gpu timer query" or "wall clock around glFinish"
+    std::string timer; // "gpu timer query", "wall clock around glFinish[, one cold run]"
 };
 
 /// Owns a GL context and what techniques share: proxy meshes, height maps.

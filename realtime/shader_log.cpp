@@ -2,30 +2,41 @@
 
 #include <fmt/format.h>
 
-#include <regex>
+#include <algorithm>
+#include <cstdio>
 #include <sstream>
 
 namespace plumbline {
 namespace {
 
-// A log line longer than this is cut before it is matched: std::regex recurses per character.
+// A log line longer than this is cut.
 constexpr size_t kLongestLine = 2000;
 constexpr size_t kLongestFlatLog = 600;
 
-ShaderMessage messageAt(const std::string& line, bool isError, const std::string& text) {
-    const int number = std::stoi(line);
-    return {number / kLinesPerFile, number % kLinesPerFile, isError, text};
+/// Line number and the text behind the place, if the line begins with a place of this form. `form` ends in %n.
+std::optional<ShaderMessage> parsePlace(const std::string& line, const char* form) {
+    int number = 0, end = 0;
+    if (std::sscanf(line.c_str(), form, &number, &end) != 1 || end == 0 || number < 0) return std::nullopt;
+    return ShaderMessage{number / kLinesPerFile, number % kLinesPerFile, true,
+                         line.substr(static_cast<size_t>(end))};
+}
+
+/// Takes "error: " or "warning: " off the front of the text, with NVIDIA's code behind the word.
+bool takeSeverity(ShaderMessage& message) {
+    const size_t colon = message.text.find(": ");
+    if (colon == std::string::npos) return false;
+    const std::string severity = message.text.substr(0, std::min(colon, message.text.find(' ')));
+    if (severity != "error" && severity != "warning") return false;
+    message.isError = severity == "error";
+    message.text.erase(0, colon + 2);
+    return true;
 }
 
 std::optional<ShaderMessage> parseLine(const std::string& line) {
-    static const std::regex mesa(R"(^\d{1,6}:(\d{1,9})\(\d+\): (error|warning): (.*))");
-    static const std::regex nvidia(R"(^\d{1,6}\((\d{1,9})\) : (error|warning) \w+: (.*))");
-    static const std::regex angle(R"(^(ERROR|WARNING): \d{1,6}:(\d{1,9}): (.*))");
-    std::smatch match;
-    if (std::regex_match(line, match, mesa) || std::regex_match(line, match, nvidia))
-        return messageAt(match[1], match[2] == "error", match[3]);
-    if (std::regex_match(line, match, angle)) return messageAt(match[2], match[1] == "ERROR", match[3]);
-    return std::nullopt;
+    for (const char* form : {"%*9d:%9d(%*9d): %n", "%*9d(%9d) : %n"}) // Mesa, NVIDIA
+        if (auto message = parsePlace(line, form); message && takeSeverity(*message)) return message;
+    if (auto message = parsePlace(line, "ERROR: %*9d:%9d: %n")) return message; // ANGLE, glslang
+    return std::nullopt;                                                        // ANGLE's warnings too
 }
 
 } // namespace

@@ -20,7 +20,7 @@ struct ShaderMessage {
 };
 
 /// Reads the styles of Mesa "0:12(3): error: …", NVIDIA "0(12) : error C1008: …" and ANGLE or glslang
-/// "ERROR: 0:12: …"; lines of any other form are left out.
+/// "ERROR: 0:12: …"; lines of any other form are left out, and warnings of the third.
 std::vector<ShaderMessage> parseShaderLog(const std::string& log);
 
 /// The first error of a log as "file:line" and text, with the number of further errors in the text; nothing if no line of

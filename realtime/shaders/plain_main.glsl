@@ -4,13 +4,13 @@ in vec3 vPosition;
 in vec3 vNormal;
 in vec2 vSt;
 
-// Both sides are seen, as the reference does: shadow and light are those of the side towards the camera.
+// Both sides are seen, as by the reference: shadow and light are those of the facet's side towards the camera.
 uniform bool uTwoSided;
 
 void main() {
     vec3 toCamera = directionToCamera(vPosition);
     vec3 normal = directionOr(vNormal, toCamera);
-    bool away = uTwoSided && dot(normal, toCamera) < 0.0;
+    bool away = uTwoSided && !gl_FrontFacing;
     SurfacePoint point = SurfacePoint(vPosition, away ? -normal : normal, vSt);
     float shadow[kLightSlots];
     for (int i = 0; i < kLightCount; ++i)

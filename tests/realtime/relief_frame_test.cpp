@@ -143,14 +143,18 @@ TEST(ReliefFrame, MirroredAndShearedTextureCoordinatesKeepTheNormalOutside) {
             object.mesh.uvs.emplace_back(0.5 + m.sx * point.x + m.sz * point.z,
                                          0.5 + m.tx * point.x + m.tz * point.z);
         object.mesh.faceUvs = object.mesh.faceVertices;
-        const Camera camera = fromAbove(0.4);
+        const Camera camera = orthographicCamera({-3, 4, 2}, {0, 0, -1}, 0.3, kPixels);
         const Frame frame = draw(sceneOf(object, camera), "linear_binary:linear_steps=64,binary_steps=16");
         const Vec3 normal = glm::normalize(Vec3(0.6 * m.sx, 1, 0.6 * m.sz));
         forEachHit(frame, camera, [&](size_t pixel, const Ray& ray) {
+            // (0.6 sx, 1, 0.6 sz) . P = -0.15 is the ramp's plane (s = 1/2 at the origin).
+            const Vec3 plane(0.6 * m.sx, 1, 0.6 * m.sz);
+            const Vec3 expected =
+                ray.at((-0.15 - glm::dot(plane, ray.origin)) / glm::dot(plane, ray.direction));
+            ASSERT_LT(glm::length(vectorAt(frame, "P", pixel) - expected), 4e-6);
             ASSERT_LT(glm::length(vectorAt(frame, "N", pixel) - normal), 1e-5);
-            const double s = 0.5 + m.sx * ray.origin.x + m.sz * ray.origin.z;
-            ASSERT_NEAR(stAt(frame, pixel).x, s, 2e-6);
-            ASSERT_NEAR(vectorAt(frame, "P", pixel).y, -0.6 * (s - 0.25), 4e-6);
+            ASSERT_NEAR(stAt(frame, pixel).x, 0.5 + m.sx * expected.x + m.sz * expected.z, 4e-6);
+            ASSERT_NEAR(stAt(frame, pixel).y, 0.5 + m.tx * expected.x + m.tz * expected.z, 4e-6);
         });
     }
 }
@@ -183,14 +187,13 @@ TEST(ReliefFrame, TheFirstOfTwoRidgesIsHit) {
 TEST(ReliefFrame, AStepCastsAShadowAsLongAsItIsHigh) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A step down from depth 0 to 1 at x = 0, 0.2 high, between two of 512 texels of a square 2 wide; light from -x at
-    // 45 degrees. A point on the floor is in shadow if its ray enters left of the edge: up to x = 0.2 less the bias,
-    // 0.02 of the depth: 0.004. The edge is a ramp one texel (0.0039) wide, the shadow ray's bisection a quarter of that;
-    // pixels are 0.8 / 256 = 0.0031.
+    // 45 degrees. A point on the floor is in shadow if its ray enters left of the edge: up to x = 0.2. The edge is a ramp
+    // one texel (0.0039) wide, a step of the search 0.2 / 512 and a pixel 0.8 / 256 = 0.0031.
     std::vector<float> depths(512, 0);
     std::fill(depths.begin() + 256, depths.end(), 1.0f);
     Scene scene = sceneOf(squareObject(2, profileMap(depths, Wrap::Clamp), 0.2), fromAbove(0.8, 256));
     scene.lights = {directionalLight("left", {-1, 1, 0}), directionalLight("right", {1, 1, 0})};
-    const Frame frame = draw(scene, "linear_binary:linear_steps=64,binary_steps=8");
+    const Frame frame = draw(scene, "linear_binary:linear_steps=512");
     const auto left = frame.channel("shadow.left"), right = frame.channel("shadow.right");
     double lastShadow = -1;
     for (int x = 0; x < 256; ++x) {
@@ -207,7 +210,7 @@ TEST(ReliefFrame, AStepCastsAShadowAsLongAsItIsHigh) {
             EXPECT_EQ(left[pixel], 0) << xWorld;
         }
     }
-    EXPECT_NEAR(lastShadow, 0.2 - 0.004, 0.008);
+    EXPECT_NEAR(lastShadow, 0.2, 0.0039 / 2 + 0.2 / 512 + 0.0031);
     // Without cast shadows only the wall itself, one texel wide, turns away from the light on the left.
     const Frame without = draw(scene, "linear_binary:linear_steps=64,binary_steps=8,shadow=none");
     size_t shadowed = 0;
@@ -215,6 +218,37 @@ TEST(ReliefFrame, AStepCastsAShadowAsLongAsItIsHigh) {
         shadowed += without.channel("shadow.right")[pixelAt(without, x, 100)] == 1 ||
                     without.channel("shadow.left")[pixelAt(without, x, 100)] == 1;
     EXPECT_LE(shadowed, 3u);
+}
+
+TEST(ReliefFrame, TheBiasKeepsALitPlaneFromShadowingItself) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A ramp is a plane: it shadows nothing. Both searches end up to 1/640 of the depth below it. Towards this light the
+    // ramp falls by 0.5 of the depth while a ray rises by 1, so that it is still inside one step back for half of the
+    // pixels: without a bias they shadow themselves. 0.02 is many times that error.
+    Scene scene = sceneOf(squareObject(2, profileMap({0, 1}, Wrap::Clamp), 0.3), fromAbove(0.5));
+    scene.lights = {directionalLight("sun", {-1, 0.6, 0})};
+    const auto shadowed = [&](const char* technique) {
+        size_t count = 0;
+        for (const float shadow : draw(scene, technique).channel("shadow.sun"))
+            count += shadow == 1;
+        return count;
+    };
+    EXPECT_EQ(shadowed("linear_binary"), 0u);
+    EXPECT_GT(shadowed("linear_binary:shadow_bias=0"), size_t(kPixels * kPixels / 20));
+}
+
+TEST(ReliefFrame, AFragmentWhoseNormalTurnsAwayStaysOnThePolygonOrIsDiscarded) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // The polygon faces the camera, its shading normal doesn't: the ray rises out of the relief.
+    SceneObject object = squareObject(2, profileMap({0, 1, 0.3f}, Wrap::Repeat), 0.3);
+    object.mesh.normals = {glm::normalize(Vec3(1, 0.2, 0))};
+    object.mesh.faceNormals.assign(object.mesh.faceVertices.size(), 0);
+    const Camera camera = fromTheSide(60, 0.5);
+    const Frame flat = draw(sceneOf(object, camera), "linear_binary");
+    const size_t hits = forEachHit(
+        flat, camera, [&](size_t pixel, const Ray&) { ASSERT_NEAR(vectorAt(flat, "P", pixel).y, 0, 1e-6); });
+    EXPECT_EQ(hits, size_t(kPixels * kPixels));
+    EXPECT_EQ(coveredPixels(draw(sceneOf(object, camera), "linear_binary@quadric")), 0u);
 }
 
 TEST(ReliefFrame, PointLightsLightFromWhereTheyAre) {
