@@ -44,10 +44,12 @@ std::string safeFileName(const std::string& name) {
     constexpr size_t kLongest = 100; // leaves room for a suffix within the 255 bytes of common file systems
     std::string result;
     for (const char c : name) {
-        const bool keep =
-            std::isalnum(static_cast<unsigned char>(c)) != 0 || std::string("-_=@.").find(c) < 5;
+        const bool keep = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                          std::string_view("-_=.").find(c) != std::string_view::npos;
         if (keep)
             result += c;
+        else if (c == '@') // oiiotool and its like read it as the number of a frame
+            result += "-on-";
         else if (result.empty() || result.back() != '_')
             result += '_';
     }

@@ -12,9 +12,8 @@ void requireWritableFolder(const std::filesystem::path& folder);
 /// Likewise for the folder a file is to be written to; also throws if the file is a folder.
 void requireWritableFile(const std::filesystem::path& file);
 
-/// A technique's or light's name as part of a file name: letters, digits and -_=@. stay, every run of others
-/// becomes one
-/// '_'; never empty, never hidden, at most 100 characters.
+/// A technique's or light's name as part of a file name: letters, digits and -_=. stay, @ becomes "-on-", every run of
+/// others one '_'; never empty, never hidden, at most 100 characters. Two names can become one.
 std::string safeFileName(const std::string& name);
 
 } // namespace plumbline

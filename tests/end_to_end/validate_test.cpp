@@ -67,7 +67,7 @@ TEST_F(Validate, AllTechniquesOfTheSmallScene) {
     EXPECT_THAT(filesBelow(folder_ / "out"),
                 IsSupersetOf({"results.json", "results.csv", "report/index.html", "report/reference.png",
                               "frames/reference.exr", "frames/micro_triangles.exr",
-                              "frames/linear_binary@quadric.exr"}));
+                              "frames/linear_binary-on-quadric.exr"}));
     for (const std::string& file : filesBelow(folder_ / "out"))
         EXPECT_THAT(file, Not(HasSubstr("tmp")));
 

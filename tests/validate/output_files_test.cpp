@@ -38,7 +38,7 @@ TEST_F(OutputFiles, APlaceBelowAFileIsRefused) {
 }
 
 TEST(SafeFileName, KeepsNamesReadableAndInsideTheFolder) {
-    EXPECT_EQ(safeFileName("linear_binary@quadric"), "linear_binary@quadric");
+    EXPECT_EQ(safeFileName("linear_binary@quadric"), "linear_binary-on-quadric");
     EXPECT_EQ(safeFileName("linear_binary:linear_steps=64"), "linear_binary_linear_steps=64");
     EXPECT_EQ(safeFileName("../../etc/passwd"), "_.._.._etc_passwd");
     EXPECT_EQ(safeFileName(""), "_");

@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace plumbline {
 
 #ifdef PLUMBLINE_GL
@@ -18,6 +20,7 @@ namespace {
 /// The places a run writes to, checked when made.
 struct OutputFolder {
     std::filesystem::path folder, frames, report;
+    std::set<std::string> taken; // frames written, without their suffix
 
     OutputFolder(const std::optional<std::filesystem::path>& given, const Scene& scene)
         : folder(given ? *given : std::filesystem::path("plumbline-out") / safeFileName(scene.name)),
@@ -36,8 +39,13 @@ struct OutputFolder {
         }
     }
 
-    std::filesystem::path frameFile(const std::string& technique) const {
-        return frames / (safeFileName(technique) + ".exr");
+    /// A file of its own for each name, though two may be safe in the same way.
+    std::filesystem::path newFrameFile(const std::string& technique) {
+        const std::string stem = safeFileName(technique);
+        std::string unique = stem;
+        for (int number = 2; !taken.insert(unique).second; ++number)
+            unique = fmt::format("{}_{}", stem, number);
+        return frames / (unique + ".exr");
     }
 
     void write(const Results& results, const Report& page) const {
@@ -102,7 +110,7 @@ int runValidate(const ValidateArguments& arguments) {
     for (const TechniqueRequest& request : requests)
         options.microAttributes |= drawsMicroTriangles(request);
     const GlOptions gl = glOptions(arguments.realtime);
-    const OutputFolder output(arguments.output, scene);
+    OutputFolder output(arguments.output, scene);
 
     // The reference comes before GL starts, so that its peak memory is its own.
     progress.step("reference: tessellating");
@@ -114,7 +122,7 @@ int runValidate(const ValidateArguments& arguments) {
     RealtimeRenderer renderer(scene, gl);
 
     output.removeOldResults();
-    writeFrame(referenceFrame, output.frameFile("reference"));
+    writeFrame(referenceFrame, output.newFrameFile("reference"));
     Report report(output.report);
     report.addReference(referenceFrame);
     int exitCode = kExitDone;
@@ -123,7 +131,7 @@ int runValidate(const ValidateArguments& arguments) {
                                   displayName(request, settings)));
         Trial trial = tryTechnique(request, settings, renderer, reference, referenceFrame, scene);
         if (!trial.outcome.error) {
-            writeFrame(trial.frame, output.frameFile(trial.outcome.name));
+            writeFrame(trial.frame, output.newFrameFile(trial.outcome.name));
             report.addTechnique(trial.outcome, referenceFrame, trial.frame);
         }
         trial.outcome.comparison.referenceDepth.clear(); // painted; no longer needed
