@@ -63,30 +63,28 @@ Json toJson(const TechniqueOutcome& technique) {
     return json;
 }
 
+/// A figure that counts something, without a decimal point.
+std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
+    if (figure) return static_cast<uint64_t>(*figure);
+    return figure;
+}
+
 Json toJson(const ReferenceSummary& reference) {
-    const std::string notYet = "the reference's own error is not bounded by this version";
-    Json json = toGroup({{"error_px_p99", Figure::absent(notYet)},
-                         {"uncertain_pixels", Figure::absent(notYet)},
+    const Figure notYet = Figure::absent("the reference's own error is not bounded by this version");
+    Json json = toGroup({{"micro_triangles", wholeNumber(reference.microTriangles)},
+                         {"error_px_p99", notYet},
+                         {"uncertain_pixels", notYet},
                          {"tessellate_ms", reference.tessellateMs},
                          {"build_ms", reference.buildMs},
-                         {"trace_ms", reference.traceMs}});
-    Json head = Json::object();
-    for (const auto& [key, figure] : {std::pair("micro_triangles", reference.microTriangles),
-                                      std::pair("peak_bytes", reference.peakBytes)}) {
-        if (figure)
-            head[key] = static_cast<uint64_t>(*figure);
-        else
-            json["absent"][key] = figure.reason();
-    }
-    for (const auto& [key, value] : json.items())
-        head[key] = value;
-    head["objects"] = Json::array();
+                         {"trace_ms", reference.traceMs},
+                         {"peak_bytes", wholeNumber(reference.peakBytes)}});
+    json["objects"] = Json::array();
     for (const ReferenceSummary::Object& object : reference.objects)
-        head["objects"].push_back({{"name", object.name},
+        json["objects"].push_back({{"name", object.name},
                                    {"rate", object.rate},
                                    {"wanted_rate", object.wantedRate},
                                    {"micro_triangles", object.microTriangles}});
-    return head;
+    return json;
 }
 
 } // namespace
