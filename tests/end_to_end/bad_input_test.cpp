@@ -108,7 +108,7 @@ TEST_F(BadInput, Images) {
     writeFile(folder_ / "text.png", "this is no picture\n");
     expectImageRefused("text.png", "text.png");
     writeFile(folder_ / "cut.png",
-              std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x10\0\0\0\x10\x08\0\0\0\0", 31));
+              std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x10\0\0\0\x10\x08\0\0\0\0", 29));
     expectImageRefused("cut.png", "cut.png");
     writeFile(folder_ / "empty.exr", "");
     expectImageRefused("empty.exr", "empty.exr");
