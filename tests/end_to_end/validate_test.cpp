@@ -269,7 +269,8 @@ relief = { map = "toy_box", depth = 0.05, tile = [4, 4] }
 )");
     const Outcome made = validate("out");
     ASSERT_EQ(made.exitCode, 0) << made.err << made.out;
-    for (const json& technique : resultsOf("out")["techniques"])
+    const json results = resultsOf("out");
+    for (const json& technique : results["techniques"])
         EXPECT_GT(technique["silhouette"]["iou"], 0.5);
 }
 
