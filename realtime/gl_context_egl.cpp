@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <cstring>
-#include <map>
 #include <vector>
 
 namespace plumbline {
@@ -73,41 +72,13 @@ std::vector<EGLDeviceEXT> eglDevices() {
     return devices;
 }
 
-/// EGL hands out one display per platform and device to the whole process, and eglTerminate ends it for
-/// everyone: the last context that uses a display terminates it.
-class SharedDisplay {
-  public:
-    SharedDisplay(EGLDisplay display, const std::string& backend) : display_(display) {
-        EGLint major = 0, minor = 0;
-        if (users()[display]++ == 0 && !eglInitialize(display, &major, &minor)) {
-            users().erase(display);
-            throw MachineError(backend, "eglInitialize failed: " + eglErrorText());
-        }
-    }
-    ~SharedDisplay() {
-        const auto entry = users().find(display_);
-        if (--entry->second > 0) return;
-        users().erase(entry);
-        eglTerminate(display_);
-        eglReleaseThread();
-    }
-    SharedDisplay(const SharedDisplay&) = delete;
-    SharedDisplay& operator=(const SharedDisplay&) = delete;
-    EGLDisplay get() const { return display_; }
-
-  private:
-    static std::map<EGLDisplay, int>& users() {
-        static std::map<EGLDisplay, int> counts;
-        return counts;
-    }
-    EGLDisplay display_;
-};
-
+/// EGL hands out one display per platform and device to the whole process. It stays initialised: eglTerminate would end it
+/// for every other context, and unload the driver with threads and statics of its own.
 EGLDisplay openDisplay(int device, const std::string& backend) {
     const auto getPlatformDisplay = eglFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
     const char* clientExtensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!getPlatformDisplay || !hasExtension(clientExtensions, "EGL_EXT_platform_base"))
-        throw MachineError(backend, "EGL has no EGL_EXT_platform_base");
+        throw MachineError(backend, "EGL finds no driver (it has no EGL_EXT_platform_base)");
     EGLDisplay display = EGL_NO_DISPLAY;
     if (device < 0) {
         if (!hasExtension(clientExtensions, "EGL_MESA_platform_surfaceless"))
@@ -116,18 +87,21 @@ EGLDisplay openDisplay(int device, const std::string& backend) {
     } else {
         const std::vector<EGLDeviceEXT> devices = eglDevices();
         if (static_cast<size_t>(device) >= devices.size())
-            throw MachineError(backend, fmt::format("EGL lists {} devices", devices.size()),
-                               devices.empty() ? "" : fmt::format("--device 0 to {}", devices.size() - 1));
+            throw MachineError(backend, fmt::format("is none of the {} devices EGL lists", devices.size()),
+                               devices.empty() ? "" : fmt::format("at most {}", devices.size() - 1));
         display = getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(device)], nullptr);
     }
     if (display == EGL_NO_DISPLAY) throw MachineError(backend, "no EGL display: " + eglErrorText());
+    EGLint major = 0, minor = 0;
+    if (!eglInitialize(display, &major, &minor))
+        throw MachineError(backend, "eglInitialize failed: " + eglErrorText());
     return display;
 }
 
 class EglContext final : public GlContext {
   public:
     EglContext(int device, const std::string& backend)
-        : GlContext(backend), display_(openDisplay(device, backend), backend) {
+        : GlContext(backend), display_(openDisplay(device, backend)) {
         try {
             create();
             describe();
@@ -140,10 +114,10 @@ class EglContext final : public GlContext {
 
   protected:
     void bind() override {
-        if (!eglBindAPI(EGL_OPENGL_API) || !eglMakeCurrent(display_.get(), surface_, surface_, context_))
+        if (!eglBindAPI(EGL_OPENGL_API) || !eglMakeCurrent(display_, surface_, surface_, context_))
             throw MachineError(backend(), "eglMakeCurrent failed: " + eglErrorText());
     }
-    void unbind() override { eglMakeCurrent(display_.get(), EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+    void unbind() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
     Function functionAddress(const char* name) const override { return eglGetProcAddress(name); }
 
   private:
@@ -151,11 +125,11 @@ class EglContext final : public GlContext {
         if (!eglBindAPI(EGL_OPENGL_API))
             throw MachineError(backend(), "this EGL has no desktop OpenGL: " + eglErrorText());
         const bool surfaceless =
-            hasExtension(eglQueryString(display_.get(), EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
+            hasExtension(eglQueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
         const EGLConfig config = chooseConfig(surfaceless ? 0 : EGL_PBUFFER_BIT);
         if (!surfaceless) {
             const EGLint size[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
-            surface_ = eglCreatePbufferSurface(display_.get(), config, size);
+            surface_ = eglCreatePbufferSurface(display_, config, size);
             if (surface_ == EGL_NO_SURFACE)
                 throw MachineError(backend(), "no pbuffer surface: " + eglErrorText());
         }
@@ -167,7 +141,7 @@ class EglContext final : public GlContext {
                                          EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                          EGL_NONE};
-            context_ = eglCreateContext(display_.get(), config, EGL_NO_CONTEXT, attributes);
+            context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes);
             if (context_ != EGL_NO_CONTEXT) return;
         }
         throw MachineError(
@@ -179,20 +153,20 @@ class EglContext final : public GlContext {
                                      EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
-        if (!eglChooseConfig(display_.get(), attributes, &config, 1, &count) || count < 1)
+        if (!eglChooseConfig(display_, attributes, &config, 1, &count) || count < 1)
             throw MachineError(backend(), "no EGL configuration with desktop OpenGL");
         return config;
     }
 
     void destroy() {
         forget();
-        if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_.get(), context_);
-        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_.get(), surface_);
+        if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
+        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);
         context_ = EGL_NO_CONTEXT;
         surface_ = EGL_NO_SURFACE;
     }
 
-    SharedDisplay display_;
+    EGLDisplay display_;
     EGLContext context_ = EGL_NO_CONTEXT;
     EGLSurface surface_ = EGL_NO_SURFACE;
 };

@@ -229,7 +229,8 @@ TEST(ReliefFrame, TheBiasKeepsALitPlaneFromShadowingItself) {
     scene.lights = {directionalLight("sun", {-1, 0.6, 0})};
     const auto shadowed = [&](const char* technique) {
         size_t count = 0;
-        for (const float shadow : draw(scene, technique).channel("shadow.sun"))
+        const Frame frame = draw(scene, technique);
+        for (const float shadow : frame.channel("shadow.sun"))
             count += shadow == 1;
         return count;
     };
