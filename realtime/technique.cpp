@@ -61,8 +61,8 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
         bias.type = ParameterValue::Type::Float;
         bias.low = 0;
         bias.high = 1;
-        // Policarpo's "Chapter 5" compares with this margin; without one, 3.7 % of lit samples shadow
-        // themselves (TECHNIQUES E25).
+        // The margin of Watt and Policarpo (2005), chapter 5, listing 5.3. Without one (as in their Fig. 5.11) lit
+        // points shadow themselves: the two searches stop at slightly different depths.
         bias.defaultValue = {ParameterValue::Type::Float, 0.02};
         bias.unit = "relief depth";
         bias.meaning = "a shadow ray must be stopped this much above the point to shadow it";

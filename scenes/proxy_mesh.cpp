@@ -11,7 +11,7 @@ namespace plumbline {
 namespace {
 
 // A determinant below this fraction of its largest possible value counts as zero. (The absolute bound of 0.001 in the
-// listing of Policarpo's "Chapter 5" would reject every small mesh: a ring of radius 0.3 on a unit sphere has 3e-4.)
+// listing of Watt and Policarpo (2005), chapter 5, would reject every small mesh: a ring of radius 0.3 on a unit sphere has 3e-4.)
 constexpr double kSingularFraction = 1e-6;
 // Where the map from uv to space is singular at a corner (a pole), the derivatives are taken this far inside
 // the patch.

@@ -50,7 +50,7 @@ vec3 reliefNormal(ReliefFrame frame, vec2 st, vec2 stTravelled) {
     return directionOr(across, frame.normal);
 }
 
-// 1 where a second search along the light is stopped above the point (Policarpo and Oliveira; TECHNIQUES section 4).
+// 1 where a second search along the light is stopped above the point (Watt and Policarpo 2005, chapter 5, listing 5.3).
 float castShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
     vec3 direction = reliefDirection(frame, -toLight);
     if (direction.z * frame.depthWorld <= kGrazingCosine) return 1.0; // the light is below the tangent plane

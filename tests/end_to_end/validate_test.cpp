@@ -82,7 +82,7 @@ TEST_F(Validate, AllTechniquesOfTheSmallScene) {
 }
 
 // The control draws the triangles that the reference traces. What may differ is a pixel whose centre lies within the
-// rasteriser's sub-pixel grid of an edge: DESIGN asks for an IoU of 0.9999 and a depth p99 of 1e-3 of the relief.
+// rasteriser's sub-pixel grid of an edge: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of the relief.
 TEST_F(Validate, TheControlAgreesWithTheReference) {
     writeFile(folder_ / "small.toml",
               withLine(withLine(kSmallScene, "width = 96", "width = 400"), "height = 72", "height = 300"));

@@ -74,7 +74,7 @@ TEST(ReliefFrame, ConstantDepthIsAPlaneBelowThePolygon) {
 
 TEST(ReliefFrame, TheBottomOfTheReliefIsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Depth 1 everywhere: only the last linear step reaches it (TECHNIQUES E24).
+    // Depth 1 everywhere: only the last linear step reaches it.
     for (const char* technique : {"linear_binary", "linear_binary@quadric", "linear_binary:linear_steps=7"}) {
         const Frame frame =
             draw(sceneOf(squareObject(2, constantMap(1), 0.2), fromTheSide(30, 0.8)), technique);

@@ -1,7 +1,7 @@
 // Relief mapping: equal steps to the first sample inside the relief, then bisection of the last step.
 //
 // The bisection starts with the bracket the linear search left (the listing of Premecz, section 2.3, starts anew at depth
-// 1 with steps too small to come back: TECHNIQUES E6). On a flat base the last step is depth 1, which is always inside.
+// 1 with steps too small to come back). On a flat base the last step is depth 1, which is always inside.
 
 ReliefHit traceRelief(ReliefRay ray) {
     float outside = 0.0, inside = -1.0;
