@@ -9,12 +9,17 @@
 #include "../scenes/scene.h"
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace plumbline {
 
 struct ReferenceOptions {
+    Base base = Base::Limit;
+    /// Aim of the certificate: the 99th percentile of the micro-triangles' distance from the true surface, in pixels.
+    double errorPx = 0.05;
     /// Segments per control edge, a power of two in [1, 1024]; 0 = the finest of half a texel and half a
     /// pixel that `memoryBytes` allows, for each object.
     int rate = 0;
@@ -24,7 +29,21 @@ struct ReferenceOptions {
     bool microAttributes = false;
 };
 
+/// How far the traced micro-triangles are from the surface P(u,v) they stand for, measured.
+///
+/// Each pixel that shows the surface has the distance measured in the micro-cell it sees: the largest over points inside it,
+/// on its edges and where creases between texels cross it. Percentiles are nearest-rank over those pixels; 0 without any.
+struct Certificate {
+    double worldP50 = 0, worldP99 = 0, worldMax = 0; // world units
+    double pxP50 = 0, pxP99 = 0, pxMax = 0; // pixels: seen from the camera, as if across the line of sight
+    double aimPx = 0;                       // what pxP99 was to be
+    std::string limit;            // why pxP99 is above the aim ("--memory 256 MB"); empty if it isn't
+    uint64_t uncertainPixels = 0; // pixels of the channel `uncertain`
+    std::map<std::string, uint64_t> uncertainShadowPixels; // by light, of `uncertain.shadow.<light>`
+};
+
 struct ReferenceStats {
+    Certificate certificate; // of the last render()
     uint64_t microTriangles = 0;
     double tessellateMs = 0, buildMs = 0, traceMs = 0;
     uint64_t cameraRays = 0, shadowRays = 0;

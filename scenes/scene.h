@@ -23,6 +23,14 @@ struct ColorMap {
     Vec3 sample(const Vec2& st) const;
 };
 
+/// What the relief stands on: the limit surface of the control mesh, or the polygon proxy that real-time techniques are
+/// given (proxy_mesh.h).
+enum class Base { Limit, Proxy };
+
+/// Faces that meet in an edge may disagree about its displacement, where texture coordinates jump or a crease has two
+/// normals. Weld: the mean of both, the surface stays closed. Open: each face keeps its own, the surface gapes.
+enum class Seams { Weld, Open };
+
 /// P = S + n * (offset - depth * d(st)), st = tile * uv + uvOffset.
 struct Relief {
     std::shared_ptr<const HeightMap> map; // never null; `constant` in the file becomes a 1x1 map
@@ -30,18 +38,19 @@ struct Relief {
     double offset = 0;                    // world units
     Vec2 tile{1, 1};
     Vec2 uvOffset{0, 0};
+    Seams seams = Seams::Weld;
 };
 
 struct SceneObject {
     std::string name;
     ControlMesh mesh; // object space
     Scheme scheme = Scheme::CatmullClark;
-    int proxyRate = 1;                 // segments of the proxy per control edge
-    Vec3 translate{0, 0, 0};           // world units
-    Vec3 rotateDegrees{0, 0, 0};       // about x, then y, then z
-    double scale = 1;                  // > 0
-    std::optional<Relief> relief;      // none: drawn as it is
-    Vec3 color{0.8, 0.8, 0.8};         // linear
+    int proxyRate = 1;                        // segments of the proxy per control edge
+    Vec3 translate{0, 0, 0};                  // world units
+    Vec3 rotateDegrees{0, 0, 0};              // about x, then y, then z
+    double scale = 1;                         // > 0
+    std::optional<Relief> relief;             // none: drawn as it is
+    Vec3 color{0.8, 0.8, 0.8};                // linear
     std::shared_ptr<const ColorMap> colorMap; // null: `color`
 
     Mat4 worldFromObject() const;
@@ -52,12 +61,14 @@ struct SceneObject {
 };
 
 struct Scene {
-    std::string name;    // file stem
+    std::string name; // file stem
     std::string purpose;
     Vec3 background{0, 0, 0}; // linear
     Camera camera;
     std::vector<Light> lights;
     std::vector<SceneObject> objects;
+    std::vector<std::string>
+        warnings;     // a line each: what a user should know of meshes and maps before trusting figures
     std::string hash; // of the scene file and every file it names; hexadecimal
 };
 
