@@ -2,8 +2,7 @@
 
 #include "../scenes/displaced_surface.h"
 #include "../scenes/error.h"
-#include "grid_layout.h"
-#include "tessellate.h"
+#include "lattice.h"
 
 #include <fmt/format.h>
 
@@ -97,7 +96,7 @@ bool isExactWhenCoarse(const ControlMesh& mesh, const SceneObject& object) {
 
 int powerOfTwoAtLeast(double value) {
     int power = 1;
-    while (power < value && power < kMaxRate)
+    while (power < value && power < kMostRate)
         power *= 2;
     return power;
 }
@@ -119,7 +118,8 @@ std::vector<int> ratesWithinMemory(const std::vector<const BaseSurface*>& surfac
         size_t largest = surfaces.size();
         uint64_t mostTriangles = 0;
         for (size_t i = 0; i < surfaces.size(); ++i) {
-            const uint64_t triangles = microMeshSize(*surfaces[i], rates[i]).microTriangles;
+            const uint64_t triangles =
+                microMeshSize(*surfaces[i], uniformRates(*surfaces[i], rates[i])).microTriangles;
             bytes += kBytesPerMicroTriangle * static_cast<double>(triangles);
             if (triangles > mostTriangles && rates[i] > smallestRate(*surfaces[i])) {
                 mostTriangles = triangles;

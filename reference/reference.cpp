@@ -4,7 +4,7 @@
 #include "../scenes/error.h"
 #include "../scenes/scene_metadata.h"
 #include "embree_scene.h"
-#include "grid_layout.h"
+#include "lattice.h"
 #include "rate.h"
 #include "render.h"
 #include "tessellate.h"
@@ -46,7 +46,8 @@ struct ReferenceScene::Impl {
         for (size_t i = 0; i < surfaces.size(); ++i) {
             const SceneObject& object = scene.objects[i];
             meshes.push_back(tessellate(*surfaces[i], object.relief ? &*object.relief : nullptr,
-                                        stats.objects[i].rate, options.microAttributes));
+                                        uniformRates(*surfaces[i], stats.objects[i].rate),
+                                        options.microAttributes));
         }
         stats.tessellateMs = tessellateWatch.elapsedMs();
         const Stopwatch buildWatch;
@@ -62,9 +63,9 @@ struct ReferenceScene::Impl {
             wanted.push_back(wantedRate(*surfaces[i], scene.objects[i], scene.camera));
             rates.push_back(options.rate ? std::max(options.rate, smallestRate(*surfaces[i])) : wanted[i]);
         }
-        if (options.rate < 0 || options.rate > kMaxRate || (options.rate & (options.rate - 1)) != 0)
+        if (options.rate < 0 || options.rate > kMostRate || (options.rate & (options.rate - 1)) != 0)
             throw InputError("--rate", fmt::format("found {}", options.rate),
-                             fmt::format("a power of two from 1 to {}", kMaxRate));
+                             fmt::format("a power of two from 1 to {}", kMostRate));
         // A rate asked for is taken as it is, or refused: never quietly another.
         const std::vector<int> fitting = ratesWithinMemory(pointers, rates, options.memoryBytes);
         if (options.rate && fitting != rates)
@@ -73,7 +74,8 @@ struct ReferenceScene::Impl {
                 fmt::format("rate {} doesn't fit --memory {} MB", options.rate, options.memoryBytes >> 20),
                 "a smaller rate or more memory");
         for (size_t i = 0; i < surfaces.size(); ++i) {
-            const uint64_t triangles = microMeshSize(*surfaces[i], fitting[i]).microTriangles;
+            const uint64_t triangles =
+                microMeshSize(*surfaces[i], uniformRates(*surfaces[i], fitting[i])).microTriangles;
             stats.objects.push_back({scene.objects[i].name, fitting[i], wanted[i], triangles});
             stats.microTriangles += triangles;
         }
@@ -96,7 +98,7 @@ struct ReferenceScene::Impl {
         frame.metadata["base"] = "limit";
         frame.metadata["micro_triangles"] = fmt::format("{}", stats.microTriangles);
         for (size_t i = 0; i < meshes.size(); ++i)
-            frame.metadata[fmt::format("object.{}.rate", i + 1)] = fmt::format("{}", meshes[i].rate);
+            frame.metadata[fmt::format("object.{}.rate", i + 1)] = fmt::format("{}", stats.objects[i].rate);
         return frame;
     }
 };

@@ -2,9 +2,7 @@
 
 #include "../scenes/displaced_surface.h"
 #include "embree.h"
-#include "grid_layout.h"
 #include "resolve_hit.h"
-#include "tessellate.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -103,14 +101,8 @@ class FrameTracer {
         const TracedObject& object = objects_[hit->object];
         const MicroGrid& grid = object.mesh->grids[hit->grid];
         const ResolvedHit resolved = resolveHit(*object.mesh, grid, hit->u, hit->v, hit->distance, ray);
-        const double cells = patchRate(object.surface->patches()[grid.patch], object.mesh->rate);
-        result = {static_cast<uint32_t>(pixel),
-                  hit->object,
-                  grid.patch,
-                  resolved.position,
-                  resolved.facetNormal,
-                  resolved.column / cells,
-                  resolved.row / cells};
+        result = {static_cast<uint32_t>(pixel), hit->object,   grid.patch,   resolved.position,
+                  resolved.facetNormal,         resolved.uv.x, resolved.uv.y};
         return true;
     }
 

@@ -1,5 +1,7 @@
 #include "resolve_hit.h"
 
+#include "lattice.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,7 +12,7 @@ namespace {
 /// One micro-triangle of a cell: `corner`, then the two reached along +-1 column and +-1 row.
 struct Triangle {
     Vec3 corner, alongColumn, alongRow; // the latter two are edges
-    double column, row, sign;           // lattice place of the corner; sign of both steps
+    int column, row, sign;              // lattice place of the corner; sign of both steps
 };
 
 struct Intersection {
@@ -48,10 +50,10 @@ Triangle triangleOf(const MicroMesh& mesh, const MicroGrid& grid, int column, in
     const Vec3 b = vertex(column + 1, row), c = vertex(column, row + 1);
     if (!upper) {
         const Vec3 a = vertex(column, row);
-        return {a, b - a, c - a, double(grid.column0) + column, double(grid.row0) + row, 1};
+        return {a, b - a, c - a, grid.column0 + column, grid.row0 + row, 1};
     }
     const Vec3 d = vertex(column + 1, row + 1);
-    return {d, c - d, b - d, double(grid.column0) + column + 1, double(grid.row0) + row + 1, -1};
+    return {d, c - d, b - d, grid.column0 + column + 1, grid.row0 + row + 1, -1};
 }
 
 } // namespace
@@ -83,8 +85,10 @@ ResolvedHit resolveHit(const MicroMesh& mesh, const MicroGrid& grid, float u, fl
     result.position = triangle.corner + beta * triangle.alongColumn + gamma * triangle.alongRow;
     result.distance = glm::dot(result.position - ray.origin, ray.direction);
     result.facetNormal = glm::normalize(glm::cross(triangle.alongColumn, triangle.alongRow));
-    result.column = triangle.column + triangle.sign * beta;
-    result.row = triangle.row + triangle.sign * gamma;
+    const PatchLattice& lattice = mesh.lattices[grid.patch];
+    const Vec2 corner = latticeUv(lattice, triangle.column, triangle.row);
+    result.uv = corner + beta * (latticeUv(lattice, triangle.column + triangle.sign, triangle.row) - corner) +
+                gamma * (latticeUv(lattice, triangle.column, triangle.row + triangle.sign) - corner);
     return result;
 }
 

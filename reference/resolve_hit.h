@@ -6,10 +6,10 @@
 namespace plumbline {
 
 struct ResolvedHit {
-    double distance;    // along the (unit) ray, world units
-    Vec3 position;      // world, on the micro-triangle
-    Vec3 facetNormal;   // world, unit; of the micro-triangle, outward
-    double column, row; // place in the patch's lattice: divide by the patch's rate for (u,v)
+    double distance;  // along the (unit) ray, world units
+    Vec3 position;    // world, on the micro-triangle
+    Vec3 facetNormal; // world, unit; of the micro-triangle, outward
+    Vec2 uv;          // of the patch
 };
 
 /// `u`, `v`: Embree's coordinates over the grid. They name the cell but for about 1 hit in 10^4 on a border,

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline {
 namespace {
 
@@ -44,6 +46,9 @@ HeightMap::HeightMap(std::string name, int width, int height, std::vector<float>
                          fmt::format("{} values for a height map of {} x {}", depths_.size(), width, height),
                          "at least 1 x 1 texels and a value for each");
     checkDepths(name_, width_, depths_);
+    const auto [least, most] = std::minmax_element(depths_.begin(), depths_.end());
+    leastDepth_ = *least;
+    mostDepth_ = *most;
 }
 
 HeightMap HeightMap::constant(std::string name, float depth) {
@@ -53,6 +58,20 @@ HeightMap HeightMap::constant(std::string name, float depth) {
 float HeightMap::texel(int i, int j) const {
     const auto row = static_cast<size_t>(wrapIndex(j, height_, wrapT_));
     return depths_[row * static_cast<size_t>(width_) + static_cast<size_t>(wrapIndex(i, width_, wrapS_))];
+}
+
+HeightMap::Cell HeightMap::cell(int i, int j) const {
+    const int column = wrapIndex(i, width_, wrapS_), row = wrapIndex(j, height_, wrapT_);
+    const auto next = [](int index, int size, Wrap wrap, bool below) {
+        if (below || index + 1 < size) return below ? index : index + 1;
+        return wrap == Wrap::Repeat ? 0 : index;
+    };
+    // Left of a clamped map's first texel both ends are that texel.
+    const int right = next(column, width_, wrapS_, wrapS_ == Wrap::Clamp && i < 0);
+    const int above = next(row, height_, wrapT_, wrapT_ == Wrap::Clamp && j < 0);
+    const float* lower = depths_.data() + static_cast<size_t>(row) * static_cast<size_t>(width_);
+    const float* upper = depths_.data() + static_cast<size_t>(above) * static_cast<size_t>(width_);
+    return {lower[column], lower[right], upper[column], upper[right]};
 }
 
 double HeightMap::depth(const Vec2& st) const {

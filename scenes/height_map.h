@@ -30,8 +30,16 @@ class HeightMap {
     Wrap wrapS() const { return wrapS_; }
     Wrap wrapT() const { return wrapT_; }
     const std::vector<float>& depths() const { return depths_; }
+    /// Smallest and largest of the depths.
+    float leastDepth() const { return leastDepth_; }
+    float mostDepth() const { return mostDepth_; }
     /// Texel by index, wrapped.
     float texel(int i, int j) const;
+    /// The bilinear patch between texels (i, j) and (i+1, j+1), wrapped: d_xy at x right, y up.
+    struct Cell {
+        double d00, d10, d01, d11;
+    };
+    Cell cell(int i, int j) const;
 
     /// Relief depth at texture coordinates st, any real numbers. NaN where there is no texel to speak of: st is NaN,
     /// or infinite along an axis that repeats (an infinite coordinate clamps to the border texel otherwise).
@@ -50,6 +58,7 @@ class HeightMap {
     int width_, height_;
     std::vector<float> depths_;
     Wrap wrapS_, wrapT_;
+    float leastDepth_, mostDepth_;
 };
 
 } // namespace plumbline

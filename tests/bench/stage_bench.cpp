@@ -2,7 +2,7 @@
 
 #include "../../reference/embree.h"
 #include "../../reference/embree_scene.h"
-#include "../../reference/grid_layout.h"
+#include "../../reference/lattice.h"
 #include "../../reference/render.h"
 #include "../../reference/tessellate.h"
 #include "../../scenes/displaced_surface.h"
@@ -61,10 +61,14 @@ void runPaired(benchmark::State& state, double items, Stage stage, Bare bare) {
 void tessellateStage(benchmark::State& state) {
     const int rate = static_cast<int>(state.range(0));
     const int patchCount = static_cast<int>(torus().surface->patches().size());
-    const auto microTriangles = static_cast<double>(microMeshSize(*torus().surface, rate).microTriangles);
+    const auto microTriangles = static_cast<double>(
+        microMeshSize(*torus().surface, uniformRates(*torus().surface, rate)).microTriangles);
     runPaired(
         state, microTriangles,
-        [&] { benchmark::DoNotOptimize(tessellate(*torus().surface, torus().relief, rate, false)); },
+        [&] {
+            benchmark::DoNotOptimize(
+                tessellate(*torus().surface, torus().relief, uniformRates(*torus().surface, rate), false));
+        },
         [&] {
             tbb::parallel_for(0, patchCount, [&](int patch) {
                 BaseSurface::Evaluator evaluator(*torus().surface);
@@ -80,7 +84,8 @@ void tessellateStage(benchmark::State& state) {
 
 void buildStage(benchmark::State& state) {
     std::vector<MicroMesh> meshes;
-    meshes.push_back(tessellate(*torus().surface, torus().relief, static_cast<int>(state.range(0)), false));
+    meshes.push_back(tessellate(*torus().surface, torus().relief,
+                                uniformRates(*torus().surface, static_cast<int>(state.range(0))), false));
     for (auto _ : state)
         state.SetIterationTime(seconds([&] { benchmark::DoNotOptimize(EmbreeScene(meshes)); }));
     state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(meshes[0].microTriangleCount));
@@ -110,7 +115,8 @@ void forEachFlushed(size_t count, Body body) {
 /// The whole frame: rays, hits in double, normals by second derivatives, colour. Bare: the same rays with nothing around them.
 void traceStage(benchmark::State& state) {
     std::vector<MicroMesh> meshes;
-    meshes.push_back(tessellate(*torus().surface, torus().relief, static_cast<int>(state.range(0)), false));
+    meshes.push_back(tessellate(*torus().surface, torus().relief,
+                                uniformRates(*torus().surface, static_cast<int>(state.range(0))), false));
     const EmbreeScene embree(meshes);
     const std::vector<TracedObject> objects{{&torus().scene.objects[0], torus().surface.get(), &meshes[0]}};
     const auto render = [&] {

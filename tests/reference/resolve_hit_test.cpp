@@ -15,7 +15,8 @@ MicroMesh tiltedGrid() {
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 5; ++column)
             mesh.positionsWorld.push_back(Vec3f(column, row, 0.5f * column - 0.25f * row));
-    mesh.grids.push_back({0, 7, 5, 4, 32, 16});
+    mesh.lattices = {{64, 64, {64, 64, 64, 64}, false}};
+    mesh.grids.push_back({0, 0, 5, 4, 32, 16, 0});
     return mesh;
 }
 
@@ -26,8 +27,8 @@ TEST(ResolveHit, PlaceInTheLatticeAndDistance) {
             const Ray ray{{x, y, 10}, {0, 0, -1}};
             const ResolvedHit hit = resolveHit(mesh, mesh.grids[0], float(x / 4), float(y / 3), 0, ray);
             EXPECT_NEAR(hit.distance, 10 - (0.5 * x - 0.25 * y), 1e-14);
-            EXPECT_NEAR(hit.column, 32 + x, 1e-14);
-            EXPECT_NEAR(hit.row, 16 + y, 1e-14);
+            EXPECT_NEAR(64 * hit.uv.x, 32 + x, 1e-14);
+            EXPECT_NEAR(64 * hit.uv.y, 16 + y, 1e-14);
             EXPECT_LT(glm::length(hit.facetNormal - glm::normalize(Vec3(-0.5, 0.25, 1))), 1e-15);
         }
 }
@@ -37,8 +38,8 @@ TEST(ResolveHit, ANeighboursCellIsMended) {
     const Ray ray{{2.0000001, 1.4, 10},
                   {0, 0, -1}}; // in cell (2, 1), but named (1, 1), as float u at a border may
     const ResolvedHit hit = resolveHit(mesh, mesh.grids[0], 1.9999f / 4, 1.4f / 3, 9, ray);
-    EXPECT_NEAR(hit.column, 34.0000001, 1e-12);
-    EXPECT_NEAR(hit.row, 17.4, 1e-12);
+    EXPECT_NEAR(64 * hit.uv.x, 34.0000001, 1e-12);
+    EXPECT_NEAR(64 * hit.uv.y, 17.4, 1e-12);
 }
 
 TEST(ResolveHit, OfTwoSheetsTheOneEmbreeMet) {
@@ -48,7 +49,8 @@ TEST(ResolveHit, OfTwoSheetsTheOneEmbreeMet) {
     for (const float y : {0.0f, 1.0f})
         for (const Vec2f& xz : {Vec2f(0, 0), Vec2f(1, 0), Vec2f(0.2f, 1)})
             mesh.positionsWorld.push_back({xz.x, y, xz.y});
-    mesh.grids.push_back({0, 0, 3, 2, 0, 0});
+    mesh.lattices = {{2, 1, {2, 1, 2, 1}, false}};
+    mesh.grids.push_back({0, 0, 3, 2, 0, 0, 0});
     const Ray ray{{0.5, 0.25, 5}, {0, 0, -1}};
     const double upperZ = (1 - 0.5) / 0.8;
     // Named: the lower triangle's far half, which the ray misses.
@@ -62,8 +64,8 @@ TEST(ResolveHit, GrazingAnEdgeStaysOnTheMesh) {
     const MicroMesh mesh = tiltedGrid();
     const Ray ray{{4 + 1e-9, 2, 10}, {0, 0, -1}}; // just past the last column
     const ResolvedHit hit = resolveHit(mesh, mesh.grids[0], 1, 2.0f / 3, 9, ray);
-    EXPECT_EQ(hit.column, 36);
-    EXPECT_NEAR(hit.row, 18, 1e-8);
+    EXPECT_EQ(64 * hit.uv.x, 36);
+    EXPECT_NEAR(64 * hit.uv.y, 18, 1e-8);
     EXPECT_NEAR(hit.distance, 10 - 1.5, 1e-8);
 }
 

@@ -1,7 +1,8 @@
 // The micro-mesh as a mesh: closed, complete, welded, and on the surface it stands for.
-#include "../../reference/grid_layout.h"
+#include "../../reference/lattice.h"
 #include "../../reference/tessellate.h"
 #include "../../scenes/displaced_surface.h"
+#include "micro_mesh_checks.h"
 #include "test_scenes.h"
 
 #include <gtest/gtest.h>
@@ -11,46 +12,6 @@
 
 namespace plumbline {
 namespace {
-
-using Triangle = std::array<Vec3f, 3>;
-
-/// Micro-triangles with corners that differ, as MicroGrid defines them.
-std::vector<Triangle> trianglesWithArea(const MicroMesh& mesh) {
-    std::vector<Triangle> triangles;
-    const auto keep = [&](const Vec3f& a, const Vec3f& b, const Vec3f& c) {
-        if (a != b && b != c && c != a) triangles.push_back({a, b, c});
-    };
-    for (const MicroGrid& grid : mesh.grids)
-        for (uint32_t row = 0; row + 1 < grid.rows; ++row)
-            for (uint32_t column = 0; column + 1 < grid.columns; ++column) {
-                const Vec3f* a = &mesh.positionsWorld[grid.firstVertex + row * grid.columns + column];
-                keep(a[0], a[1], a[grid.columns]);
-                keep(a[grid.columns + 1], a[grid.columns], a[1]);
-            }
-    return triangles;
-}
-
-/// Edges, by position, that don't have exactly one partner running the other way.
-int unmatchedEdges(const std::vector<Triangle>& triangles) {
-    std::map<std::array<float, 6>, int> edges;
-    for (const Triangle& t : triangles)
-        for (size_t k = 0; k < 3; ++k) {
-            const Vec3f &a = t[k], &b = t[(k + 1) % 3];
-            ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
-            --edges[{b.x, b.y, b.z, a.x, a.y, a.z}];
-        }
-    int unmatched = 0;
-    for (const auto& [edge, balance] : edges)
-        unmatched += balance != 0;
-    return unmatched;
-}
-
-double signedVolume(const std::vector<Triangle>& triangles) {
-    double volume = 0;
-    for (const Triangle& t : triangles)
-        volume += glm::dot(Vec3(t[0]), glm::cross(Vec3(t[1]), Vec3(t[2]))) / 6;
-    return volume;
-}
 
 ControlMesh octahedron() {
     ControlMesh mesh;
@@ -84,35 +45,38 @@ TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
         for (const int rate : {1, 2, 4, 16, 32, 64}) {
             if (rate < smallestRate(surface)) continue;
             SCOPED_TRACE(testing::Message() << "scheme " << int(scheme) << ", rate " << rate);
-            const MicroMesh mesh = tessellate(surface, &relief, rate, false);
+            const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, rate), false);
             const std::vector<Triangle> triangles = trianglesWithArea(mesh);
             // Loop: rate^2 on each of 8 triangles; else 3 quarters of 2 (rate/2)^2 each.
             const uint64_t expected =
                 scheme == Scheme::Loop ? 8u * rate * rate : 8u * 3 * 2 * (rate / 2) * (rate / 2);
             EXPECT_EQ(triangles.size(), expected);
             EXPECT_EQ(mesh.microTriangleCount, expected);
-            EXPECT_EQ(microMeshSize(surface, rate).vertices, mesh.positionsWorld.size());
-            EXPECT_EQ(microMeshSize(surface, rate).grids, mesh.grids.size());
+            EXPECT_EQ(microMeshSize(surface, uniformRates(surface, rate)).vertices,
+                      mesh.positionsWorld.size());
+            EXPECT_EQ(microMeshSize(surface, uniformRates(surface, rate)).grids, mesh.grids.size());
             EXPECT_EQ(unmatchedEdges(triangles), 0);
             EXPECT_GT(signedVolume(triangles), 0);
         }
     }
     // Without relief the polygons' micro-triangles fill the octahedron: 8 corners' pyramids of 1/6.
     const BaseSurface polygons(octahedron(), Scheme::None);
-    EXPECT_NEAR(signedVolume(trianglesWithArea(tessellate(polygons, nullptr, 32, false))), 8.0 / 6,
-                1e-5); // float
+    EXPECT_NEAR(
+        signedVolume(trianglesWithArea(tessellate(polygons, nullptr, uniformRates(polygons, 32), false))),
+        8.0 / 6,
+        1e-5); // float
 }
 
 TEST(Tessellate, InteriorVerticesLieOnTheSurface) {
     const Relief relief = noiseRelief(0.05);
     for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark}) {
         const BaseSurface surface(octahedron(), scheme);
-        const MicroMesh mesh = tessellate(surface, &relief, 32, true);
+        const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, 32), true);
         BaseSurface::Evaluator evaluator(surface);
         int checked = 0;
         for (const MicroGrid& grid : mesh.grids) {
             const BaseSurface::Patch& patch = surface.patches()[grid.patch];
-            const uint32_t cells = static_cast<uint32_t>(patchRate(patch, 32));
+            const uint32_t cells = mesh.lattices[grid.patch].columns;
             evaluator.setPatch(static_cast<int>(grid.patch));
             for (uint32_t row = grid.row0; row < grid.row0 + grid.rows; ++row)
                 for (uint32_t column = grid.column0; column < grid.column0 + grid.columns; ++column) {
@@ -153,7 +117,7 @@ TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
     const std::vector<float> depths{0.125f, 1, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0};
     const Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
                         Vec2(1), Vec2(0)};
-    const MicroMesh micro = tessellate(surface, &relief, 8, false);
+    const MicroMesh micro = tessellate(surface, &relief, uniformRates(surface, 8), false);
     int checked = 0;
     for (const Vec3f& p : micro.positionsWorld) {
         if (p.x != 0 || p.y < 0.125f || p.y > 0.875f) continue;

@@ -1,0 +1,53 @@
+// A tile: part of a patch's lattice with the true surface sampled at every vertex, from which micro-vertices and the bound
+// on their error are made.
+#pragma once
+
+#include "../scenes/base_surface.h"
+#include "../scenes/scene.h"
+#include "lattice.h"
+#include "map_deviation.h"
+
+#include <vector>
+
+namespace plumbline {
+
+/// Grids side by side in a tile: enough that its border, sampled by its neighbours too, costs little.
+inline constexpr int kTileGrids = 8;
+
+struct TileVertex {
+    Vec3 base{0};      // S, world
+    Vec3 normal{0};    // n, unit
+    MapPoint map;      // texel coordinates and d; zero without a relief
+    double height = 0; // displacement along n, world units
+    Vec3 displaced() const { return base + normal * height; }
+};
+
+struct Tile {
+    int patch;
+    int column0, row0;                // in the lattice
+    int columns, rows;                // cells
+    std::vector<TileVertex> vertices; // (columns + 1) x (rows + 1), row by row
+    /// How far the vertex shared with the neighbours is from the one this patch would have, world units; the largest of a grid.
+    std::vector<double> tears; // as vertices
+
+    size_t index(int column, int row) const {
+        return static_cast<size_t>(row) * static_cast<size_t>(columns + 1) + static_cast<size_t>(column);
+    }
+    const TileVertex& at(int column, int row) const { return vertices[index(column, row)]; }
+};
+
+/// Fills the tile's vertices. `evaluator`: set to the tile's patch.
+void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
+                const BaseSurface::Evaluator& evaluator);
+
+/// Bound on the distance between the surface and the place of the same (u, v) on the micro-triangles of the tile's cells
+/// [column0, column0 + columns) x [row0, row0 + rows), world units.
+///
+/// With weights w over a micro-triangle's corners, S, n, h at them and P = S + n h,
+///     P - sum w P = (S - sum w S) + (n - sum w n) h + (sum w n)(h - sum w h) + sum w n (sum w h - h_k):
+/// the bows of S and of n, measured at the middles of the edges of some cells, with kBowMargin on top; that of h exactly, from
+/// the texels (map_deviation.h); and a covariance, a quarter of the product of the ranges at most.
+double tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
+                 const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows);
+
+} // namespace plumbline
