@@ -3,6 +3,7 @@
 #include "../scenes/displaced_surface.h"
 #include "../scenes/error.h"
 #include "../scenes/scene_metadata.h"
+#include "certify.h"
 #include "embree_scene.h"
 #include "lattice.h"
 #include "rate.h"
@@ -86,13 +87,22 @@ struct ReferenceScene::Impl {
     Frame render() {
         const Stopwatch watch;
         std::vector<TracedObject> objects;
-        for (size_t i = 0; i < meshes.size(); ++i)
-            objects.push_back({&scene.objects[i], surfaces[i].get(), &meshes[i]});
+        for (size_t i = 0; i < meshes.size(); ++i) {
+            const SceneObject& object = scene.objects[i];
+            objects.push_back(
+                {&object, object.relief ? &*object.relief : nullptr, surfaces[i].get(), &meshes[i]});
+        }
         RayCounts counts;
-        Frame frame = renderFrame(scene, objects, *embree, counts);
+        FrameEvidence evidence;
+        Frame frame = traceFrame(scene, objects, *embree, counts, evidence);
         stats.traceMs = watch.elapsedMs();
+        const Stopwatch certifyWatch;
+        stats.certificate.aimPx = options.errorPx;
+        certifyFrame(scene, objects, *embree, evidence, frame, stats.certificate);
+        stats.certifyMs = certifyWatch.elapsedMs();
         stats.cameraRays = counts.camera;
         stats.shadowRays = counts.shadow;
+        stats.unpolishedHits = counts.unpolished;
         frame.metadata = sceneMetadata(scene);
         frame.metadata["renderer"] = "reference";
         frame.metadata["base"] = "limit";

@@ -31,8 +31,9 @@ struct ReferenceOptions {
 
 /// How far the traced micro-triangles are from the surface P(u,v) they stand for, measured.
 ///
-/// Each pixel that shows the surface has the distance measured in the micro-cell it sees: the largest over points inside it,
-/// on its edges and where creases between texels cross it. Percentiles are nearest-rank over those pixels; 0 without any.
+/// Each pixel that shows the surface has the bound of the grid of 16 x 16 micro-cells it sees (MicroGrid::errorWorld): no place
+/// of the surface is farther from the one of the same (u,v) on the micro-triangles, measured at points inside, on edges and where
+/// creases between texels cross them. Percentiles are nearest-rank over those pixels; 0 without any.
 struct Certificate {
     double worldP50 = 0, worldP99 = 0, worldMax = 0; // world units
     double pxP50 = 0, pxP99 = 0, pxMax = 0; // pixels: seen from the camera, as if across the line of sight
@@ -45,9 +46,10 @@ struct Certificate {
 struct ReferenceStats {
     Certificate certificate; // of the last render()
     uint64_t microTriangles = 0;
-    double tessellateMs = 0, buildMs = 0, traceMs = 0;
+    double tessellateMs = 0, buildMs = 0, traceMs = 0, certifyMs = 0;
     uint64_t cameraRays = 0, shadowRays = 0;
-    uint64_t geometryBytes = 0; // micro-triangles, estimated acceleration structure included
+    uint64_t unpolishedHits = 0; // stayed on their micro-triangle: no point of the surface was found near it
+    uint64_t geometryBytes = 0;  // micro-triangles, estimated acceleration structure included
     struct Object {
         std::string name;
         int rate;       // segments per control edge taken

@@ -2,6 +2,8 @@
 
 #include "../scenes/displaced_surface.h"
 #include "embree.h"
+#include "facing.h"
+#include "polish.h"
 #include "resolve_hit.h"
 
 #include <tbb/blocked_range.h>
@@ -21,18 +23,29 @@ namespace {
 // patch.
 constexpr size_t kBandPixels = size_t(1) << 18;
 
-// A shadow ray starts this far off its micro-triangle, as a fraction of the largest coordinate in play:
+// A shadow ray starts at least this far off the surface, as a fraction of the largest coordinate in play:
 // vertices, the ray's origin and Embree's edge tests are each rounded to 2^-24 of it, eight times over with
 // room to spare.
 constexpr double kShadowOffsetFraction = 0x1p-20;
 
+// The true surface is looked for this many times the grid's error bound along the normal away from the micro-triangle. Along the ray that
+// is more, up to what a ray at kGrazingCosine to the facet would need.
+constexpr double kPolishReach = 2;
+constexpr double kGrazingCosine = 0.02;
+
+// A blocker this many times the error's reach away can't be the surface's own stand-in any more.
+constexpr double kBelowReach = 4;
+
+// Cells of a torn patch's border that the wall between it and its neighbour may shadow or hide: the one it stands in for and the next.
+constexpr double kTearCells = 2;
+
 struct PixelHit {
     uint32_t pixel;
-    uint32_t object;
-    uint32_t patch;
-    Vec3 position;
+    uint32_t object, grid;
+    PatchPlace place;
+    Vec3 position; // on the micro-triangle
     Vec3 facetNormal;
-    double u, v;
+    double distance;
 };
 
 class FrameTracer {
@@ -45,24 +58,31 @@ class FrameTracer {
             channels_.push_back(frame_.add(name).data());
         for (const Light& light : scene.lights)
             shadows_.push_back(frame_.add(shadowChannel(light.name)).data());
-        for (const TracedObject& object : objects)
+        for (const TracedObject& object : objects) {
+            neighbours_.emplace_back(*object.surface);
             for (const Vec3f& position : object.mesh->positionsWorld)
                 largestCoordinate_ = std::max(
                     {largestCoordinate_, std::abs(position.x), std::abs(position.y), std::abs(position.z)});
+        }
+        evidence_.errorWorld.assign(frame_.pixelCount(), 0);
+        evidence_.unsettled.assign(frame_.pixelCount(), 0);
+        evidence_.shadowBy.assign(scene.lights.size(), std::vector<uint8_t>(frame_.pixelCount(), 0));
         fillBackground();
     }
 
-    Frame trace(RayCounts& counts) {
+    Frame trace(RayCounts& counts, FrameEvidence& evidence) {
         for (size_t first = 0; first < frame_.pixelCount(); first += kBandPixels) {
             const size_t count = std::min(kBandPixels, frame_.pixelCount() - first);
             std::vector<PixelHit> hits = traceBand(first, count);
             counts.camera += count;
             // Runs of hits on one patch share its set-up.
             tbb::parallel_sort(hits.begin(), hits.end(), [](const PixelHit& a, const PixelHit& b) {
-                return std::tie(a.object, a.patch, a.pixel) < std::tie(b.object, b.patch, b.pixel);
+                return std::tie(a.object, a.place.patch, a.pixel) <
+                       std::tie(b.object, b.place.patch, b.pixel);
             });
-            counts.shadow += shadeBand(hits);
+            shadeBand(hits, counts);
         }
+        evidence = std::move(evidence_);
         return std::move(frame_);
     }
 
@@ -73,6 +93,11 @@ class FrameTracer {
         for (int k = 0; k < 3; ++k)
             std::fill_n(channels_[static_cast<size_t>(R + k)], frame_.pixelCount(),
                         static_cast<float>(scene_.background[k]));
+    }
+
+    Ray rayOf(size_t pixel) const {
+        const size_t width = static_cast<size_t>(frame_.width());
+        return rays_.ray(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
     }
 
     /// Camera rays of pixels [first, first + count); hits in the order of pixels.
@@ -93,84 +118,151 @@ class FrameTracer {
     }
 
     bool tracePixel(size_t pixel, PixelHit& result) const {
-        const size_t width = static_cast<size_t>(frame_.width());
-        const Ray ray =
-            rays_.ray(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+        const Ray ray = rayOf(pixel);
         const auto hit = embree_.intersect(ray.origin, ray.direction);
         if (!hit) return false;
-        const TracedObject& object = objects_[hit->object];
-        const MicroGrid& grid = object.mesh->grids[hit->grid];
-        const ResolvedHit resolved = resolveHit(*object.mesh, grid, hit->u, hit->v, hit->distance, ray);
-        result = {static_cast<uint32_t>(pixel), hit->object,   grid.patch,   resolved.position,
-                  resolved.facetNormal,         resolved.uv.x, resolved.uv.y};
+        const MicroMesh& mesh = *objects_[hit->object].mesh;
+        const MicroGrid& grid = mesh.grids[hit->grid];
+        const ResolvedHit resolved = resolveHit(mesh, grid, hit->u, hit->v, hit->distance, ray);
+        result = {static_cast<uint32_t>(pixel),
+                  hit->object,
+                  hit->grid,
+                  {static_cast<int>(grid.patch), resolved.uv},
+                  resolved.position,
+                  resolved.facetNormal,
+                  resolved.distance};
         return true;
     }
 
-    /// Writes the pixels of all hits; returns the number of shadow rays.
-    uint64_t shadeBand(const std::vector<PixelHit>& hits) {
-        std::atomic<uint64_t> shadowRays = 0;
-        tbb::parallel_for(
-            tbb::blocked_range<size_t>(0, hits.size(), 1024), [&](const tbb::blocked_range<size_t>& range) {
-                const FlushDenormals flush;
-                std::optional<BaseSurface::Evaluator> evaluator;
-                const PixelHit* previous = nullptr;
-                uint64_t rays = 0;
-                for (size_t i = range.begin(); i < range.end(); ++i) {
-                    const PixelHit& hit = hits[i];
-                    if (!previous || previous->object != hit.object)
-                        evaluator.emplace(*objects_[hit.object].surface);
-                    if (!previous || previous->object != hit.object || previous->patch != hit.patch)
-                        evaluator->setPatch(static_cast<int>(hit.patch));
-                    previous = &hit;
-                    rays += shade(hit, *evaluator);
-                }
-                shadowRays += rays;
-            });
-        return shadowRays;
+    /// Writes the pixels of all hits.
+    void shadeBand(const std::vector<PixelHit>& hits, RayCounts& counts) {
+        std::atomic<uint64_t> shadowRays = 0, unpolished = 0;
+        tbb::parallel_for(tbb::blocked_range<size_t>(0, hits.size(), 1024),
+                          [&](const tbb::blocked_range<size_t>& range) {
+                              const FlushDenormals flush;
+                              std::optional<Polisher> polisher;
+                              const PixelHit* previous = nullptr;
+                              RayCounts here;
+                              for (size_t i = range.begin(); i < range.end(); ++i) {
+                                  const PixelHit& hit = hits[i];
+                                  if (!previous || previous->object != hit.object)
+                                      polisher.emplace(*objects_[hit.object].surface,
+                                                       objects_[hit.object].relief, neighbours_[hit.object]);
+                                  previous = &hit;
+                                  shade(hit, *polisher, here);
+                              }
+                              shadowRays += here.shadow;
+                              unpolished += here.unpolished;
+                          });
+        counts.shadow += shadowRays;
+        counts.unpolished += unpolished;
     }
 
-    /// Writes one pixel; returns the number of shadow rays.
-    uint64_t shade(const PixelHit& hit, const BaseSurface::Evaluator& evaluator) {
-        const SceneObject& object = *objects_[hit.object].object;
-        const DisplacedSample surface =
-            displace(evaluator.sample(hit.u, hit.v), object.relief ? &*object.relief : nullptr);
-        const Vec3 toCamera = rays_.towardsCamera(hit.position);
-        // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the facet faces.
-        const Vec3 facing = glm::dot(hit.facetNormal, toCamera) < 0 ? -surface.normal : surface.normal;
+    double errorOf(const PixelHit& hit) const {
+        return objects_[hit.object].mesh->grids[hit.grid].errorWorld;
+    }
 
-        uint64_t shadowRays = 0;
+    /// The surface at a hit; the micro-triangle's place where it can't be moved onto the surface.
+    SurfaceSample surfaceAt(const PixelHit& hit, Polisher& polisher, RayCounts& counts) {
+        const Ray ray = rayOf(hit.pixel);
+        const double cosine = std::max(std::abs(glm::dot(hit.facetNormal, ray.direction)), kGrazingCosine);
+        if (const auto polished =
+                polisher.polish(ray, hit.place, hit.distance, kPolishReach * errorOf(hit) / cosine))
+            return polished->sample;
+        ++counts.unpolished;
+        evidence_.unsettled[hit.pixel] = 1;
+        SurfaceSample sample = polisher.sampleAt(hit.place);
+        sample.displaced.position = hit.position;
+        return sample;
+    }
+
+    /// Whether the place is in the outermost cells of a patch whose neighbour disagrees with it.
+    bool isBesideTear(const PixelHit& hit) const {
+        const MicroMesh& mesh = *objects_[hit.object].mesh;
+        if (!mesh.grids[hit.grid].torn) return false;
+        const PatchLattice& lattice = mesh.lattices[mesh.grids[hit.grid].patch];
+        const Vec2 uv = hit.place.uv;
+        // Where a side is coarser than its lattice, its cells are as wide as that side's segments.
+        const auto widest = [&](int side, int other, int cells) {
+            const int segments =
+                std::min(lattice.sides[static_cast<size_t>(side)], lattice.sides[static_cast<size_t>(other)]);
+            return std::max(kTearCells / cells, 1.0 / segments / 2);
+        };
+        const double nearU = widest(0, 2, lattice.columns), nearV = widest(1, 3, lattice.rows);
+        if (lattice.triangular) return std::min({uv.x, uv.y, 1 - uv.x - uv.y}) < std::max(nearU, nearV);
+        return std::min(uv.x, 1 - uv.x) < nearU || std::min(uv.y, 1 - uv.y) < nearV;
+    }
+
+    /// Whether within the error's reach the surface turns one side towards a direction that has this cosine to the facet.
+    bool facesThroughout(const PixelHit& hit, const SurfaceSample& surface, const Vec3& towards,
+                         double side) const {
+        if (isBesideTear(hit)) return false;
+        const double cosine = glm::dot(hit.facetNormal, towards);
+        return plumbline::facesThroughout(surface.base, objects_[hit.object].relief,
+                                          reachAlongSurface(errorOf(hit), cosine), towards, side);
+    }
+
+    /// Writes one pixel.
+    void shade(const PixelHit& hit, Polisher& polisher, RayCounts& counts) {
+        const SceneObject& object = *objects_[hit.object].object;
+        const SurfaceSample sampled = surfaceAt(hit, polisher, counts);
+        const DisplacedSample& surface = sampled.displaced;
+        const Vec3 toCamera = rays_.towardsCamera(surface.position);
+        // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the facet faces.
+        const double side = glm::dot(hit.facetNormal, toCamera) < 0 ? -1 : 1;
+        const Vec3 facing = side * surface.normal;
+        evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
+        if (!facesThroughout(hit, sampled, toCamera, side)) evidence_.unsettled[hit.pixel] = 1;
+
         double light = kAmbient;
         for (size_t i = 0; i < scene_.lights.size(); ++i) {
-            const LightSample sample = sampleLight(scene_.lights[i], hit.position);
+            const LightSample sample = sampleLight(scene_.lights[i], surface.position);
             const double cosine = glm::dot(facing, sample.toLightWorld);
             bool shadow = cosine <= 0;
             if (!shadow) {
-                shadow = castShadow(hit, sample);
-                ++shadowRays;
+                const Ray ray = shadowRay(hit, surface.position, facing, sample);
+                shadow = embree_.occluded(ray.origin, ray.direction, static_cast<float>(sample.distance));
+                const bool clear = shadow ? !startsBelow(hit, ray, side)
+                                          : facesThroughout(hit, sampled, sample.toLightWorld, side);
+                evidence_.shadowBy[i][hit.pixel] = clear ? FrameEvidence::kRay : FrameEvidence::kNearRay;
+                ++counts.shadow;
             }
             shadows_[i][hit.pixel] = shadow ? 1.0f : 0.0f;
             if (!shadow) light += cosine;
         }
         const Vec3 color = object.colorAt(surface.st) * light;
         write(hit.pixel, R, color);
-        write(hit.pixel, PX, hit.position);
+        write(hit.pixel, PX, surface.position);
         write(hit.pixel, NX, surface.normal);
         channels_[A][hit.pixel] = 1;
-        channels_[Z][hit.pixel] = static_cast<float>(rays_.planarDepth(hit.position));
+        channels_[Z][hit.pixel] = static_cast<float>(rays_.planarDepth(surface.position));
         channels_[S][hit.pixel] = static_cast<float>(surface.st.x);
         channels_[T][hit.pixel] = static_cast<float>(surface.st.y);
         channels_[Id][hit.pixel] = static_cast<float>(hit.object + 1);
-        return shadowRays;
     }
 
-    /// The ray leaves on the side of the micro-triangle where the light is, so that a facet which turns away
-    /// from a light the true surface faces doesn't shadow itself.
-    bool castShadow(const PixelHit& hit, const LightSample& light) const {
-        const double side = glm::dot(hit.facetNormal, light.toLightWorld) < 0 ? -1 : 1;
+    /// The ray leaves the true surface on the side where the light is, from above the micro-triangles that stand for it there:
+    /// they are within their error of it, so that none shadows the place it stands for.
+    Ray shadowRay(const PixelHit& hit, const Vec3& position, const Vec3& facing,
+                  const LightSample& light) const {
         const double reach =
             std::max(double(largestCoordinate_), std::isinf(light.distance) ? 0 : light.distance);
-        const Vec3 origin = hit.position + hit.facetNormal * (side * kShadowOffsetFraction * reach);
-        return embree_.occluded(origin, light.toLightWorld, static_cast<float>(light.distance));
+        return {position + facing * (errorOf(hit) + kShadowOffsetFraction * reach), light.toLightWorld};
+    }
+
+    /// Whether a shadow ray that is blocked is so because it begins beneath micro-triangles that stand too high beside the place:
+    /// what it meets first is their inner side, not farther than their error explains.
+    bool startsBelow(const PixelHit& hit, const Ray& ray, double side) const {
+        const auto blocker = embree_.intersect(ray.origin, ray.direction);
+        if (!blocker || blocker->object != hit.object) return false;
+        const MicroMesh& mesh = *objects_[hit.object].mesh;
+        const MicroGrid& grid = mesh.grids[blocker->grid];
+        const ResolvedHit resolved = resolveHit(mesh, grid, blocker->u, blocker->v, blocker->distance, ray);
+        const double outwards = side * glm::dot(resolved.facetNormal, ray.direction);
+        const double error = std::max(double(grid.errorWorld), errorOf(hit));
+        return outwards > 0 &&
+               resolved.distance <=
+                   kBelowReach * reachAlongSurface(error, glm::dot(hit.facetNormal, ray.direction));
     }
 
     void write(uint32_t pixel, Plane first, const Vec3& value) {
@@ -183,15 +275,17 @@ class FrameTracer {
     const EmbreeScene& embree_;
     CameraRays rays_;
     Frame frame_;
+    FrameEvidence evidence_;
+    std::vector<PatchNeighbours> neighbours_; // per object
     std::vector<float*> channels_, shadows_;
     float largestCoordinate_ = 0;
 };
 
 } // namespace
 
-Frame renderFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
-                  RayCounts& counts) {
-    return FrameTracer(scene, objects, embree).trace(counts);
+Frame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                 RayCounts& counts, FrameEvidence& evidence) {
+    return FrameTracer(scene, objects, embree).trace(counts, evidence);
 }
 
 } // namespace plumbline

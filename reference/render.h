@@ -1,4 +1,4 @@
-// Traces the frame: camera rays, hits resolved in double, normals of the true surface, shadow rays.
+// Traces the frame: camera rays, hits moved onto the true surface, its normals, shadow rays.
 #pragma once
 
 #include "../scenes/base_surface.h"
@@ -6,21 +6,40 @@
 #include "../scenes/scene.h"
 #include "embree_scene.h"
 
+#include <vector>
+
 namespace plumbline {
 
 struct TracedObject {
     const SceneObject* object;
+    const Relief* relief; // null: none
     const BaseSurface* surface;
     const MicroMesh* mesh;
 };
 
 struct RayCounts {
     uint64_t camera = 0, shadow = 0;
+    uint64_t unpolished = 0; // hits that stayed on their micro-triangle
+};
+
+/// What is known of a frame's pixels beyond its channels.
+struct FrameEvidence {
+    std::vector<float> errorWorld; // bound of the grid seen, world units; 0 on a miss
+    /// 1: another place of the surface could be seen. The hit stayed on its micro-triangle, or the surface turns away within
+    /// reach of the error.
+    std::vector<uint8_t> unsettled;
+    /// Per light: how the shadow was decided.
+    enum ShadowBy : uint8_t {
+        kNormal,  // N.L <= 0
+        kRay,     // by a ray
+        kNearRay, // by a ray that is free, but the surface may rise into it within reach of the error
+    };
+    std::vector<std::vector<uint8_t>> shadowBy;
 };
 
 /// Every channel of the table but cost and uncertain. Parallel (TBB); every pixel is computed by itself, so
 /// the bytes don't depend on the number of threads.
-Frame renderFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
-                  RayCounts& counts);
+Frame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                 RayCounts& counts, FrameEvidence& evidence);
 
 } // namespace plumbline

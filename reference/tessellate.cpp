@@ -147,8 +147,10 @@ class Tessellator {
             grid.rows = static_cast<uint16_t>(tile.rows + 1);
             grid.column0 = static_cast<uint16_t>(tile.column0 + column0);
             grid.row0 = static_cast<uint16_t>(tile.row0);
-            grid.errorWorld = static_cast<float>(
-                tileError(tile, lattice, relief_, *worker.evaluator, column0, 0, cells, tile.rows));
+            const TileError error =
+                tileError(tile, lattice, relief_, *worker.evaluator, column0, 0, cells, tile.rows);
+            grid.errorWorld = static_cast<float>(error.world);
+            grid.torn = error.torn;
             for (int row = 0; row <= tile.rows; ++row)
                 for (int column = column0; column <= column0 + cells; ++column)
                     store(vertex++, worker.vertices[tile.index(column, row)]);

@@ -44,7 +44,7 @@ class TileMeasure {
                 const BaseSurface::Evaluator& evaluator)
         : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator) {}
 
-    double error(int column0, int row0, int columns, int rows) {
+    TileError error(int column0, int row0, int columns, int rows) {
         column0_ = column0, row0_ = row0, columns_ = columns, rows_ = rows;
         measureBase();
         double largestHeight = 0, map = 0, heightRange = 0, tear = 0, coordinate = 0;
@@ -67,7 +67,9 @@ class TileMeasure {
         const double depth = relief_ ? relief_->depth : 0;
         // Along a tear the true surface is a wall between the two heights, and no point of it is farther from a welded cell
         // than that cell is wide.
-        return bow + depth * map + covariance + std::min(tear, largestCell_) + kFloatRounding * coordinate;
+        const double rounding = kFloatRounding * coordinate;
+        return {bow + depth * map + covariance + std::min(tear, largestCell_) + rounding,
+                tear > 4 * rounding};
     }
 
   private:
@@ -152,8 +154,8 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
                 sampleVertex(evaluator, relief, latticeUv(lattice, tile.column0 + column, tile.row0 + row));
 }
 
-double tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
-                 const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows) {
+TileError tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
+                    const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows) {
     return TileMeasure(tile, lattice, relief, evaluator).error(column0, row0, columns, rows);
 }
 

@@ -47,7 +47,11 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
 ///     P - sum w P = (S - sum w S) + (n - sum w n) h + (sum w n)(h - sum w h) + sum w n (sum w h - h_k):
 /// the bows of S and of n, measured at the middles of the edges of some cells, with kBowMargin on top; that of h exactly, from
 /// the texels (map_deviation.h); and a covariance, a quarter of the product of the ranges at most.
-double tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
-                 const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows);
+struct TileError {
+    double world;
+    bool torn; // a vertex of it is farther from where its patch would have it than rounding explains
+};
+TileError tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
+                    const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows);
 
 } // namespace plumbline

@@ -21,7 +21,7 @@ double displacement(const Vec2& st, const Relief* relief) {
 
 DisplacedSample displace(const BaseSample& base, const Relief* relief) {
     const Vec2 st = textureCoordinates(base, relief);
-    if (!relief) return {base.position, base.normal, st, 0.0};
+    if (!relief) return {base.position, base.positionU, base.positionV, base.normal, st, 0.0};
 
     const HeightMap::Sample map = relief->map->sample(st);
     const double height = relief->offset - relief->depth * map.depth;
@@ -31,7 +31,8 @@ DisplacedSample displace(const BaseSample& base, const Relief* relief) {
     const Vec3 positionV = base.positionV + base.normalV * height + base.normal * heightV;
     const Vec3 cross = glm::cross(positionU, positionV);
     const double length = glm::length(cross);
-    return {base.position + base.normal * height, length > 0 ? cross / length : base.normal, st, map.depth};
+    return {base.position + base.normal * height,      positionU, positionV,
+            length > 0 ? cross / length : base.normal, st,        map.depth};
 }
 
 } // namespace plumbline

@@ -14,10 +14,11 @@ namespace plumbline {
 std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object);
 
 struct DisplacedSample {
-    Vec3 position;      // world
-    Vec3 normal;        // world, unit, of P itself: P_u x P_v; the base's where that vanishes
-    Vec2 st;            // tiled, unwrapped
-    double reliefDepth; // d; 0 without a relief
+    Vec3 position;             // world
+    Vec3 positionU, positionV; // derivatives of P by the patch's u and v
+    Vec3 normal;               // world, unit, of P itself: P_u x P_v; the base's where that vanishes
+    Vec2 st;                   // tiled, unwrapped
+    double reliefDepth;        // d; 0 without a relief
 };
 
 /// Texture coordinates of a base sample: tiled, or the plain uv without a relief.

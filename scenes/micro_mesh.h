@@ -35,6 +35,8 @@ struct MicroGrid {
     uint16_t column0, row0; // place of the first vertex in the patch's lattice
     /// No point of the surface is farther from the place of the same (u, v) on the grid's micro-triangles; world units.
     float errorWorld;
+    /// Whether faces disagree about a vertex of it, so that the surface closes with a wall there (Seams::Weld).
+    bool torn;
 };
 
 struct MicroMesh {

@@ -118,10 +118,12 @@ void traceStage(benchmark::State& state) {
     meshes.push_back(tessellate(*torus().surface, torus().relief,
                                 uniformRates(*torus().surface, static_cast<int>(state.range(0))), false));
     const EmbreeScene embree(meshes);
-    const std::vector<TracedObject> objects{{&torus().scene.objects[0], torus().surface.get(), &meshes[0]}};
+    const std::vector<TracedObject> objects{
+        {&torus().scene.objects[0], torus().relief, torus().surface.get(), &meshes[0]}};
     const auto render = [&] {
         RayCounts rays;
-        return renderFrame(torus().scene, objects, embree, rays);
+        FrameEvidence evidence;
+        return traceFrame(torus().scene, objects, embree, rays, evidence);
     };
     const Frame frame = render();
     const auto width = static_cast<size_t>(frame.width());

@@ -18,7 +18,7 @@ MicroMesh gridMesh(int columns, int rows, const std::vector<float>& heights) {
             mesh.normalsWorld.emplace_back(0, 1, 0);
             mesh.st.emplace_back(column, row);
         }
-    mesh.grids.push_back({0, 0, static_cast<uint16_t>(columns), static_cast<uint16_t>(rows), 0, 0, 0});
+    mesh.grids.push_back({0, 0, static_cast<uint16_t>(columns), static_cast<uint16_t>(rows), 0, 0, 0, false});
     return mesh;
 }
 
@@ -72,7 +72,7 @@ TEST(MicroTriangles, ManyGridsOfAllSizesCoverWithoutGapsOrOverlaps) {
     for (int strip = 0; strip < strips; ++strip) {
         const int columns = std::vector<int>{17, 9, 5}[static_cast<size_t>(strip % 3)], rows = 17;
         mesh.grids.push_back({static_cast<uint32_t>(mesh.positionsWorld.size()), 0,
-                              static_cast<uint16_t>(columns), static_cast<uint16_t>(rows), 0, 0, 0});
+                              static_cast<uint16_t>(columns), static_cast<uint16_t>(rows), 0, 0, 0, false});
         for (int row = 0; row < rows; ++row)
             for (int column = 0; column < columns; ++column) {
                 const float along = (static_cast<float>(strip) +

@@ -16,7 +16,7 @@ MicroMesh tiltedGrid() {
         for (int column = 0; column < 5; ++column)
             mesh.positionsWorld.push_back(Vec3f(column, row, 0.5f * column - 0.25f * row));
     mesh.lattices = {{64, 64, {64, 64, 64, 64}, false}};
-    mesh.grids.push_back({0, 0, 5, 4, 32, 16, 0});
+    mesh.grids.push_back({0, 0, 5, 4, 32, 16, 0, false});
     return mesh;
 }
 
@@ -50,7 +50,7 @@ TEST(ResolveHit, OfTwoSheetsTheOneEmbreeMet) {
         for (const Vec2f& xz : {Vec2f(0, 0), Vec2f(1, 0), Vec2f(0.2f, 1)})
             mesh.positionsWorld.push_back({xz.x, y, xz.y});
     mesh.lattices = {{2, 1, {2, 1, 2, 1}, false}};
-    mesh.grids.push_back({0, 0, 3, 2, 0, 0, 0});
+    mesh.grids.push_back({0, 0, 3, 2, 0, 0, 0, false});
     const Ray ray{{0.5, 0.25, 5}, {0, 0, -1}};
     const double upperZ = (1 - 0.5) / 0.8;
     // Named: the lower triangle's far half, which the ray misses.

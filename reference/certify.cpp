@@ -1,0 +1,113 @@
+#include "certify.h"
+
+#include "edge_screen.h"
+#include "uncertain.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace plumbline {
+
+namespace {
+
+/// Nearest rank: the smallest value that at least `percent` % don't exceed. Reorders; 0 of none.
+double percentile(std::vector<float>& values, unsigned percent) {
+    if (values.empty()) return 0;
+    const size_t rank = (values.size() * percent + 99) / 100;
+    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    std::nth_element(values.begin(), nth, values.end());
+    return *nth;
+}
+
+class FrameCertifier {
+  public:
+    FrameCertifier(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                   const FrameEvidence& evidence, Frame& frame, Certificate& certificate)
+        : scene_(scene), embree_(embree), evidence_(evidence), frame_(frame),
+          certificate_(certificate), positions_{frame.channel("P.X"), frame.channel("P.Y"),
+                                                frame.channel("P.Z")} {
+        contours_.reserve(objects.size());
+        for (const TracedObject& object : objects)
+            contours_.emplace_back(*object.mesh);
+    }
+
+    void certify() {
+        measure();
+        markCoverage();
+        for (size_t i = 0; i < scene_.lights.size(); ++i)
+            markShadow(i);
+    }
+
+  private:
+    Vec3 positionOf(size_t pixel) const {
+        return {positions_[0][pixel], positions_[1][pixel], positions_[2][pixel]};
+    }
+
+    void measure() {
+        const Screen screen = Screen::ofCamera(scene_.camera);
+        const auto id = frame_.channel("id");
+        std::vector<float> world, px;
+        for (size_t pixel = 0; pixel < frame_.pixelCount(); ++pixel) {
+            if (id[pixel] == 0) continue;
+            const float error = evidence_.errorWorld[pixel];
+            world.push_back(error);
+            px.push_back(
+                static_cast<float>(error * screen.pixelsPerWorld(screen.project(positionOf(pixel)))));
+        }
+        certificate_.worldP50 = percentile(world, 50);
+        certificate_.worldP99 = percentile(world, 99);
+        certificate_.worldMax = percentile(world, 100);
+        certificate_.pxP50 = percentile(px, 50);
+        certificate_.pxP99 = percentile(px, 99);
+        certificate_.pxMax = percentile(px, 100);
+    }
+
+    void markCoverage() {
+        const std::span<float> uncertain = frame_.add("uncertain");
+        otherSheet_.assign(frame_.pixelCount(), 0);
+        markUncertainCoverage(scene_.camera, contours_, embree_, frame_.channel("id"), uncertain,
+                              otherSheet_);
+        certificate_.uncertainPixels =
+            static_cast<uint64_t>(std::count(uncertain.begin(), uncertain.end(), 1.0f));
+    }
+
+    void markShadow(size_t light) {
+        const std::string& name = scene_.lights[light].name;
+        const std::span<float> uncertain = frame_.add(uncertainShadowChannel(name));
+        const std::span<const float> shadow = frame_.channel(shadowChannel(name));
+        std::vector<ShadowPoint> points;
+        for (size_t pixel = 0; pixel < frame_.pixelCount(); ++pixel) {
+            if (std::isnan(shadow[pixel])) continue;
+            // Another place may be seen there, and that one's shadow isn't known.
+            const uint8_t by = evidence_.shadowBy[light][pixel];
+            if (evidence_.unsettled[pixel] || otherSheet_[pixel] != 0 || by == FrameEvidence::kNearRay)
+                uncertain[pixel] = 1;
+            else if (by == FrameEvidence::kRay)
+                points.push_back({static_cast<uint32_t>(pixel), positionOf(pixel),
+                                  evidence_.errorWorld[pixel], shadow[pixel] != 0});
+        }
+        markUncertainShadow(scene_.lights[light], contours_, embree_, points, uncertain);
+        certificate_.uncertainShadowPixels[name] =
+            static_cast<uint64_t>(std::count(uncertain.begin(), uncertain.end(), 1.0f));
+    }
+
+    const Scene& scene_;
+    const EmbreeScene& embree_;
+    const FrameEvidence& evidence_;
+    Frame& frame_;
+    Certificate& certificate_;
+    std::array<std::span<const float>, 3> positions_;
+    std::vector<ContourFinder> contours_; // per object
+    std::vector<float> otherSheet_;
+};
+
+} // namespace
+
+void certifyFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                  const FrameEvidence& evidence, Frame& frame, Certificate& certificate) {
+    FrameCertifier(scene, objects, embree, evidence, frame, certificate).certify();
+}
+
+} // namespace plumbline
