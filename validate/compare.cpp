@@ -39,6 +39,12 @@ void noteMissingChannels(const FramePair& pair, const std::string& noDepthReason
     for (const std::string& light : lightsOf(pair))
         if (const std::string missing = pair.missingChannel(shadowChannel(light)); !missing.empty())
             notes.push_back(fmt::format("{}: no shadow figures for {}", missing, light));
+    for (const std::string& light : lightsOf(pair))
+        if (const std::string missing = pair.missingInReference(uncertainShadowChannel(light));
+            !missing.empty() && pair.missingChannel(shadowChannel(light)).empty())
+            notes.push_back(fmt::format("{}: no intervals of the shadow figures for {}", missing, light));
+    if (const std::string missing = pair.missingInReference("uncertain"); !missing.empty())
+        notes.push_back(missing + ": no intervals");
     for (const char* channel : {"N.X", "N.Y", "N.Z"})
         if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
             notes.push_back(missing + ": no normal figures");

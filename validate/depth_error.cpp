@@ -67,6 +67,7 @@ DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
     const std::string noRelief = noReliefReason(pair, selection);
 
     std::vector<double> errors, reliefErrors;
+    uint64_t uncertainPx = 0;
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo& object) {
         if (!depthKnown || !std::isfinite(referenceDepth[pixel]) || !std::isfinite(testDepth[pixel])) {
             ++result.invalidPx;
@@ -75,6 +76,7 @@ DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
         const double error =
             static_cast<double>(testDepth[pixel]) - static_cast<double>(referenceDepth[pixel]);
         errors.push_back(error);
+        uncertainPx += pair.isUncertain(pixel);
         if (!noRelief.empty()) return;
         const double depth = *object.reliefDepth;
         reliefErrors.push_back(error / depth);
@@ -83,6 +85,9 @@ DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
         result.bad25pctPx += std::abs(error) > 0.25 * depth;
     });
     result.domainPx = errors.size();
+    const std::string noChannel = pair.missingInReference("uncertain");
+    result.uncertainPx =
+        noChannel.empty() ? Figure(static_cast<double>(uncertainPx)) : Figure::absent(noChannel);
 
     const std::string empty = !depthKnown ? noDepthReason
                               : result.invalidPx > 0
@@ -122,7 +127,8 @@ MetricValues valuesOf(const DepthError& result) {
             {"badpix_25pct_px", result.bad25pctPx},
             {"only_reference_px", result.onlyReferencePx},
             {"only_test_px", result.onlyTestPx},
-            {"invalid_px", result.invalidPx}};
+            {"invalid_px", result.invalidPx},
+            {"uncertain_px", wholeNumber(result.uncertainPx)}};
 }
 
 } // namespace plumbline

@@ -22,6 +22,8 @@ struct DepthError {
     uint64_t domainPx = 0;
     uint64_t onlyReferencePx = 0, onlyTestPx = 0; // the silhouette's missing and extra
     uint64_t invalidPx = 0;                       // both cover it, but a depth is NaN, infinite or missing
+    Figure
+        uncertainPx; // pixels of the domain that may not belong to it: channel `uncertain` of the reference
 
     struct Spread {
         Figure bias, mae, rmse, p50, p95, p99, max;

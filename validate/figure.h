@@ -53,6 +53,12 @@ struct MetricValue {
 };
 using MetricValues = std::vector<MetricValue>;
 
+/// A figure that counts something, without a decimal point.
+inline std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
+    if (figure) return static_cast<uint64_t>(*figure);
+    return figure;
+}
+
 /// Nearest-rank percentile: the smallest of n values that at least `percent` % of them don't exceed, i.e. the
 /// value of rank ceil(percent/100 * n), counted from 1. Always one of the values; percent in [1, 100]. The
 /// rank is computed in integers, so that it can't be off by one through rounding. `sorted`: ascending, not

@@ -88,6 +88,14 @@ FramePair::FramePair(const Frame& reference, const Frame& test, std::vector<Obje
         if (inReference > 0) pixels_[indexOfId[inReference]].push_back(pixel);
         if (inTest > 0 && inTest != inReference) pixels_[indexOfId[inTest]].push_back(pixel);
     }
+
+    uncertain_.resize(referenceIds_.size());
+    if (!reference.has("uncertain")) return;
+    const auto plane = reference.channel("uncertain");
+    for (uint32_t pixel = 0; pixel < referenceIds_.size(); ++pixel) {
+        uncertain_[pixel] = saysUncertain(plane[pixel]);
+        if (uncertain_[pixel]) uncertainPixels_.push_back(pixel);
+    }
 }
 
 std::vector<size_t> FramePair::reliefObjects() const {
@@ -106,6 +114,10 @@ std::string FramePair::missingChannel(std::string_view name) const {
                         : inTest    ? "the reference frame has"
                                     : "neither frame has";
     return fmt::format("{} {} channel {}", which, inReference || inTest ? "no" : "a", name);
+}
+
+std::string FramePair::missingInReference(std::string_view name) const {
+    return reference_->has(name) ? std::string() : fmt::format("the reference frame has no channel {}", name);
 }
 
 } // namespace plumbline

@@ -54,6 +54,13 @@ class FramePair {
 
     /// Empty if both frames have the channel, else which of them lacks it.
     std::string missingChannel(std::string_view name) const;
+    /// Empty if the reference has the channel, else a sentence that it hasn't.
+    std::string missingInReference(std::string_view name) const;
+
+    /// Pixels at which the true image may show any of the objects or none, whatever the reference shows: its channel
+    /// `uncertain`. Ascending; empty also where it has no such channel (see missingInReference).
+    std::span<const uint32_t> uncertainPixels() const { return uncertainPixels_; }
+    bool isUncertain(uint32_t pixel) const { return uncertain_[pixel]; }
 
   private:
     const Frame* reference_;
@@ -62,7 +69,14 @@ class FramePair {
     std::vector<ObjectInfo> objects_;
     std::vector<int> referenceIds_, testIds_;
     std::vector<std::vector<uint32_t>> pixels_;
+    std::vector<uint32_t> uncertainPixels_;
+    std::vector<bool> uncertain_; // per pixel
 };
+
+/// Whether a value of a channel `uncertain…` says so. One that is no number can't rule it out.
+inline bool saysUncertain(float value) {
+    return !(value < 0.5f);
+}
 
 /// The objects a figure is computed over, as indices into FramePair::objects().
 using ObjectSelection = std::span<const size_t>;

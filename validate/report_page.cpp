@@ -39,6 +39,15 @@ data cell(const Figure& figure, const char* format) {
     return entry;
 }
 
+/// A figure with its interval below it.
+data cell(const Figure& figure, const Interval& interval, const char* format) {
+    data entry = cell(figure, format);
+    if (interval.low)
+        entry.set("interval", fmt::format("{}–{}", fmt::format(fmt::runtime(format), *interval.low),
+                                          fmt::format(fmt::runtime(format), *interval.high)));
+    return entry;
+}
+
 data cell(uint64_t count) {
     data entry{data::type::object};
     entry.set("text", std::to_string(count));
@@ -55,14 +64,14 @@ std::set<std::string> lightsOf(const Results& results) {
 
 data metricCells(const MetricSet& metrics, const std::set<std::string>& lights, const Figure& milliseconds) {
     data cells{data::type::list};
-    cells << cell(metrics.silhouette.iou, "{:.5f}") << cell(metrics.silhouette.missingPx)
-          << cell(metrics.silhouette.extraPx) << cell(metrics.depth.relief.bias, "{:+.4f}")
-          << cell(metrics.depth.relief.rmse, "{:.4f}") << cell(metrics.depth.relief.p99, "{:.4f}")
-          << cell(metrics.depth.badpix5pct, "{:.4f}");
+    cells << cell(metrics.silhouette.iou, metrics.silhouette.iouRange, "{:.5f}")
+          << cell(metrics.silhouette.missingPx) << cell(metrics.silhouette.extraPx)
+          << cell(metrics.depth.relief.bias, "{:+.4f}") << cell(metrics.depth.relief.rmse, "{:.4f}")
+          << cell(metrics.depth.relief.p99, "{:.4f}") << cell(metrics.depth.badpix5pct, "{:.4f}");
     for (const std::string& light : lights) {
         const auto found = metrics.shadow.find(light);
         const ShadowAgreement shadow = found == metrics.shadow.end() ? ShadowAgreement{} : found->second;
-        cells << cell(shadow.agreement, "{:.4f}") << cell(shadow.ber, "{:.4f}");
+        cells << cell(shadow.agreement, shadow.agreementRange, "{:.4f}") << cell(shadow.ber, "{:.4f}");
     }
     cells << cell(metrics.normal.meanDegrees, "{:.2f}") << cell(metrics.st.meanTexels, "{:.2f}")
           << cell(metrics.cost.mean, "{:.1f}") << cell(milliseconds, "{:.1f}");

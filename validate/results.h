@@ -61,7 +61,8 @@ std::string toJson(const Results& results);
 /// row with its error.
 std::string toCsv(const Results& results);
 
-/// Plain-text table of the pooled figures people look at first, for the terminal.
+/// Plain-text table of the pooled figures people look at first, for the terminal. "±" is the distance from the figure before
+/// it to the farther end of its interval, rounded up. Normals in degrees, "rel" in relief depths.
 std::string toTable(const Results& results);
 
 } // namespace plumbline

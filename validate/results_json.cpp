@@ -63,12 +63,6 @@ Json toJson(const TechniqueOutcome& technique) {
     return json;
 }
 
-/// A figure that counts something, without a decimal point.
-std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
-    if (figure) return static_cast<uint64_t>(*figure);
-    return figure;
-}
-
 Json toJson(const ReferenceSummary& reference) {
     const Figure notYet = Figure::absent("the reference's own error is not bounded by this version");
     Json json = toGroup({{"micro_triangles", wholeNumber(reference.microTriangles)},

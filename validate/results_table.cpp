@@ -2,25 +2,92 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace plumbline {
 namespace {
 
-struct Column {
-    std::string head;
-    std::vector<std::string> cells;
+class TextTable {
+  public:
+    explicit TextTable(std::vector<std::string> heads) { rows_.push_back(std::move(heads)); }
+    void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+    std::string text() const {
+        std::string text;
+        for (const auto& row : rows_) {
+            for (size_t column = 0; column < row.size(); ++column)
+                text += column == 0 ? fmt::format("{:<{}}", row[column], widthOf(column))
+                                    : fmt::format("  {:>{}}", row[column], widthOf(column));
+            text += "\n";
+        }
+        return text;
+    }
+
+  private:
+    size_t widthOf(size_t column) const {
+        size_t width = 0;
+        for (const auto& row : rows_)
+            width = std::max(width, row[column].size());
+        return width;
+    }
+
+    std::vector<std::vector<std::string>> rows_;
 };
 
 std::string shown(const Figure& figure, const char* format) {
     return figure ? fmt::format(fmt::runtime(format), *figure) : std::string("-");
 }
 
+/// How far the true figure may be from the one shown, rounded up: never less than it is.
+std::string shownReach(const Interval& interval, const Figure& figure, int decimals) {
+    constexpr double kRounding =
+        1e-6; // of the last place: 0.3 - 0.2 is 1e-17 above 0.1 and no reason for 0.11
+    const Figure reach = interval.reach(figure);
+    if (!reach) return "-";
+    const double scale = std::pow(10.0, decimals);
+    return fmt::format("{:.{}f}", std::ceil(*reach * scale - kRounding) / scale, decimals);
+}
+
+/// The light with the worst agreement stands for all; results.csv has each.
+ShadowAgreement worstShadow(const MetricSet& metrics) {
+    ShadowAgreement worst;
+    for (const auto& [light, shadow] : metrics.shadow)
+        if (shadow.agreement && (!worst.agreement || *shadow.agreement < *worst.agreement)) worst = shadow;
+    return worst;
+}
+
+const std::vector<std::string> kMetricHeads{"IoU",    "±",      "miss", "extra", "RMSE rel", "p99 rel",
+                                            "bad 5%", "shadow", "±",    "BER",   "normal"};
+
+std::vector<std::string> metricCells(const MetricSet& metrics) {
+    const SilhouetteIou& silhouette = metrics.silhouette;
+    const ShadowAgreement shadow = worstShadow(metrics);
+    return {shown(silhouette.iou, "{:.5f}"),
+            shownReach(silhouette.iouRange, silhouette.iou, 5),
+            std::to_string(silhouette.missingPx),
+            std::to_string(silhouette.extraPx),
+            shown(metrics.depth.relief.rmse, "{:.5f}"),
+            shown(metrics.depth.relief.p99, "{:.5f}"),
+            shown(metrics.depth.badpix5pct, "{:.4f}"),
+            shown(shadow.agreement, "{:.4f}"),
+            shownReach(shadow.agreementRange, shadow.agreement, 4),
+            shown(shadow.ber, "{:.4f}"),
+            shown(metrics.normal.meanDegrees, "{:.2f}")};
+}
+
+/// `cells` between a first and the last ones.
+std::vector<std::string> joined(const std::string& first, std::vector<std::string> cells,
+                                const std::vector<std::string>& last) {
+    cells.insert(cells.begin(), first);
+    cells.insert(cells.end(), last.begin(), last.end());
+    return cells;
+}
+
 } // namespace
 
 std::string toTable(const Results& results) {
-    std::vector<Column> columns{{"technique", {}},  {"IoU", {}},         {"missing", {}},
-                                {"extra", {}},      {"RMSE/relief", {}}, {"p99/relief", {}},
-                                {"bad 5%", {}},     {"shadow agr.", {}}, {"BER", {}},
-                                {"normal deg", {}}, {"look-ups", {}},    {"ms", {}}};
+    TextTable table(joined("technique", kMetricHeads, {"fetches", "ms"}));
     std::string errors;
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
@@ -28,40 +95,10 @@ std::string toTable(const Results& results) {
             continue;
         }
         const MetricSet& pooled = technique.comparison.pooled;
-        // The light with the worst agreement stands for all; results.csv has each.
-        ShadowAgreement shadow;
-        for (const auto& [light, agreement] : pooled.shadow)
-            if (agreement.agreement && (!shadow.agreement || *agreement.agreement < *shadow.agreement))
-                shadow = agreement;
-        const std::vector<std::string> cells{technique.name,
-                                             shown(pooled.silhouette.iou, "{:.5f}"),
-                                             std::to_string(pooled.silhouette.missingPx),
-                                             std::to_string(pooled.silhouette.extraPx),
-                                             shown(pooled.depth.relief.rmse, "{:.5f}"),
-                                             shown(pooled.depth.relief.p99, "{:.5f}"),
-                                             shown(pooled.depth.badpix5pct, "{:.4f}"),
-                                             shown(shadow.agreement, "{:.4f}"),
-                                             shown(shadow.ber, "{:.4f}"),
-                                             shown(pooled.normal.meanDegrees, "{:.2f}"),
-                                             shown(pooled.cost.mean, "{:.1f}"),
-                                             shown(technique.msMedian, "{:.1f}")};
-        for (size_t i = 0; i < columns.size(); ++i)
-            columns[i].cells.push_back(cells[i]);
+        table.add(joined(technique.name, metricCells(pooled),
+                         {shown(pooled.cost.mean, "{:.1f}"), shown(technique.msMedian, "{:.1f}")}));
     }
-    std::string table;
-    const size_t rows = columns[0].cells.size();
-    for (size_t row = 0; row <= rows; ++row) {
-        for (size_t i = 0; i < columns.size(); ++i) {
-            const Column& column = columns[i];
-            size_t width = column.head.size();
-            for (const std::string& cell : column.cells)
-                width = std::max(width, cell.size());
-            const std::string& text = row == 0 ? column.head : column.cells[row - 1];
-            table += i == 0 ? fmt::format("{:<{}}", text, width) : fmt::format("  {:>{}}", text, width);
-        }
-        table += "\n";
-    }
-    return table + errors;
+    return table.text() + errors;
 }
 
 } // namespace plumbline

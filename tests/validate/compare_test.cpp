@@ -60,9 +60,20 @@ TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
     EXPECT_FALSE(result.pooled.shadow.at("sun").agreement);
 }
 
+TEST(Compare, SaysThatThereAreNoIntervals) {
+    Frame frame = emptyFrame(2, 1);
+    paintRectangle(frame, 0, 0, 2, 1);
+    const auto notes = compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, std::nullopt).notes;
+    EXPECT_THAT(notes,
+                ElementsAre("the reference frame has no channel uncertain.shadow.sun: no intervals of the "
+                            "shadow figures for sun",
+                            "the reference frame has no channel uncertain: no intervals"));
+}
+
 TEST(Compare, NothingMissingMeansNoNotes) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
+    addUncertainty(frame);
     EXPECT_THAT(compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, std::nullopt).notes, IsEmpty());
 }
 

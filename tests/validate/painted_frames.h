@@ -44,6 +44,13 @@ inline void paintPixel(Frame& frame, int x, int y, int id, float depth) {
         set(frame, shadowChannel(light).c_str(), x, y, 0);
 }
 
+/// The channels in which a reference says what it isn't sure of, sure of everything.
+inline void addUncertainty(Frame& frame) {
+    frame.add("uncertain");
+    for (const std::string& light : kLights)
+        frame.add(uncertainShadowChannel(light));
+}
+
 /// Covers columns [x0, x1) of rows [y0, y1).
 inline void paintRectangle(Frame& frame, int x0, int y0, int x1, int y1, int id = 1, float depth = 2) {
     for (int y = y0; y < y1; ++y)

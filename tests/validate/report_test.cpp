@@ -107,6 +107,8 @@ TEST(ReportPage, SaysWhatAPersonMustKnow) {
     EXPECT_THAT(page, HasSubstr("1 234 567 micro-triangles"));
     EXPECT_THAT(page, HasSubstr("8 segments per control edge instead of the 16"));
     EXPECT_THAT(page, HasSubstr("broken.glsl:3"));
+    EXPECT_THAT(page, HasSubstr(">0.50000<small>0.47059–0.50000</small>"));
+    EXPECT_THAT(page, HasSubstr(">0.7500<small>0.7500–0.8750</small>"));
     EXPECT_THAT(page, HasSubstr("title=\"the test frame has no channel cost.fetches\">–"));
     EXPECT_THAT(page, HasSubstr("12.5 ms, median of 5 (wall clock around glFinish)"));
 }

@@ -42,12 +42,14 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
     for (const char* key : {"name", "parameters", "gl", "silhouette", "depth", "shadow", "normal", "st",
                             "cost", "objects", "error"})
         EXPECT_TRUE(technique.contains(key)) << key;
-    for (const char* key : {"iou", "missing_px", "extra_px"})
+    for (const char* key : {"iou", "iou_low", "iou_high", "missing_px", "extra_px", "uncertain_px"})
         EXPECT_TRUE(technique["silhouette"].contains(key)) << key;
     for (const char* key : {"domain_px", "bias", "mae", "rmse", "p50", "p95", "p99", "max", "rmse_relief",
-                            "badpix_1pct", "badpix_5pct", "badpix_25pct"})
+                            "badpix_1pct", "badpix_5pct", "badpix_25pct", "uncertain_px"})
         EXPECT_TRUE(technique["depth"].at(key).is_number()) << key;
-    for (const char* key : {"domain_px", "agreement", "iou", "f1", "ber", "false_shadow_px", "false_lit_px"})
+    for (const char* key :
+         {"domain_px", "agreement", "agreement_low", "agreement_high", "iou", "iou_low", "iou_high", "f1",
+          "f1_low", "f1_high", "ber", "false_shadow_px", "false_lit_px", "uncertain_px"})
         EXPECT_TRUE(technique["shadow"]["sun"].contains(key)) << key;
     EXPECT_TRUE(technique["normal"].contains("mean_degrees"));
     EXPECT_TRUE(technique["st"].contains("mean_texels"));
@@ -59,10 +61,18 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
 }
 
 // sampleReference: object 1 covers columns 1 2 3 of rows 1 … 4. Shifted right by one, two columns of four
-// stay.
+// stay. One pixel of nothing may be the object: 8/17 at worst. The one shadow of the reference, at (2, 2), is uncertain; the
+// test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8.
 TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     EXPECT_EQ(technique["silhouette"]["iou"], 8.0 / 16.0);
+    EXPECT_EQ(technique["silhouette"]["iou_low"], 8.0 / 17.0);
+    EXPECT_EQ(technique["silhouette"]["iou_high"], 8.0 / 16.0);
+    EXPECT_EQ(technique["silhouette"]["uncertain_px"], 1);
+    EXPECT_EQ(technique["shadow"]["sun"]["agreement"], 6.0 / 8.0);
+    EXPECT_EQ(technique["shadow"]["sun"]["agreement_low"], 6.0 / 8.0);
+    EXPECT_EQ(technique["shadow"]["sun"]["agreement_high"], 7.0 / 8.0);
+    EXPECT_EQ(technique["depth"]["uncertain_px"], 0);
     EXPECT_EQ(technique["silhouette"]["missing_px"], 4);
     EXPECT_EQ(technique["depth"]["domain_px"], 8);
     EXPECT_EQ(technique["depth"]["max"], 0.0);
@@ -163,9 +173,18 @@ TEST(MetricTable, NamesExactlyTheColumnsOfTheCsv) {
     EXPECT_EQ(documented, written);
 }
 
+TEST(ResultsTable, FitsATerminal) {
+    Results results = sampleResults("linear_binary@quadric");
+    results.techniques.pop_back();
+    const std::string table = toTable(results);
+    EXPECT_LE(table.find('\n'), 130u);
+}
+
 TEST(ResultsTable, ShowsFiguresDashesAndFailures) {
     const std::string table = toTable(sampleResults());
-    EXPECT_THAT(table, HasSubstr("0.50000"));
+    // 8/16 - 8/17 = 0.029411…, rounded up; 7/8 - 6/8 exactly
+    EXPECT_THAT(table, HasSubstr("0.50000  0.02942"));
+    EXPECT_THAT(table, HasSubstr("0.7500  0.1250"));
     EXPECT_THAT(table, HasSubstr("broken: failed: broken.glsl:3"));
     EXPECT_THAT(table, HasSubstr("  -  ")); // no look-ups were counted
 }
