@@ -165,4 +165,29 @@ std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& wh
     return camera;
 }
 
+CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where) {
+    const std::string prefix = "certificate.";
+    CertificateSummary certificate;
+    for (const CertificateFigure& entry : certificateFigures()) {
+        const std::string key = prefix + entry.key;
+        const auto found = frame.metadata.find(key);
+        if (found == frame.metadata.end()) {
+            certificate.*entry.figure =
+                Figure::absent(fmt::format("the reference's file has no header field {}", key));
+            continue;
+        }
+        Words words(found->second);
+        const double value = words.number();
+        if (!words.ok() || value < 0) refuse(where, key, found->second, "a number >= 0");
+        certificate.*entry.figure = value;
+    }
+    const std::string limitKey = prefix + "error_limit";
+    if (const auto found = frame.metadata.find(limitKey); found != frame.metadata.end())
+        certificate.limit = found->second;
+    else
+        certificate.limitReason = fmt::format("the reference's file has no header field {}", limitKey);
+    countPixels(frame, certificate);
+    return certificate;
+}
+
 } // namespace plumbline

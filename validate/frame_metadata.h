@@ -4,6 +4,7 @@
 
 #include "../scenes/camera.h"
 #include "../scenes/scene.h"
+#include "certificate.h"
 #include "frame_pair.h"
 
 namespace plumbline {
@@ -17,5 +18,9 @@ std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string&
 
 /// The camera of a frame's header, with the frame's own size; nullopt if it has none. Throws likewise.
 std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& where);
+
+/// What a reference's frame says of its own error: the header fields certificate.error_px_p99 and its like (see
+/// certificate.h), numbers >= 0, and the counts of its channels. What isn't there is absent. Throws likewise.
+CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where);
 
 } // namespace plumbline

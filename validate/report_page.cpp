@@ -120,8 +120,8 @@ std::vector<std::string> referenceLimits(const ReferenceSummary& reference) {
                 fmt::format("{}: {} segments per control edge instead of the {} that half a texel and half a "
                             "pixel ask for; the memory or rate given didn't allow more.",
                             object.name, object.rate, object.wantedRate));
-    limits.emplace_back(
-        "The reference's own error is not bounded by this version: it is exact up to its micro-triangles.");
+    for (const std::string& sentence : certificateSentences(reference.certificate))
+        limits.push_back(sentence);
     limits.emplace_back("One sample a pixel, at its centre, without anti-aliasing.");
     return limits;
 }

@@ -5,6 +5,7 @@
 // never written.
 #pragma once
 
+#include "certificate.h"
 #include "compare.h"
 
 #include <cstdint>
@@ -25,6 +26,7 @@ struct SceneSummary {
 struct ReferenceSummary {
     Figure microTriangles, tessellateMs, buildMs, traceMs; // absent where the reference came from a file
     Figure peakBytes;                                      // largest resident set of the process so far
+    CertificateSummary certificate;                        // its own error
     struct Object {
         std::string name;
         int rate = 0;       // segments per control edge taken

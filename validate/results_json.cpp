@@ -8,18 +8,39 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A group of the schema: counts, figures that are there, and the reasons of those that aren't.
-Json toGroup(const MetricValues& values) {
-    Json group = Json::object(), absent = Json::object();
-    for (const MetricValue& entry : values) {
-        if (const auto* count = std::get_if<uint64_t>(&entry.value))
-            group[entry.key] = *count;
-        else if (const Figure& figure = std::get<Figure>(entry.value))
-            group[entry.key] = *figure;
-        else
-            absent[entry.key] = figure.reason();
+class Group {
+  public:
+    void add(const MetricValues& values) {
+        for (const MetricValue& entry : values) {
+            if (const auto* count = std::get_if<uint64_t>(&entry.value))
+                json_[entry.key] = *count;
+            else if (const Figure& figure = std::get<Figure>(entry.value))
+                json_[entry.key] = *figure;
+            else
+                absent_[entry.key] = figure.reason();
+        }
     }
-    if (!absent.empty()) group["absent"] = std::move(absent);
-    return group;
+    void add(const std::string& key, const std::optional<std::string>& text, const std::string& reason) {
+        if (text)
+            json_[key] = *text;
+        else
+            absent_[key] = reason;
+    }
+    void add(const std::string& key, Json inner) { json_[key] = std::move(inner); }
+    Json json() const {
+        Json whole = json_;
+        if (!absent_.empty()) whole["absent"] = absent_;
+        return whole;
+    }
+
+  private:
+    Json json_ = Json::object(), absent_ = Json::object();
+};
+
+Json toGroup(const MetricValues& values) {
+    Group group;
+    group.add(values);
+    return group.json();
 }
 
 void addMetrics(Json& json, const MetricSet& metrics, MetricValues cost) {
@@ -63,15 +84,27 @@ Json toJson(const TechniqueOutcome& technique) {
     return json;
 }
 
+void addCertificate(Group& group, const CertificateSummary& certificate) {
+    for (const CertificateFigure& entry : certificateFigures())
+        group.add({{entry.key, certificate.*entry.figure}});
+    group.add("error_limit", certificate.limit, certificate.limitReason);
+    group.add({{"uncertain_pixels", wholeNumber(certificate.uncertainPixels)}});
+    MetricValues byLight;
+    for (const auto& [light, count] : certificate.uncertainShadowPixels)
+        byLight.push_back({light, wholeNumber(count)});
+    group.add("uncertain_shadow_pixels", toGroup(byLight));
+    group.add({{"covered_pixels", wholeNumber(certificate.coveredPixels)}});
+}
+
 Json toJson(const ReferenceSummary& reference) {
-    const Figure notYet = Figure::absent("the reference's own error is not bounded by this version");
-    Json json = toGroup({{"micro_triangles", wholeNumber(reference.microTriangles)},
-                         {"error_px_p99", notYet},
-                         {"uncertain_pixels", notYet},
-                         {"tessellate_ms", reference.tessellateMs},
-                         {"build_ms", reference.buildMs},
-                         {"trace_ms", reference.traceMs},
-                         {"peak_bytes", wholeNumber(reference.peakBytes)}});
+    Group group;
+    group.add({{"micro_triangles", wholeNumber(reference.microTriangles)}});
+    addCertificate(group, reference.certificate);
+    group.add({{"tessellate_ms", reference.tessellateMs},
+               {"build_ms", reference.buildMs},
+               {"trace_ms", reference.traceMs},
+               {"peak_bytes", wholeNumber(reference.peakBytes)}});
+    Json json = group.json();
     json["objects"] = Json::array();
     for (const ReferenceSummary::Object& object : reference.objects)
         json["objects"].push_back({{"name", object.name},

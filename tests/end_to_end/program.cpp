@@ -150,6 +150,11 @@ std::string withLine(const std::string& text, const std::string& line, const std
     return text.substr(0, at) + replacement + text.substr(at + line.size());
 }
 
+void expectOnlyTheCertificate(const std::string& err) {
+    EXPECT_TRUE(err.starts_with("certificate: ")) << err;
+    EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
+}
+
 void EndToEnd::SetUp() {
     const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
     std::string name = std::string(test->test_suite_name()) + "_" + test->name();

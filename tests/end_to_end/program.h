@@ -46,6 +46,9 @@ class EndToEnd : public ::testing::Test {
 /// A scene's text with one line replaced; fails the test if `line` isn't in it exactly once.
 std::string withLine(const std::string& text, const std::string& line, const std::string& replacement);
 
+/// stderr of a run that drew a reference and had nothing to complain of: one line, the certificate.
+void expectOnlyTheCertificate(const std::string& err);
+
 extern const char* const kSmallScene;
 
 } // namespace plumbline::test

@@ -106,6 +106,8 @@ TEST(ReportPage, SaysWhatAPersonMustKnow) {
     EXPECT_THAT(page, HasSubstr("A scene &lt;of&gt; paint &amp; &quot;quotes&quot;"));
     EXPECT_THAT(page, HasSubstr("1 234 567 micro-triangles"));
     EXPECT_THAT(page, HasSubstr("8 segments per control edge instead of the 16"));
+    EXPECT_THAT(page, HasSubstr("99 % within 0.031 px (the aim: 0.05 px)"));
+    EXPECT_THAT(page, HasSubstr("seen in 134 pixels"));
     EXPECT_THAT(page, HasSubstr("broken.glsl:3"));
     EXPECT_THAT(page, HasSubstr(">0.50000<small>0.47059–0.50000</small>"));
     EXPECT_THAT(page, HasSubstr(">0.7500<small>0.7500–0.8750</small>"));

@@ -34,9 +34,9 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
     EXPECT_EQ(results.at("scene").at("name"), "painted");
     for (const char* key : {"micro_triangles", "tessellate_ms", "build_ms", "trace_ms", "peak_bytes"})
         EXPECT_TRUE(results.at("reference").at(key).is_number()) << key;
-    for (const char* key :
-         {"error_px_p99", "uncertain_pixels"}) // not measured by this version: absent, with its reason
-        EXPECT_TRUE(results.at("reference").at("absent").at(key).is_string()) << key;
+    for (const char* key : {"error_px_p50", "error_px_p99", "error_px_max", "error_px_aim", "error_world_p50",
+                            "error_world_p99", "error_world_max", "uncertain_pixels", "covered_pixels"})
+        EXPECT_TRUE(results.at("reference").at(key).is_number()) << key;
 
     const json& technique = results.at("techniques").at(0);
     for (const char* key : {"name", "parameters", "gl", "silhouette", "depth", "shadow", "normal", "st",
@@ -76,6 +76,33 @@ TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     EXPECT_EQ(technique["silhouette"]["missing_px"], 4);
     EXPECT_EQ(technique["depth"]["domain_px"], 8);
     EXPECT_EQ(technique["depth"]["max"], 0.0);
+}
+
+TEST(ResultsJson, HoldsTheCertificateOfTheReference) {
+    const json reference = json::parse(toJson(sampleResults())).at("reference");
+    EXPECT_EQ(reference["error_px_p50"], 0.004);
+    EXPECT_EQ(reference["error_px_p99"], 0.031);
+    EXPECT_EQ(reference["error_px_max"], 0.4);
+    EXPECT_EQ(reference["error_px_aim"], 0.05);
+    EXPECT_EQ(reference["error_world_p50"], 1e-6);
+    EXPECT_EQ(reference["error_world_p99"], 1.2e-5);
+    EXPECT_EQ(reference["error_world_max"], 2.5e-4);
+    EXPECT_EQ(reference["error_limit"], "");
+    EXPECT_EQ(reference["uncertain_pixels"], 134);
+    EXPECT_EQ(reference["uncertain_shadow_pixels"], (json{{"sun", 420}, {"lamp", 7}}));
+    EXPECT_FALSE(reference.contains("absent"));
+}
+
+TEST(ResultsJson, ACertificateThatIsNotKnownSaysWhy) {
+    Results results = sampleResults();
+    setAbsent(results.reference.certificate, "it came from afar");
+    results.reference.certificate.uncertainShadowPixels["sun"] = Figure::absent("no channel");
+    const json reference = json::parse(toJson(results)).at("reference");
+    for (const char* key : {"error_px_p50", "error_world_max", "error_limit"}) {
+        EXPECT_FALSE(reference.contains(key)) << key;
+        EXPECT_EQ(reference["absent"].at(key), "it came from afar") << key;
+    }
+    EXPECT_EQ(reference["uncertain_shadow_pixels"], (json{{"lamp", 7}, {"absent", {{"sun", "no channel"}}}}));
 }
 
 TEST(ResultsJson, AbsentFiguresAreLeftOutWithTheirReason) {

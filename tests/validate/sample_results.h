@@ -17,6 +17,22 @@ inline Frame sampleReference() {
     return frame;
 }
 
+inline CertificateSummary sampleCertificate() {
+    CertificateSummary certificate;
+    certificate.pxP50 = 0.004;
+    certificate.pxP99 = 0.031;
+    certificate.pxMax = 0.4;
+    certificate.pxAim = 0.05;
+    certificate.worldP50 = 1e-6;
+    certificate.worldP99 = 1.2e-5;
+    certificate.worldMax = 2.5e-4;
+    certificate.limit = "";
+    certificate.coveredPixels = 215000;
+    certificate.uncertainPixels = 134;
+    certificate.uncertainShadowPixels = {{"sun", 420}, {"lamp", 7}};
+    return certificate;
+}
+
 inline Results sampleResults(const std::string& techniqueName = "linear_binary") {
     const Frame reference = sampleReference(), test = shiftedRight(reference);
     Results results;
@@ -27,6 +43,7 @@ inline Results sampleResults(const std::string& techniqueName = "linear_binary")
     results.reference.buildMs = 2.5;
     results.reference.traceMs = 3.5;
     results.reference.peakBytes = 1e9;
+    results.reference.certificate = sampleCertificate();
     results.reference.objects = {{"object 1", 8, 16, 1234567}};
     TechniqueOutcome good;
     good.name = techniqueName;

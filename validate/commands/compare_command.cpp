@@ -17,11 +17,12 @@ std::string metadataOf(const Frame& frame, const std::string& key, const std::st
     return found == frame.metadata.end() ? otherwise : found->second;
 }
 
-ReferenceSummary fromFile() {
+ReferenceSummary fromFile(const Frame& frame, const std::string& file) {
     const Figure none = Figure::absent("the reference came from a file");
     ReferenceSummary summary;
     summary.microTriangles = summary.tessellateMs = summary.buildMs = summary.traceMs = summary.peakBytes =
         none;
+    summary.certificate = certificateFromHeader(frame, file);
     return summary;
 }
 
@@ -35,7 +36,7 @@ Results compareFiles(const CompareArguments& arguments, const Frame& reference, 
     results.program = programName();
     results.scene = {metadataOf(reference, "scene", arguments.reference.stem().string()), "",
                      metadataOf(reference, "scene_hash", ""), reference.width(), reference.height()};
-    results.reference = fromFile();
+    results.reference = fromFile(reference, arguments.reference.string());
     TechniqueOutcome outcome;
     outcome.name = metadataOf(test, "technique", arguments.test.stem().string());
     outcome.msMedian = Figure::absent("the frame came from a file");

@@ -24,6 +24,7 @@ int runReference(const ReferenceArguments& arguments) {
     writeFrame(frame, file);
 
     const ReferenceStats& stats = reference.stats();
+    progress.say(certificateLine(summaryOf(stats, frame).certificate));
     fmt::print(
         "{}\n{} micro-triangles; tessellate {:.0f} ms, build {:.0f} ms, trace {:.0f} ms; peak {:.0f} MB\n",
         file.string(), stats.microTriangles, stats.tessellateMs, stats.buildMs, stats.traceMs,

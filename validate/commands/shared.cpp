@@ -45,13 +45,34 @@ ReferenceOptions referenceOptions(const ReferenceArguments& arguments) {
     return options;
 }
 
-ReferenceSummary summaryOf(const ReferenceStats& stats) {
+namespace {
+
+CertificateSummary summaryOf(const Certificate& certificate, const Frame& frame) {
+    CertificateSummary summary;
+    summary.pxP50 = certificate.pxP50;
+    summary.pxP99 = certificate.pxP99;
+    summary.pxMax = certificate.pxMax;
+    summary.pxAim = certificate.aimPx;
+    summary.worldP50 = certificate.worldP50;
+    summary.worldP99 = certificate.worldP99;
+    summary.worldMax = certificate.worldMax;
+    summary.limit = certificate.limit;
+    // An aim is always above 0: a certificate without one was never filled in.
+    if (!(certificate.aimPx > 0)) setAbsent(summary, "the reference didn't measure it");
+    countPixels(frame, summary);
+    return summary;
+}
+
+} // namespace
+
+ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame) {
     ReferenceSummary summary;
     summary.microTriangles = static_cast<double>(stats.microTriangles);
     summary.tessellateMs = stats.tessellateMs;
     summary.buildMs = stats.buildMs;
     summary.traceMs = stats.traceMs;
     summary.peakBytes = static_cast<double>(peakBytes());
+    summary.certificate = summaryOf(stats.certificate, frame);
     for (const ReferenceStats::Object& object : stats.objects)
         summary.objects.push_back({object.name, object.rate, object.wantedRate, object.microTriangles});
     return summary;
@@ -78,9 +99,16 @@ Progress::~Progress() {
 }
 
 void Progress::step(const std::string& what) {
+    step_ = what;
     if (!terminal_) return;
     std::fputs((kClearLine + what + " …").c_str(), stderr);
     std::fflush(stderr);
+}
+
+void Progress::say(const std::string& line) {
+    if (terminal_) std::fputs(kClearLine, stderr);
+    std::fputs((line + "\n").c_str(), stderr);
+    step(step_);
 }
 
 } // namespace plumbline

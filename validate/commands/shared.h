@@ -20,21 +20,25 @@ uint64_t parseMemorySize(const std::string& text);
 std::map<std::string, std::string> parseSettings(const std::vector<std::string>& texts);
 
 ReferenceOptions referenceOptions(const ReferenceArguments& arguments);
-ReferenceSummary summaryOf(const ReferenceStats& stats);
+/// Of the reference that drew `frame`.
+ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame);
 SceneSummary summaryOf(const Scene& scene);
 
 /// Largest resident set of this process so far, bytes.
 uint64_t peakBytes();
 
-/// Says on stderr what is being done, on one line that is overwritten, if stderr is a terminal; else nothing.
+/// Says on stderr what is being done, on one line that is overwritten, if stderr is a terminal; else only what is to stay.
 class Progress {
   public:
     Progress();
     ~Progress();
     void step(const std::string& what);
+    /// A line that stays, terminal or not; the step is said again after it.
+    void say(const std::string& line);
 
   private:
     bool terminal_;
+    std::string step_;
 };
 
 #ifdef PLUMBLINE_GL

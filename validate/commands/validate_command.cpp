@@ -117,9 +117,10 @@ int runValidate(const ValidateArguments& arguments) {
     ReferenceScene reference(scene, options);
     progress.step("reference: tracing");
     const Frame referenceFrame = reference.render();
-    Results results{programName(), summaryOf(scene), summaryOf(reference.stats()), {}};
+    Results results{programName(), summaryOf(scene), summaryOf(reference.stats(), referenceFrame), {}};
     progress.step("starting OpenGL");
     RealtimeRenderer renderer(scene, gl);
+    progress.say(certificateLine(results.reference.certificate));
 
     output.removeOldResults();
     writeFrame(referenceFrame, output.newFrameFile("reference"));
