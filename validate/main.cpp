@@ -1,4 +1,5 @@
 // The command line: arguments to structs, errors to one line and an exit code. What is done is in commands/.
+#include "../reference/reference.h"
 #include "../scenes/error.h"
 #include "../scenes/scene_metadata.h"
 #include "commands/commands.h"
@@ -31,12 +32,25 @@ void addThreads(CLI::App& command, Arguments& arguments) {
         ->type_name("N");
 }
 
-void addReferenceOptions(CLI::App& command, ReferenceArguments& arguments) {
+/// `bases`: what --base may be.
+void addReferenceOptions(CLI::App& command, ReferenceArguments& arguments, const char* bases) {
+    command
+        .add_option(
+            "--base", arguments.base,
+            "Surface the reference displaces: the limit surface or the proxy's polygons (default: limit)")
+        ->type_name(bases);
+    command
+        .add_option("--error-px", arguments.errorPx,
+                    fmt::format("Aim for the reference's own error, pixels, 99 % of them (default: {})",
+                                ReferenceOptions().errorPx))
+        ->type_name("E");
     command
         .add_option("--rate", arguments.rate, "Segments per control edge, a power of two (default: chosen)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-    command.add_option("--memory", arguments.memory, "Budget of micro-triangles, as 256M or 2G")
+    command
+        .add_option("--memory", arguments.memory,
+                    "Budget of micro-triangles, as 256M or 2G (default: half of the memory that is free)")
         ->type_name("SIZE");
 }
 
@@ -64,7 +78,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     validate
         ->add_option("-o", arguments.validate.output, "Folder of the results (default: plumbline-out/SCENE)")
         ->type_name("DIR");
-    addReferenceOptions(*validate, arguments.validate.reference);
+    addReferenceOptions(*validate, arguments.validate.reference, "limit|proxy|both");
     addRealtimeOptions(*validate, arguments.validate.realtime);
     addThreads(*validate, arguments);
     validate->callback([&] { run = [&] { return runValidate(arguments.validate); }; });
@@ -73,7 +87,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     reference->add_option("SCENE", arguments.reference.scene, "A scene file or a name of the library")
         ->required();
     reference->add_option("-o", arguments.reference.output, "The frame's file")->type_name("FILE.exr");
-    addReferenceOptions(*reference, arguments.reference);
+    addReferenceOptions(*reference, arguments.reference, "limit|proxy");
     addThreads(*reference, arguments);
     reference->callback([&] { run = [&] { return runReference(arguments.reference); }; });
 

@@ -36,14 +36,12 @@ void Report::addReference(const Frame& reference) {
     pictures_.reference = save("reference", colorPicture(reference));
 }
 
-void Report::addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test) {
-    const Comparison& comparison = technique.comparison;
+std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, const Comparison& comparison,
+                                                   const Frame& reference, const Frame& test) const {
     std::vector<ObjectInfo> objects;
     for (const ObjectComparison& object : comparison.objects)
         objects.push_back(object.object);
     const FramePair pair(reference, test, objects);
-    // The number keeps names apart that safeFileName makes equal.
-    const std::string stem = fmt::format("{}_{}", pictures_.techniques.size() + 1, technique.name);
 
     std::vector<ReportPicture> entries;
     entries.push_back({save(stem + "_color", colorPicture(test)), "Colour", Kind::Color, "", ""});
@@ -60,7 +58,17 @@ void Report::addTechnique(const TechniqueOutcome& technique, const Frame& refere
         if (pair.missingChannel(shadowChannel(light)).empty())
             entries.push_back({save(stem + "_shadow_" + light, shadowPicture(pair, light)),
                                "Shadow difference, light " + light, Kind::Shadow, "", ""});
-    pictures_.techniques[technique.name] = std::move(entries);
+    return entries;
+}
+
+void Report::addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test) {
+    // The number keeps names apart that safeFileName makes equal.
+    const std::string stem = fmt::format("{}_{}", pictures_.techniques.size() + 1, technique.name);
+    pictures_.techniques[technique.name] = saveDifferences(stem, technique.comparison, reference, test);
+}
+
+void Report::addBaseGap(const Comparison& gap, const Frame& reference, const Frame& proxyReference) {
+    pictures_.baseGap = saveDifferences("base_gap", gap, reference, proxyReference);
 }
 
 void Report::write(const Results& results) const {

@@ -22,11 +22,15 @@ class Report {
     void addReference(const Frame& reference);
     /// `technique.comparison` must be of these two frames.
     void addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test);
+    /// `gap` must be of these two frames.
+    void addBaseGap(const Comparison& gap, const Frame& reference, const Frame& proxyReference);
     /// Techniques without pictures (failed ones) are shown with their error.
     void write(const Results& results) const;
 
   private:
     std::string save(const std::string& name, const Picture& picture) const;
+    std::vector<ReportPicture> saveDifferences(const std::string& stem, const Comparison& comparison,
+                                               const Frame& reference, const Frame& test) const;
 
     std::filesystem::path folder_;
     ReportPictures pictures_;

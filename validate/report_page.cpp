@@ -4,9 +4,9 @@
 #include "../scenes/error.h"
 #include "output_files.h"
 #include "pictures.h"
+#include "report_cells.h"
 
 #include <fmt/format.h>
-#include <kainjow/mustache.hpp>
 
 #include <fstream>
 #include <set>
@@ -15,93 +15,16 @@
 namespace plumbline {
 namespace {
 
-using kainjow::mustache::data;
+using namespace report;
 
-std::string readTemplate() {
-    const std::filesystem::path file = dataFolder() / "validate" / "report" / "index.mustache";
+std::string readTemplate(const char* name) {
+    const std::filesystem::path file = dataFolder() / "validate" / "report" / name;
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     text << stream.rdbuf();
     if (!stream)
         throw MachineError(file.string(), "the report's template can't be read", "an undamaged installation");
     return text.str();
-}
-
-/// Sets only what there is to say: an empty string would still open its section of the template.
-void setIfAny(data& entry, const std::string& key, const std::string& text) {
-    if (!text.empty()) entry.set(key, text);
-}
-
-data cell(const Figure& figure, const char* format) {
-    data entry{data::type::object};
-    entry.set("text", figure ? fmt::format(fmt::runtime(format), *figure) : std::string("–"));
-    setIfAny(entry, "reason", figure.reason());
-    return entry;
-}
-
-/// A figure with its interval below it.
-data cell(const Figure& figure, const Interval& interval, const char* format) {
-    data entry = cell(figure, format);
-    if (interval.low)
-        entry.set("interval", fmt::format("{}–{}", fmt::format(fmt::runtime(format), *interval.low),
-                                          fmt::format(fmt::runtime(format), *interval.high)));
-    return entry;
-}
-
-data cell(uint64_t count) {
-    data entry{data::type::object};
-    entry.set("text", std::to_string(count));
-    return entry;
-}
-
-std::set<std::string> lightsOf(const Results& results) {
-    std::set<std::string> lights;
-    for (const TechniqueOutcome& technique : results.techniques)
-        for (const auto& [light, shadow] : technique.comparison.pooled.shadow)
-            lights.insert(light);
-    return lights;
-}
-
-data metricCells(const MetricSet& metrics, const std::set<std::string>& lights, const Figure& milliseconds) {
-    data cells{data::type::list};
-    cells << cell(metrics.silhouette.iou, metrics.silhouette.iouRange, "{:.5f}")
-          << cell(metrics.silhouette.missingPx) << cell(metrics.silhouette.extraPx)
-          << cell(metrics.depth.relief.bias, "{:+.4f}") << cell(metrics.depth.relief.rmse, "{:.4f}")
-          << cell(metrics.depth.relief.p99, "{:.4f}") << cell(metrics.depth.badpix5pct, "{:.4f}");
-    for (const std::string& light : lights) {
-        const auto found = metrics.shadow.find(light);
-        const ShadowAgreement shadow = found == metrics.shadow.end() ? ShadowAgreement{} : found->second;
-        cells << cell(shadow.agreement, shadow.agreementRange, "{:.4f}") << cell(shadow.ber, "{:.4f}");
-    }
-    cells << cell(metrics.normal.meanDegrees, "{:.2f}") << cell(metrics.st.meanTexels, "{:.2f}")
-          << cell(metrics.cost.mean, "{:.1f}") << cell(milliseconds, "{:.1f}");
-    return cells;
-}
-
-data headCells(const std::set<std::string>& lights) {
-    data heads{data::type::list};
-    const auto add = [&heads](const std::string& text, const std::string& unit) {
-        data head{data::type::object};
-        head.set("text", text);
-        setIfAny(head, "unit", unit);
-        heads << head;
-    };
-    add("silhouette IoU", "");
-    add("missing", "px");
-    add("extra", "px");
-    add("depth bias", "relief depth");
-    add("depth RMSE", "relief depth");
-    add("depth p99", "relief depth");
-    add("off by > 5 %", "share");
-    for (const std::string& light : lights) {
-        add("shadow agreement", light);
-        add("shadow error rate", light + ", balanced");
-    }
-    add("normal", "mean, degrees");
-    add("st", "mean, texels");
-    add("look-ups", "a pixel");
-    add("time", "ms");
-    return heads;
 }
 
 std::string withThousands(double count) {
@@ -124,13 +47,6 @@ std::vector<std::string> referenceLimits(const ReferenceSummary& reference) {
         limits.push_back(sentence);
     limits.emplace_back("One sample a pixel, at its centre, without anti-aliasing.");
     return limits;
-}
-
-data listOfTexts(const std::vector<std::string>& texts) {
-    data list{data::type::list};
-    for (const std::string& text : texts)
-        list << data(text);
-    return list;
 }
 
 data referenceData(const ReferenceSummary& reference) {
@@ -202,8 +118,8 @@ data objectRows(const Comparison& comparison, const std::set<std::string>& light
     for (const ObjectComparison& object : comparison.objects) {
         data row{data::type::object};
         row.set("object", object.object.name);
-        row.set("object_cells",
-                metricCells(object.metrics, lights, Figure::absent("time is measured for the whole frame")));
+        row.set("object_cells", techniqueCells(object.metrics, lights,
+                                               Figure::absent("time is measured for the whole frame")));
         objects << row;
     }
     return objects;
@@ -226,11 +142,34 @@ data techniqueSection(const TechniqueOutcome& technique, const std::set<std::str
         return section;
     }
     const Comparison& comparison = technique.comparison;
-    section.set("cells", metricCells(comparison.pooled, lights, technique.msMedian));
+    section.set("cells", techniqueCells(comparison.pooled, lights, technique.msMedian));
     section.set("objects", objectRows(comparison, lights));
     section.set("several_objects", comparison.objects.size() > 1);
     section.set("notes", listOfTexts(comparison.notes));
     section.set("pictures", pictureList(pictures));
+    return section;
+}
+
+data gapRow(const std::string& name, const Comparison& comparison, const std::set<std::string>& lights) {
+    data row{data::type::object};
+    row.set("row", name);
+    row.set("gap_cells", metricCells(comparison.pooled, lights));
+    return row;
+}
+
+/// The gap between the two references, and each technique against the one on the proxy.
+data baseGapData(const Results& results, const std::set<std::string>& lights,
+                 const ReportPictures& pictures) {
+    data section{data::type::object};
+    section.set("name", "the reference on the proxy");
+    section.set("gap_heads", metricHeads(lights));
+    data rows{data::type::list};
+    rows << gapRow("the base gap", results.proxy->gap, lights);
+    for (const TechniqueOutcome& technique : results.techniques)
+        if (technique.againstProxy) rows << gapRow(technique.name, *technique.againstProxy, lights);
+    section.set("rows", rows);
+    section.set("pictures", pictureList(pictures.baseGap));
+    section.set("gap_limits", listOfTexts(referenceLimits(results.proxy->summary)));
     return section;
 }
 
@@ -248,7 +187,7 @@ std::string reportPage(const Results& results, const ReportPictures& pictures) {
     page.set("reference_picture", pictures.reference);
     page.set("reference", referenceData(results.reference));
     page.set("colors", paletteData());
-    page.set("heads", headCells(lights));
+    page.set("heads", techniqueHeads(lights));
     data sections{data::type::list};
     for (const TechniqueOutcome& technique : results.techniques) {
         const auto found = pictures.techniques.find(technique.name);
@@ -257,8 +196,11 @@ std::string reportPage(const Results& results, const ReportPictures& pictures) {
                                                                         : found->second);
     }
     page.set("techniques", sections);
+    if (results.proxy) page.set("base_gap", baseGapData(results, lights, pictures));
+    const std::string pictureLayout = readTemplate("pictures.mustache");
+    page.set("picture_list", data(kainjow::mustache::partial([&] { return pictureLayout; })));
 
-    kainjow::mustache::mustache layout(readTemplate());
+    kainjow::mustache::mustache layout(readTemplate("index.mustache"));
     if (!layout.is_valid())
         throw MachineError("validate/report/index.mustache", layout.error_message(), "a valid template");
     return layout.render(page);

@@ -20,9 +20,10 @@ struct ReportPicture {
 struct ReportPictures {
     std::string reference;
     std::map<std::string, std::vector<ReportPicture>> techniques; // by name
+    std::vector<ReportPicture> baseGap; // of the reference on the proxy, held against the other
 };
 
-/// Fills validate/report/index.mustache, which escapes every text. Throws MachineError if the template is
+/// Fills validate/report/index.mustache and pictures.mustache in it, which escape every text. Throws MachineError if the template is
 /// missing.
 std::string reportPage(const Results& results, const ReportPictures& pictures);
 

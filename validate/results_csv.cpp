@@ -31,20 +31,29 @@ struct Row {
     }
 };
 
-Row makeRow(const TechniqueOutcome& technique, const std::string& object, const std::string& light,
+/// What a row is of, beyond its object and light.
+struct Subject {
+    std::string technique;
+    std::string reference; // base of the reference held against
+    Figure msMedian;
+    std::string error;
+};
+
+Row makeRow(const Subject& subject, const std::string& object, const std::string& light,
             const MetricSet& metrics, const ShadowAgreement& shadow) {
     Row row;
-    row.add("technique", technique.name);
+    row.add("technique", subject.technique);
     row.add("object", object);
     row.add("light", light);
+    row.add("reference", subject.reference);
     row.add("silhouette", valuesOf(metrics.silhouette));
     row.add("depth", valuesOf(metrics.depth));
     row.add("shadow", valuesOf(shadow));
     row.add("normal", valuesOf(metrics.normal));
     row.add("st", valuesOf(metrics.st));
     row.add("cost", valuesOf(metrics.cost));
-    row.add("cost", {{"ms_median", technique.msMedian}});
-    row.add("error", technique.error.value_or(""));
+    row.add("cost", {{"ms_median", subject.msMedian}});
+    row.add("error", subject.error);
     return row;
 }
 
@@ -57,15 +66,20 @@ std::string textOf(const Row& row, bool head) {
     return line + "\r\n";
 }
 
-void addRows(std::string& csv, const TechniqueOutcome& technique, const std::string& object,
-             const MetricSet& metrics) {
+void addRows(std::string& csv, const Subject& subject, const std::string& object, const MetricSet& metrics) {
     for (const auto& [light, shadow] : metrics.shadow)
-        csv += textOf(makeRow(technique, object, light, metrics, shadow), false);
-    if (metrics.shadow.empty()) csv += textOf(makeRow(technique, object, "", metrics, {}), false);
+        csv += textOf(makeRow(subject, object, light, metrics, shadow), false);
+    if (metrics.shadow.empty()) csv += textOf(makeRow(subject, object, "", metrics, {}), false);
 }
 
-std::string failedRow(const TechniqueOutcome& technique) {
-    Row row = makeRow(technique, "(pooled)", "", {}, {});
+void addRows(std::string& csv, const Subject& subject, const Comparison& comparison) {
+    addRows(csv, subject, "(pooled)", comparison.pooled);
+    for (const ObjectComparison& object : comparison.objects)
+        addRows(csv, subject, object.object.name, object.metrics);
+}
+
+std::string failedRow(const Subject& subject) {
+    Row row = makeRow(subject, "(pooled)", "", {}, {});
     for (auto& [name, text] : row.cells)
         if (name != "technique" && name != "object" && name != "error")
             text.clear(); // counts of nothing are no zeros
@@ -76,14 +90,16 @@ std::string failedRow(const TechniqueOutcome& technique) {
 
 std::string toCsv(const Results& results) {
     std::string csv = textOf(makeRow({}, "", "", {}, {}), true);
+    const Figure noTime = Figure::absent("a reference isn't timed");
+    if (results.proxy) addRows(csv, {"(base gap)", results.base, noTime, ""}, results.proxy->gap);
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
-            csv += failedRow(technique);
+            csv += failedRow({technique.name, "", {}, *technique.error});
             continue;
         }
-        addRows(csv, technique, "(pooled)", technique.comparison.pooled);
-        for (const ObjectComparison& object : technique.comparison.objects)
-            addRows(csv, technique, object.object.name, object.metrics);
+        addRows(csv, {technique.name, results.base, technique.msMedian, ""}, technique.comparison);
+        if (technique.againstProxy)
+            addRows(csv, {technique.name, "proxy", technique.msMedian, ""}, *technique.againstProxy);
     }
     return csv;
 }

@@ -43,7 +43,7 @@ Json toGroup(const MetricValues& values) {
     return group.json();
 }
 
-void addMetrics(Json& json, const MetricSet& metrics, MetricValues cost) {
+void addMetrics(Json& json, const MetricSet& metrics) {
     json["silhouette"] = toGroup(valuesOf(metrics.silhouette));
     json["depth"] = toGroup(valuesOf(metrics.depth));
     json["shadow"] = Json::object();
@@ -51,15 +51,30 @@ void addMetrics(Json& json, const MetricSet& metrics, MetricValues cost) {
         json["shadow"][light] = toGroup(valuesOf(agreement));
     json["normal"] = toGroup(valuesOf(metrics.normal));
     json["st"] = toGroup(valuesOf(metrics.st));
-    MetricValues all = valuesOf(metrics.cost);
-    all.insert(all.end(), cost.begin(), cost.end());
-    json["cost"] = toGroup(all);
 }
 
-Json toJson(const ObjectComparison& object) {
+void addCost(Json& json, const FetchCost& cost, const MetricValues& more) {
+    MetricValues values = valuesOf(cost);
+    values.insert(values.end(), more.begin(), more.end());
+    json["cost"] = toGroup(values);
+}
+
+Json toJson(const ObjectComparison& object, bool withCost) {
     Json json{{"name", object.object.name}, {"id", object.object.id}};
     if (object.object.reliefDepth) json["relief_depth"] = *object.object.reliefDepth;
-    addMetrics(json, object.metrics, {});
+    addMetrics(json, object.metrics);
+    if (withCost) addCost(json, object.metrics.cost, {});
+    return json;
+}
+
+/// Without cost: two references have none, and a technique's doesn't depend on what it is held against.
+Json toJson(const Comparison& comparison) {
+    Json json{{"pooled_objects", comparison.pooledObjects}};
+    addMetrics(json, comparison.pooled);
+    json["objects"] = Json::array();
+    for (const ObjectComparison& object : comparison.objects)
+        json["objects"].push_back(toJson(object, false));
+    if (!comparison.notes.empty()) json["notes"] = comparison.notes;
     return json;
 }
 
@@ -71,15 +86,17 @@ Json toJson(const TechniqueOutcome& technique) {
         return json;
     }
     json["pooled_objects"] = technique.comparison.pooledObjects;
-    addMetrics(json, technique.comparison.pooled, {{"ms_median", technique.msMedian}});
+    addMetrics(json, technique.comparison.pooled);
+    addCost(json, technique.comparison.pooled.cost, {{"ms_median", technique.msMedian}});
     if (technique.msMedian) {
         json["cost"]["ms_runs"] = technique.msRuns;
         json["cost"]["timer"] = technique.timer;
     }
     json["objects"] = Json::array();
     for (const ObjectComparison& object : technique.comparison.objects)
-        json["objects"].push_back(toJson(object));
+        json["objects"].push_back(toJson(object, true));
     if (!technique.comparison.notes.empty()) json["notes"] = technique.comparison.notes;
+    if (technique.againstProxy) json["against_proxy"] = toJson(*technique.againstProxy);
     json["error"] = nullptr;
     return json;
 }
@@ -124,7 +141,15 @@ std::string toJson(const Results& results) {
                      {"hash", scene.hash},
                      {"width", scene.width},
                      {"height", scene.height}};
+    if (results.proxy)
+        json["base"] = "both";
+    else
+        json["base"] = results.base.empty() ? Json(nullptr) : Json(results.base);
     json["reference"] = toJson(results.reference);
+    if (results.proxy) {
+        json["reference_proxy"] = toJson(results.proxy->summary);
+        json["base_gap"] = toJson(results.proxy->gap);
+    }
     json["techniques"] = Json::array();
     for (const TechniqueOutcome& technique : results.techniques)
         json["techniques"].push_back(toJson(technique));

@@ -25,10 +25,15 @@ class TextTable {
     }
 
   private:
+    /// Of UTF-8: bytes that don't continue a character.
+    static size_t characters(const std::string& text) {
+        return static_cast<size_t>(
+            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    }
     size_t widthOf(size_t column) const {
         size_t width = 0;
         for (const auto& row : rows_)
-            width = std::max(width, row[column].size());
+            width = std::max(width, characters(row[column]));
         return width;
     }
 
@@ -84,6 +89,15 @@ std::vector<std::string> joined(const std::string& first, std::vector<std::strin
     return cells;
 }
 
+std::string proxyTable(const Results& results) {
+    TextTable table(joined("against the proxy", kMetricHeads, {}));
+    table.add(joined("(base gap)", metricCells(results.proxy->gap.pooled), {}));
+    for (const TechniqueOutcome& technique : results.techniques)
+        if (technique.againstProxy)
+            table.add(joined(technique.name, metricCells(technique.againstProxy->pooled), {}));
+    return table.text();
+}
+
 } // namespace
 
 std::string toTable(const Results& results) {
@@ -98,7 +112,13 @@ std::string toTable(const Results& results) {
         table.add(joined(technique.name, metricCells(pooled),
                          {shown(pooled.cost.mean, "{:.1f}"), shown(technique.msMedian, "{:.1f}")}));
     }
-    return table.text() + errors;
+    std::string text = table.text() + errors;
+    if (results.proxy)
+        text += "\nTechniques held against the reference on the proxy. (base gap): that reference held "
+                "against the one "
+                "above, on the limit surface.\n" +
+                proxyTable(results);
+    return text;
 }
 
 } // namespace plumbline

@@ -44,7 +44,11 @@ TEST_F(EndToEnd, OptionsOutOfRange) {
         expectRefusal(run({"reference", scene, "--rate", bad}), 2, "--rate");
     for (const char* bad : {"", "M", "1T", "-5M", "0", "99999999999G", "1 M", "1.5G"})
         expectRefusal(run({"reference", scene, "--memory", bad}), 2, "--memory");
-    expectRefusal(run({"reference", scene, "--base", "proxy"}), 2, "--base");
+    for (const char* bad : {"cage", "both", "", "Limit"})
+        expectRefusal(run({"reference", scene, "--base", bad}), 2, "--base");
+    expectRefusal(run({"reference", scene, "--base", "prxy"}), 2, "did you mean 'proxy'?");
+    for (const char* bad : {"0", "-1", "nan", "inf", "1001", "9e-7", "0.05px", "0,05", ""})
+        expectRefusal(run({"reference", scene, "--error-px", bad}), 2, "--error-px");
     EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
 }
 
@@ -86,6 +90,17 @@ TEST_F(EndToEnd, ReferenceGivesEqualBytesTwiceAndOnOneOrTwoThreads) {
     EXPECT_TRUE(bytes == readFile(folder_ / "b.exr"));
     EXPECT_TRUE(bytes == readFile(folder_ / "one.exr"));
     EXPECT_TRUE(bytes == readFile(folder_ / "two.exr"));
+}
+
+TEST_F(EndToEnd, ReferenceTakesABaseAndAnAim) {
+    const std::string scene = writeSmallScene();
+    for (const char* base : {"limit", "proxy"})
+        for (const char* aim : {"1e-6", "0.5", "1000"}) {
+            const Outcome made =
+                run({"reference", scene, "--rate", "8", "--base", base, "--error-px", aim, "-o", "a.exr"});
+            EXPECT_EQ(made.exitCode, 0) << made.err;
+            expectOnlyTheCertificate(made.err);
+        }
 }
 
 TEST_F(EndToEnd, MemoryTooSmallForTheRateIsTheMachinesFault) {
@@ -154,6 +169,43 @@ TEST_F(EndToEnd, AFrameShiftedByOnePixel) {
     EXPECT_THAT(filesBelow(folder_ / "out"),
                 ::testing::IsSupersetOf(
                     {"results.json", "results.csv", "report/index.html", "report/reference.png"}));
+}
+
+// Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain: 12/15 at best, and so is
+// a pixel outside: 12/17 at worst.
+TEST_F(EndToEnd, AReferenceThatSaysHowSureItIs) {
+    Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
+    paintRectangle(reference, 2, 1, 6, 5);
+    paintRectangle(test, 3, 1, 6, 5);
+    addUncertainty(reference);
+    set(reference, "uncertain", 2, 1, 1);
+    set(reference, "uncertain", 0, 0, 1);
+    set(reference, "uncertain.shadow.sun", 4, 1, 1);
+    reference.metadata = {
+        {"base", "proxy"}, {"certificate.error_px_p99", "0.031"}, {"certificate.error_limit", "--rate 8"}};
+    writeFrame(reference, folder_ / "reference.exr");
+    writeFrame(test, folder_ / "test.exr");
+
+    const Outcome compared = run({"compare", "reference.exr", "test.exr", "--json"});
+    ASSERT_EQ(compared.exitCode, 0) << compared.err;
+    const json results = json::parse(compared.out), technique = results["techniques"][0];
+    EXPECT_EQ(results["base"], "proxy");
+    EXPECT_EQ(results["reference"]["error_px_p99"], 0.031);
+    EXPECT_EQ(results["reference"]["error_limit"], "--rate 8");
+    EXPECT_THAT(results["reference"]["absent"]["error_px_max"].get<std::string>(),
+                HasSubstr("no header field certificate.error_px_max"));
+    EXPECT_EQ(results["reference"]["uncertain_pixels"], 2);
+    EXPECT_EQ(results["reference"]["uncertain_shadow_pixels"]["sun"], 1);
+    EXPECT_EQ(technique["silhouette"]["iou"], 12.0 / 16.0);
+    EXPECT_EQ(technique["silhouette"]["iou_low"], 12.0 / 17.0);
+    EXPECT_EQ(technique["silhouette"]["iou_high"], 12.0 / 15.0);
+    EXPECT_EQ(technique["shadow"]["sun"]["agreement_low"], 11.0 / 12.0);
+    EXPECT_EQ(technique["shadow"]["sun"]["uncertain_px"], 1);
+
+    reference.metadata["certificate.error_px_p99"] = "tiny";
+    writeFrame(reference, folder_ / "reference.exr");
+    expectRefusal(run({"compare", "reference.exr", "test.exr"}), 2,
+                  "reference.exr: header field 'certificate.error_px_p99'");
 }
 
 TEST_F(EndToEnd, AForeignFrameWithCoverageAndDepthAlone) {

@@ -1,5 +1,6 @@
 // The main job with OpenGL: reference, techniques, metrics, report.
 #include "../../scenes/data_folder.h"
+#include "../../scenes/frame_exr.h"
 #include "program.h"
 
 #include <nlohmann/json.hpp>
@@ -141,6 +142,63 @@ TEST_F(Validate, SettingsReachTheTechniqueAndItsName) {
     EXPECT_EQ(results["techniques"][1]["parameters"]["binary_steps"], "3");
 }
 
+// What `compare` says of the frames written is what the run says: of the gap, and of a technique against each base.
+TEST_F(Validate, BothBases) {
+    const Outcome made =
+        run({"validate", "small_torus", "--base", "both", "--technique", "linear_binary", "-o", "out"});
+    ASSERT_EQ(made.exitCode, 0) << made.err;
+    EXPECT_EQ(std::count(made.err.begin(), made.err.end(), '\n'), 2) << made.err;
+    EXPECT_THAT(made.err, HasSubstr("certificate of the reference on the proxy: "));
+    EXPECT_THAT(made.out, HasSubstr("(base gap)"));
+    EXPECT_THAT(readFile(folder_ / "out/report/index.html"), HasSubstr("base_gap_silhouette.png"));
+
+    const json results = resultsOf("out"), technique = results["techniques"][0];
+    EXPECT_EQ(results["base"], "both");
+    EXPECT_GT(results["reference_proxy"]["micro_triangles"], 0);
+    const auto compared = [&](const std::string& reference, const std::string& test) {
+        const Outcome outcome = run({"compare", "out/frames/" + reference, "out/frames/" + test, "--json"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        return json::parse(outcome.out)["techniques"][0];
+    };
+    const json gap = compared("reference.exr", "reference_proxy.exr");
+    const json againstLimit = compared("reference.exr", "linear_binary.exr");
+    const json againstProxy = compared("reference_proxy.exr", "linear_binary.exr");
+    for (const char* group : {"silhouette", "depth", "shadow", "normal", "st"}) {
+        EXPECT_EQ(results["base_gap"].at(group), gap.at(group)) << group;
+        EXPECT_EQ(technique.at(group), againstLimit.at(group)) << group;
+        EXPECT_EQ(technique["against_proxy"].at(group), againstProxy.at(group)) << group;
+    }
+    EXPECT_FALSE(results["base_gap"].contains("cost"));
+
+    // The outline of a torus of 32 x 16 quads isn't the torus's: references on two bases can't agree.
+    const auto baseOf = [&](const char* file) {
+        return readFrame(folder_ / "out/frames" / file).metadata.at("base");
+    };
+    const bool basesDiffer = baseOf("reference.exr") != baseOf("reference_proxy.exr");
+    EXPECT_EQ(results["base_gap"]["silhouette"]["iou"] < 1.0, basesDiffer);
+    EXPECT_GT(results["base_gap"]["silhouette"]["iou"], 0.9);
+}
+
+// The control draws the triangles on the limit surface, though those on the proxy are made as well.
+TEST_F(Validate, TheControlKeepsToTheLimitSurface) {
+    writeSmallScene();
+    ASSERT_EQ(validate("out", {"--base", "both", "--technique", "micro_triangles"}).exitCode, 0);
+    const json technique = resultsOf("out")["techniques"][0];
+    EXPECT_GE(technique["silhouette"]["iou"], 0.999);
+    EXPECT_LE(technique["depth"]["p99_relief"], 1e-3);
+}
+
+TEST_F(Validate, OneBaseHasNoGap) {
+    writeSmallScene();
+    ASSERT_EQ(validate("out", {"--base", "proxy", "--technique", "linear_binary"}).exitCode, 0);
+    const json results = resultsOf("out");
+    EXPECT_EQ(results["base"], "proxy");
+    for (const char* key : {"base_gap", "reference_proxy"})
+        EXPECT_FALSE(results.contains(key)) << key;
+    EXPECT_FALSE(results["techniques"][0].contains("against_proxy"));
+    EXPECT_FALSE(fs::exists(folder_ / "out/frames/reference_proxy.exr"));
+}
+
 // --- what goes wrong ---------------------------------------------------------------------------------------------------
 
 void expectRefused(const Outcome& outcome, int exitCode, const std::string& part) {
@@ -161,6 +219,8 @@ TEST_F(Validate, WrongNamesAreRefusedBeforeAnythingIsWritten) {
     expectRefused(validate("out", {"--set", "linear_stepps=5"}), 2, "did you mean 'linear_steps'?");
     expectRefused(validate("out", {"--set", "linear_steps"}), 2, "--set");
     expectRefused(validate("out", {"--gl", "vulkan"}), 2, "--gl");
+    expectRefused(validate("out", {"--base", "bth"}), 2, "did you mean 'both'?");
+    expectRefused(validate("out", {"--error-px", "0"}), 2, "--error-px");
     expectRefused(run({"realtime", "small.toml"}), 2, "--technique");
     EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
 }

@@ -115,6 +115,26 @@ TEST(ReportPage, SaysWhatAPersonMustKnow) {
     EXPECT_THAT(page, HasSubstr("12.5 ms, median of 5 (wall clock around glFinish)"));
 }
 
+TEST(ReportPage, ShowsTheGapBetweenTheBases) {
+    ReportPictures pictures;
+    ReportPicture picture;
+    picture.kind = ReportPicture::Kind::Silhouette;
+    picture.caption = "Silhouette difference";
+    picture.file = "gap.png";
+    pictures.baseGap = {picture};
+    const std::string page = reportPage(sampleResultsOnBothBases(), pictures);
+    const size_t begin = page.find("id=\"base\""), end = page.find("id=\"linear_binary\"");
+    ASSERT_LT(begin, end);
+    const std::string section = page.substr(begin, end - begin);
+    EXPECT_THAT(section, HasSubstr("<td>the base gap</td><td>0.66667<small>"));
+    EXPECT_THAT(section, HasSubstr("<td>linear_binary</td><td>0.66667<small>"));
+    EXPECT_THAT(section,
+                HasSubstr("src=\"gap.png\" alt=\"Silhouette difference of the reference on the proxy\""));
+    EXPECT_THAT(section, HasSubstr(cssColor(palette::kMissing))); // its legend
+    EXPECT_THAT(section, HasSubstr("The aim isn&apos;t met: --memory 1 MB."));
+    EXPECT_THAT(reportPage(sampleResults(), {}), Not(HasSubstr("id=\"base\"")));
+}
+
 TEST(ReportPage, NeedsNothingFromTheNetwork) {
     const std::string page = reportPage(sampleResults(), {});
     for (const char* remote : {"http:", "https:", "//cdn", "<script", "<link", "@import"})

@@ -114,6 +114,35 @@ TEST(ResultsJson, AbsentFiguresAreLeftOutWithTheirReason) {
     EXPECT_THAT(plain["depth"]["absent"]["rmse_relief"].get<std::string>(), HasSubstr("no relief"));
 }
 
+// Object 1 covers columns 1 2 3 in the limit reference, 2 3 in the proxy's and in the shifted test: of four rows, 8/12 and
+// 8/8; test against proxy with column 4 (object 2 in the proxy's frame): 8 of columns 2 3 and 4 of column 4 are extra: 8/12.
+TEST(ResultsJson, BothBases) {
+    const json results = json::parse(toJson(sampleResultsOnBothBases()));
+    EXPECT_EQ(results["base"], "both");
+    EXPECT_EQ(results["reference_proxy"]["error_limit"], "--memory 1 MB");
+    const json &gap = results["base_gap"], &technique = results["techniques"][0];
+    EXPECT_EQ(gap["silhouette"]["iou"], 8.0 / 12.0);
+    EXPECT_EQ(gap["silhouette"]["missing_px"], 4);
+    EXPECT_EQ(gap["objects"].size(), 2u);
+    EXPECT_EQ(technique["silhouette"]["iou"], 8.0 / 16.0);
+    EXPECT_EQ(technique["against_proxy"]["silhouette"]["iou"], 8.0 / 12.0);
+    EXPECT_EQ(technique["against_proxy"]["silhouette"]["extra_px"], 4);
+    for (const json* comparison : {&gap, &technique["against_proxy"]}) {
+        for (const char* group : {"pooled_objects", "silhouette", "depth", "shadow", "normal", "st"})
+            EXPECT_TRUE(comparison->contains(group)) << group;
+        EXPECT_FALSE(comparison->contains("cost"));
+    }
+    EXPECT_FALSE(results["techniques"][1].contains("against_proxy")); // failed
+}
+
+TEST(ResultsJson, ABaseThatIsNotKnownIsNull) {
+    Results results = sampleResults();
+    EXPECT_TRUE(json::parse(toJson(results)).at("base").is_null());
+    results.base = "proxy";
+    EXPECT_EQ(json::parse(toJson(results)).at("base"), "proxy");
+    EXPECT_FALSE(json::parse(toJson(results)).contains("base_gap"));
+}
+
 TEST(ResultsJson, AFailedTechniqueHasItsMessageAndNoMetrics) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(1);
     EXPECT_EQ(technique["error"], "broken.glsl:3: undeclared 'x'");
@@ -181,6 +210,20 @@ TEST(ResultsCsv, ARowPerTechniqueObjectAndLight) {
     EXPECT_EQ(rows[4].at(column + 1), ""); // counts of a failed technique are no zeros
 }
 
+TEST(ResultsCsv, BothBasesHaveRowsOfTheirOwn) {
+    const auto rows = parseCsv(toCsv(sampleResultsOnBothBases()));
+    ASSERT_EQ(rows[0][3], "reference");
+    const auto column =
+        static_cast<size_t>(std::find(rows[0].begin(), rows[0].end(), "silhouette.iou") - rows[0].begin());
+    std::vector<std::string> pooled;
+    for (const auto& row : rows)
+        if (row[1] == "(pooled)") pooled.push_back(row[0] + " " + row[3] + " " + row.at(column).substr(0, 5));
+    EXPECT_EQ(pooled, (std::vector<std::string>{"(base gap) limit 0.666", "linear_binary limit 0.5",
+                                                "linear_binary proxy 0.666", "broken  "}));
+    EXPECT_EQ(rows.size(),
+              1u + 3 * 3 + 1); // head, three comparisons pooled and of two objects, the failed one
+}
+
 TEST(ResultsCsv, AFrameWithoutLightsStillHasItsRow) {
     Frame frame(2, 1);
     frame.add("id")[0] = 1;
@@ -205,6 +248,16 @@ TEST(ResultsTable, FitsATerminal) {
     results.techniques.pop_back();
     const std::string table = toTable(results);
     EXPECT_LE(table.find('\n'), 130u);
+}
+
+TEST(ResultsTable, BothBasesHaveASecondTable) {
+    const std::string table = toTable(sampleResultsOnBothBases());
+    const size_t second = table.find("against the proxy ");
+    ASSERT_NE(second, std::string::npos);
+    EXPECT_THAT(table.substr(0, second), Not(HasSubstr("0.66667")));
+    EXPECT_THAT(table.substr(second), HasSubstr("(base gap)         0.66667"));
+    EXPECT_THAT(table.substr(second), HasSubstr("linear_binary      0.66667"));
+    EXPECT_THAT(toTable(sampleResults()), Not(HasSubstr("proxy")));
 }
 
 TEST(ResultsTable, ShowsFiguresDashesAndFailures) {

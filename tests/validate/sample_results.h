@@ -62,4 +62,19 @@ inline Results sampleResults(const std::string& techniqueName = "linear_binary")
     return results;
 }
 
+/// The same with a second reference, on the proxy: two columns instead of three of object 1.
+inline Results sampleResultsOnBothBases() {
+    Results results = sampleResults();
+    const Frame reference = sampleReference(), test = shiftedRight(reference);
+    Frame proxy = sampleReference();
+    for (int y = 1; y < 5; ++y)
+        set(proxy, "id", 1, y, 0);
+    const std::vector<ObjectInfo> objects{objectWithRelief(1, 0.1), objectWithRelief(2, 0)};
+    results.base = "limit";
+    results.proxy = ProxyReference{results.reference, compareFrames(reference, proxy, objects, std::nullopt)};
+    results.proxy->summary.certificate.limit = "--memory 1 MB";
+    results.techniques[0].againstProxy = compareFrames(proxy, test, objects, std::nullopt);
+    return results;
+}
+
 } // namespace plumbline::test

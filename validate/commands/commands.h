@@ -22,8 +22,10 @@ inline constexpr const char* kDefaultScene = "small_torus";
 struct ReferenceArguments {
     std::string scene = kDefaultScene; // path or library name
     std::optional<std::filesystem::path> output;
-    int rate = 0;                      // segments per control edge; 0: chosen
-    std::optional<std::string> memory; // "256M"; nullopt: the reference's own default
+    int rate = 0;                       // segments per control edge; 0: chosen
+    std::optional<std::string> memory;  // "256M"; nullopt: the reference's own default
+    std::string base = "limit";         // or "proxy"; for validate also "both"
+    std::optional<std::string> errorPx; // "0.05"; nullopt: the reference's own default
 };
 
 struct RealtimeArguments {

@@ -36,6 +36,8 @@ Results compareFiles(const CompareArguments& arguments, const Frame& reference, 
     results.program = programName();
     results.scene = {metadataOf(reference, "scene", arguments.reference.stem().string()), "",
                      metadataOf(reference, "scene_hash", ""), reference.width(), reference.height()};
+    if (const std::string base = metadataOf(reference, "base", ""); base == "limit" || base == "proxy")
+        results.base = base;
     results.reference = fromFile(reference, arguments.reference.string());
     TechniqueOutcome outcome;
     outcome.name = metadataOf(test, "technique", arguments.test.stem().string());

@@ -11,7 +11,8 @@ int runReference(const ReferenceArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
     const Scene scene = readScene(findScene(arguments.scene));
-    const ReferenceOptions options = referenceOptions(arguments);
+    ReferenceOptions options = referenceOptions(arguments);
+    options.base = parseBase(arguments.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
     const std::filesystem::path file = arguments.output.value_or(
         std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
     requireWritableFile(file);

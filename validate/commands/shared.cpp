@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <sys/resource.h>
@@ -38,9 +39,33 @@ std::map<std::string, std::string> parseSettings(const std::vector<std::string>&
     return settings;
 }
 
+BaseChoice parseBase(const std::string& text, bool bothIsAChoice) {
+    std::vector<std::string> choices{"limit", "proxy"};
+    if (bothIsAChoice) choices.emplace_back("both");
+    const auto found = std::find(choices.begin(), choices.end(), text);
+    if (found == choices.end())
+        throw InputError("--base", fmt::format("found '{}'", text), listOf(choices),
+                         didYouMean(text, choices));
+    return static_cast<BaseChoice>(found -
+                                   choices.begin()); // the choices are in the order of the enumeration
+}
+
+double parseErrorPx(const std::string& text) {
+    constexpr double kSmallest = 1e-6; // below it floats of the micro-triangles are the limit
+    constexpr double kLargest = 1000;  // wider than a picture's features: surely a slip of the finger
+    double pixels = 0;
+    const char* end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, pixels);
+    if (error != std::errc() || stopped != end || !(pixels >= kSmallest && pixels <= kLargest))
+        throw InputError("--error-px", fmt::format("'{}' is not an error in pixels", text),
+                         "a number from 0.000001 to 1000, for example 0.05");
+    return pixels;
+}
+
 ReferenceOptions referenceOptions(const ReferenceArguments& arguments) {
     ReferenceOptions options;
     options.rate = arguments.rate;
+    if (arguments.errorPx) options.errorPx = parseErrorPx(*arguments.errorPx);
     if (arguments.memory) options.memoryBytes = parseMemorySize(*arguments.memory);
     return options;
 }

@@ -19,6 +19,15 @@ uint64_t parseMemorySize(const std::string& text);
 /// "key=value" texts to a map. Throws InputError for a text without '=', without a key, or a key given twice.
 std::map<std::string, std::string> parseSettings(const std::vector<std::string>& texts);
 
+/// Which references a run draws.
+enum class BaseChoice { Limit, Proxy, Both };
+/// "limit", "proxy" or, where that is a choice, "both". Throws InputError.
+BaseChoice parseBase(const std::string& text, bool bothIsAChoice);
+
+/// A number of pixels from 1e-6 to 1000. Throws InputError.
+double parseErrorPx(const std::string& text);
+
+/// All but the base, which parseBase reads.
 ReferenceOptions referenceOptions(const ReferenceArguments& arguments);
 /// Of the reference that drew `frame`.
 ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame);

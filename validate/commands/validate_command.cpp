@@ -63,6 +63,61 @@ std::vector<std::string> limitsOf(const TechniqueRequest& request) {
     }
 }
 
+/// The true frame, and with both bases the other one.
+struct References {
+    std::string base; // of `frame`: "limit" or "proxy"
+    Frame frame;
+    ReferenceSummary summary;
+    std::unique_ptr<ReferenceScene> scene; // that drew `frame`; null if nobody needs its micro-triangles
+    std::optional<Frame> proxyFrame;       // with both: drawn on the proxy
+    ReferenceSummary proxySummary;
+};
+
+/// Frees what drew the frame unless `kept` takes it.
+Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progress& progress,
+                    ReferenceSummary& summary, std::unique_ptr<ReferenceScene>* kept) {
+    const char* where = options.base == Base::Proxy ? "reference on the proxy" : "reference";
+    progress.step(fmt::format("{}: tessellating", where));
+    auto reference = std::make_unique<ReferenceScene>(scene, options);
+    progress.step(fmt::format("{}: tracing", where));
+    Frame frame = reference->render();
+    summary = summaryOf(reference->stats(), frame);
+    if (kept) *kept = std::move(reference);
+    return frame;
+}
+
+/// The proxy goes first, so that its micro-triangles are gone before those on the limit surface, which the control
+/// technique may need, are made: memory never holds both.
+References drawReferences(const Scene& scene, ReferenceOptions options, BaseChoice choice,
+                          Progress& progress) {
+    References references;
+    const bool microTriangles = options.microAttributes;
+    if (choice == BaseChoice::Both) {
+        options.base = Base::Proxy;
+        options.microAttributes = false;
+        references.proxyFrame = drawReference(scene, options, progress, references.proxySummary, nullptr);
+    }
+    options.base = choice == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
+    options.microAttributes = microTriangles;
+    references.base = choice == BaseChoice::Proxy ? "proxy" : "limit";
+    references.frame = drawReference(scene, options, progress, references.summary,
+                                     microTriangles ? &references.scene : nullptr);
+    return references;
+}
+
+/// The proxy's reference held against the other.
+std::optional<ProxyReference> compareBases(const References& references, const Scene& scene) {
+    if (!references.proxyFrame) return std::nullopt;
+    return ProxyReference{references.proxySummary, compareFrames(references.frame, *references.proxyFrame,
+                                                                 objectsOf(scene), scene.camera)};
+}
+
+/// Painted, the planes are no longer needed.
+void dropDepth(Comparison& comparison) {
+    comparison.referenceDepth = {};
+    comparison.testDepth = {};
+}
+
 /// One technique held against the reference frame.
 struct Trial {
     TechniqueOutcome outcome;
@@ -71,13 +126,13 @@ struct Trial {
 };
 
 Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
-                   RealtimeRenderer& renderer, const ReferenceScene& reference, const Frame& referenceFrame,
-                   const Scene& scene) {
+                   RealtimeRenderer& renderer, const References& references, const Scene& scene) {
     Trial trial;
     trial.outcome.name = displayName(request, settings);
     trial.outcome.limits = limitsOf(request);
     try {
-        const auto* microMeshes = drawsMicroTriangles(request) ? &reference.microMeshes() : nullptr;
+        const auto* microMeshes =
+            drawsMicroTriangles(request) && references.scene ? &references.scene->microMeshes() : nullptr;
         TechniqueResult result = renderer.render(request, settings, microMeshes);
         trial.outcome.parameters = result.parameters;
         trial.outcome.backend = result.backend;
@@ -86,7 +141,11 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
         trial.outcome.msRuns = result.msRuns;
         trial.outcome.timer = result.timer;
         trial.frame = std::move(result.frame);
-        trial.outcome.comparison = compareFrames(referenceFrame, trial.frame, objectsOf(scene), scene.camera);
+        const auto against = [&](const Frame& reference) {
+            return compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);
+        };
+        trial.outcome.comparison = against(references.frame);
+        if (references.proxyFrame) trial.outcome.againstProxy = against(*references.proxyFrame);
     } catch (const InputError& error) {
         trial.outcome.error = error.what();
         trial.exitCode = kExitBadInput;
@@ -95,6 +154,16 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
         trial.exitCode = kExitMachine;
     }
     return trial;
+}
+
+/// Frames and pictures of the references.
+void writeReferences(const References& references, Results& results, OutputFolder& output, Report& report) {
+    writeFrame(references.frame, output.newFrameFile("reference"));
+    report.addReference(references.frame);
+    if (!references.proxyFrame) return;
+    writeFrame(*references.proxyFrame, output.newFrameFile("reference_proxy"));
+    report.addBaseGap(results.proxy->gap, references.frame, *references.proxyFrame);
+    dropDepth(results.proxy->gap);
 }
 
 } // namespace
@@ -106,6 +175,7 @@ int runValidate(const ValidateArguments& arguments) {
     const auto settings = parseSettings(arguments.realtime.settings);
     const auto requests = chosenTechniques(arguments.realtime.techniques, settings);
     checkSettings(settings, requests);
+    const BaseChoice base = parseBase(arguments.reference.base, true);
     ReferenceOptions options = referenceOptions(arguments.reference);
     for (const TechniqueRequest& request : requests)
         options.microAttributes |= drawsMicroTriangles(request);
@@ -113,30 +183,33 @@ int runValidate(const ValidateArguments& arguments) {
     OutputFolder output(arguments.output, scene);
 
     // The reference comes before GL starts, so that its peak memory is its own.
-    progress.step("reference: tessellating");
-    ReferenceScene reference(scene, options);
-    progress.step("reference: tracing");
-    const Frame referenceFrame = reference.render();
-    Results results{programName(), summaryOf(scene), summaryOf(reference.stats(), referenceFrame), {}};
+    const References references = drawReferences(scene, options, base, progress);
     progress.step("starting OpenGL");
     RealtimeRenderer renderer(scene, gl);
-    progress.say(certificateLine(results.reference.certificate));
+    progress.say(certificateLine(references.summary.certificate));
+    if (references.proxyFrame)
+        progress.say(certificateLine(references.proxySummary.certificate, " of the reference on the proxy"));
 
     output.removeOldResults();
-    writeFrame(referenceFrame, output.newFrameFile("reference"));
+    Results results{programName(),
+                    summaryOf(scene),
+                    references.base,
+                    references.summary,
+                    compareBases(references, scene),
+                    {}};
     Report report(output.report);
-    report.addReference(referenceFrame);
+    writeReferences(references, results, output, report);
     int exitCode = kExitDone;
     for (const TechniqueRequest& request : requests) {
         progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
                                   displayName(request, settings)));
-        Trial trial = tryTechnique(request, settings, renderer, reference, referenceFrame, scene);
+        Trial trial = tryTechnique(request, settings, renderer, references, scene);
         if (!trial.outcome.error) {
             writeFrame(trial.frame, output.newFrameFile(trial.outcome.name));
-            report.addTechnique(trial.outcome, referenceFrame, trial.frame);
+            report.addTechnique(trial.outcome, references.frame, trial.frame);
         }
-        trial.outcome.comparison.referenceDepth.clear(); // painted; no longer needed
-        trial.outcome.comparison.testDepth.clear();
+        dropDepth(trial.outcome.comparison);
+        if (trial.outcome.againstProxy) dropDepth(*trial.outcome.againstProxy);
         if (exitCode == kExitDone) exitCode = trial.exitCode;
         results.techniques.push_back(std::move(trial.outcome));
         output.write(results,
