@@ -1,8 +1,8 @@
-// What a reference says of its own error, as results hold it: measured by the reference that drew the frame, or read from
-// the header of its file; and that in words.
+// What a reference says of its own error, as results hold it: measured by the reference that drew the frame,
+// or read from the header of its file; and that in words.
 //
-// The error is the distance of the micro-triangles that pixels see from the true surface P(u,v); percentiles are over the
-// pixels that show the surface.
+// The error is the distance of the micro-triangles that pixels see from the true surface P(u,v); percentiles
+// are over the pixels that show the surface.
 #pragma once
 
 #include "../scenes/frame.h"
@@ -26,8 +26,8 @@ struct CertificateSummary {
     std::map<std::string, Figure> uncertainShadowPixels; // by light
 };
 
-/// The figures that are numbers, under their keys in results.json ("reference") and, behind "certificate.", in a frame's
-/// header. The text `limit` has the key "error_limit".
+/// The figures that are numbers, under their keys in results.json ("reference") and, behind "certificate.",
+/// in a frame's header. The text `limit` has the key "error_limit".
 struct CertificateFigure {
     const char* key;
     Figure CertificateSummary::*figure;
@@ -37,10 +37,12 @@ const std::vector<CertificateFigure>& certificateFigures();
 /// No figure is known; the counts of pixels are left as they are.
 void setAbsent(CertificateSummary& certificate, const std::string& reason);
 
-/// Counts the frame's pixels. Where none is covered there is nothing whose error was measured: the figures become absent.
+/// Counts the frame's pixels. Where none is covered there is nothing whose error was measured: the figures
+/// become absent.
 void countPixels(const Frame& reference, CertificateSummary& certificate);
 
-/// One line without its end: "certificate: error p50 0.004 px, p99 0.03 px, …". `of`: "" or which reference, as " (proxy)".
+/// One line without its end: "certificate: error p50 0.004 px, p99 0.03 px, …". `of`: "" or which reference,
+/// as " (proxy)".
 std::string certificateLine(const CertificateSummary& certificate, const std::string& of = "");
 
 /// The same for a page, a sentence each.

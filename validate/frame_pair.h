@@ -57,8 +57,8 @@ class FramePair {
     /// Empty if the reference has the channel, else a sentence that it hasn't.
     std::string missingInReference(std::string_view name) const;
 
-    /// Pixels at which the true image may show any of the objects or none, whatever the reference shows: its channel
-    /// `uncertain`. Ascending; empty also where it has no such channel (see missingInReference).
+    /// Pixels at which the true image may show any of the objects or none, whatever the reference shows: its
+    /// channel `uncertain`. Ascending; empty also where it has no such channel (see missingInReference).
     std::span<const uint32_t> uncertainPixels() const { return uncertainPixels_; }
     bool isUncertain(uint32_t pixel) const { return uncertain_[pixel]; }
 

@@ -2,12 +2,12 @@
 //
 // Every ratio with an interval is  hits / (hits + misses),  and each pixel adds to it, by itself, one of a few outcomes:
 //     nothing (0, 0)    a hit (1, 1)    a miss (0, 1)    two misses (0, 2)        as (hits, hits + misses)
-// For a certain pixel that is one; for an uncertain one any of a set. The range is over all choices, each pixel's
-// independent of the others'. With h <= n it is reached by choosing pixel by pixel:
+// For a certain pixel that is one; for an uncertain one any of a set. The range is over all choices, each
+// pixel's independent of the others'. With h <= n it is reached by choosing pixel by pixel:
 //     (h+1)/(n+1) >= h/n >= h/(n+1) >= h/(n+2)
-// so the highest ratio takes a hit where it may, else nothing, else a miss; the lowest two misses, else one, else nothing,
-// else a hit. Choices that leave 0/0 have no ratio and don't count: they are all there is but for hits (then every ratio
-// is 1) or but for misses (then every one is 0).
+// so the highest ratio takes a hit where it may, else nothing, else a miss; the lowest two misses, else one,
+// else nothing, else a hit. Choices that leave 0/0 have no ratio and don't count: they are all there is but
+// for hits (then every ratio is 1) or but for misses (then every one is 0).
 #pragma once
 
 #include "figure.h"
@@ -56,8 +56,9 @@ class RatioRange {
     /// Pixels added that have more than one outcome.
     uint64_t uncertainPx() const { return uncertainPx_; }
 
-    /// The range of hitWeight * hits / (hitWeight * hits + misses): weight 1 for IoU and shares, 2 for F1, which rises
-    /// with IoU. `figure`: the ratio of the reference as it stands; where it is absent, so is the interval.
+    /// The range of hitWeight * hits / (hitWeight * hits + misses): weight 1 for IoU and shares, 2 for F1,
+    /// which rises with IoU. `figure`: the ratio of the reference as it stands; where it is absent, so is the
+    /// interval.
     Interval of(const Figure& figure, uint64_t hitWeight = 1) const {
         if (!figure) return Interval::absent(figure.reason());
         const Figure worst = worst_.ratio(hitWeight), best = best_.ratio(hitWeight);

@@ -1,5 +1,5 @@
-// Cells of the report's tables as data for its template: the columns of a table and its rows are made side by side, so that
-// they can't part.
+// Cells of the report's tables as data for its template: the columns of a table and its rows are made side by
+// side, so that they can't part.
 #pragma once
 
 #include "results.h"

@@ -23,8 +23,8 @@ struct ReportPictures {
     std::vector<ReportPicture> baseGap; // of the reference on the proxy, held against the other
 };
 
-/// Fills validate/report/index.mustache and pictures.mustache in it, which escape every text. Throws MachineError if the template is
-/// missing.
+/// Fills validate/report/index.mustache and pictures.mustache in it, which escape every text. Throws
+/// MachineError if the template is missing.
 std::string reportPage(const Results& results, const ReportPictures& pictures);
 
 } // namespace plumbline

@@ -49,7 +49,8 @@ struct TechniqueOutcome {
     std::optional<Comparison> againstProxy; // with both bases: held against the reference on the proxy
 };
 
-/// The reference on the proxy, where a run has one beside that on the limit surface, and what the base alone does.
+/// The reference on the proxy, where a run has one beside that on the limit surface, and what the base alone
+/// does.
 struct ProxyReference {
     ReferenceSummary summary;
     Comparison gap; // this reference held, as if it were a technique's frame, against the other
@@ -67,15 +68,16 @@ struct Results {
 /// Pretty-printed, keys in the schema's order, ends with a newline.
 std::string toJson(const Results& results);
 
-/// RFC 4180, a head line, then a row a technique x reference x object x light; object "(pooled)" first. `reference` is the
-/// base of the one held against; with both, the gap between them comes first, as the technique "(base gap)". A scene without
-/// lights gets rows with an empty light; an absent figure is an empty cell; a technique that failed has one
-/// row with its error.
+/// RFC 4180, a head line, then a row a technique x reference x object x light; object "(pooled)" first.
+/// `reference` is the base of the one held against; with both, the gap between them comes first, as the
+/// technique "(base gap)". A scene without lights gets rows with an empty light; an absent figure is an empty
+/// cell; a technique that failed has one row with its error.
 std::string toCsv(const Results& results);
 
-/// Plain-text table of the pooled figures people look at first, for the terminal. "±" is the distance from the figure before
-/// it to the farther end of its interval, rounded up. Normals in degrees, "rel" in relief depths. With
-/// both bases a second table: the gap between the references, and each technique against that on the proxy.
+/// Plain-text table of the pooled figures people look at first, for the terminal. "±" is the distance from
+/// the figure before it to the farther end of its interval, rounded up. Normals in degrees, "rel" in relief
+/// depths. With both bases a second table: the gap between the references, and each technique against that on
+/// the proxy.
 std::string toTable(const Results& results);
 
 } // namespace plumbline

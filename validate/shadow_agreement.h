@@ -1,21 +1,22 @@
 // Shadow: whether the two frames agree on where one light is blocked.
 //
-// Domain: pixels both frames cover with the same object of the selection, where both shadow values are finite. A value >= 0.5
-// counts as shadow (this project's frames hold 0 and 1; another renderer's penumbra is cut at its
-// middle). With TP, TN, FP, FN the pixels in shadow in both, lit in both, in shadow in the test alone, lit in
-// the test alone:
+// Domain: pixels both frames cover with the same object of the selection, where both shadow values are
+// finite. A value >= 0.5 counts as shadow (this project's frames hold 0 and 1; another renderer's penumbra is
+// cut at its middle). With TP, TN, FP, FN the pixels in shadow in both, lit in both, in shadow in the test
+// alone, lit in the test alone:
 //     agreement = (TP + TN) / domain      IoU = TP / (TP + FP + FN)      F1 = 2 TP / (2 TP + FP + FN)
 //     BER = (FP / (TN + FP) + FN / (TP + FN)) / 2                        (balanced error rate)
 // Both cast and attached shadows count. Never looks at depth: a pixel may be in the right shadow for a wrong
 // reason.
 //
-// Intervals: [low, high] of agreement, IoU and F1 are their ranges over all true images that the reference leaves open, pixel
-// by pixel, independently:
+// Intervals: [low, high] of agreement, IoU and F1 are their ranges over all true images that the reference
+// leaves open, pixel by pixel, independently:
 //     `uncertain`           the true image may show any object or none: a pixel may leave the domain; one that the test covers
 //                           with an object of the selection may enter it, and is lit or dark there
 //     `uncertain.shadow.L`  what the reference sees there may be lit or dark
-// A pixel with neither is as the reference says; a pixel with `uncertain` alone that stays keeps its shadow. What a pixel adds
-// is a hit, a miss or nothing, so that interval.h has the closed form. BER has none: its two rates pull against each other.
+// A pixel with neither is as the reference says; a pixel with `uncertain` alone that stays keeps its shadow.
+// What a pixel adds is a hit, a miss or nothing, so that interval.h has the closed form. BER has none: its
+// two rates pull against each other.
 #pragma once
 
 #include "frame_pair.h"

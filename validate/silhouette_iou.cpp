@@ -45,7 +45,8 @@ RatioRange rangeOfIou(const FramePair& pair, ObjectSelection selection) {
         for (const uint32_t pixel : pair.pixelsOf(index)) {
             const int inReference = pair.referenceIds()[pixel], inTest = pair.testIds()[pixel];
             const bool referenceSelected = ids.contains(inReference), testSelected = ids.contains(inTest);
-            // Where both show objects of the selection the pixel is listed with each: taken with the reference's.
+            // Where both show objects of the selection the pixel is listed with each: taken with the
+            // reference's.
             const bool elsewhere = referenceSelected && id != inReference;
             if (!elsewhere && !pair.isUncertain(pixel))
                 range.add(certainOutcome(referenceSelected, testSelected, inReference == inTest));

@@ -171,8 +171,8 @@ TEST_F(EndToEnd, AFrameShiftedByOnePixel) {
                     {"results.json", "results.csv", "report/index.html", "report/reference.png"}));
 }
 
-// Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain: 12/15 at best, and so is
-// a pixel outside: 12/17 at worst.
+// Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain:
+// 12/15 at best, and so is a pixel outside: 12/17 at worst.
 TEST_F(EndToEnd, AReferenceThatSaysHowSureItIs) {
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     paintRectangle(reference, 2, 1, 6, 5);

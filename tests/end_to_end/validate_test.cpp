@@ -142,7 +142,8 @@ TEST_F(Validate, SettingsReachTheTechniqueAndItsName) {
     EXPECT_EQ(results["techniques"][1]["parameters"]["binary_steps"], "3");
 }
 
-// What `compare` says of the frames written is what the run says: of the gap, and of a technique against each base.
+// What `compare` says of the frames written is what the run says: of the gap, and of a technique against each
+// base.
 TEST_F(Validate, BothBases) {
     const Outcome made =
         run({"validate", "small_torus", "--base", "both", "--technique", "linear_binary", "-o", "out"});

@@ -61,8 +61,8 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
 }
 
 // sampleReference: object 1 covers columns 1 2 3 of rows 1 … 4. Shifted right by one, two columns of four
-// stay. One pixel of nothing may be the object: 8/17 at worst. The one shadow of the reference, at (2, 2), is uncertain; the
-// test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8.
+// stay. One pixel of nothing may be the object: 8/17 at worst. The one shadow of the reference, at (2, 2), is
+// uncertain; the test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8.
 TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     EXPECT_EQ(technique["silhouette"]["iou"], 8.0 / 16.0);
@@ -114,8 +114,9 @@ TEST(ResultsJson, AbsentFiguresAreLeftOutWithTheirReason) {
     EXPECT_THAT(plain["depth"]["absent"]["rmse_relief"].get<std::string>(), HasSubstr("no relief"));
 }
 
-// Object 1 covers columns 1 2 3 in the limit reference, 2 3 in the proxy's and in the shifted test: of four rows, 8/12 and
-// 8/8; test against proxy with column 4 (object 2 in the proxy's frame): 8 of columns 2 3 and 4 of column 4 are extra: 8/12.
+// Object 1 covers columns 1 2 3 in the limit reference, 2 3 in the proxy's and in the shifted test: of four
+// rows, 8/12 and 8/8; test against proxy with column 4 (object 2 in the proxy's frame): 8 of columns 2 3 and
+// 4 of column 4 are extra: 8/12.
 TEST(ResultsJson, BothBases) {
     const json results = json::parse(toJson(sampleResultsOnBothBases()));
     EXPECT_EQ(results["base"], "both");

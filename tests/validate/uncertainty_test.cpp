@@ -1,5 +1,5 @@
-// Intervals held against their definition: every true image that the reference leaves open is painted, and its plain
-// metric computed.
+// Intervals held against their definition: every true image that the reference leaves open is painted, and
+// its plain metric computed.
 #include "../../validate/depth_error.h"
 #include "../../validate/shadow_agreement.h"
 #include "../../validate/silhouette_iou.h"
@@ -72,7 +72,8 @@ struct Extremes {
     }
 };
 
-/// Equal bit for bit: numerator and denominator are the same whole numbers, or such whose quotients are equal exactly.
+/// Equal bit for bit: numerator and denominator are the same whole numbers, or such whose quotients are equal
+/// exactly.
 void requireEqual(const Interval& interval, const Figure& figure, const Extremes& extremes) {
     RC_ASSERT(static_cast<bool>(interval.low) == static_cast<bool>(figure));
     RC_ASSERT(static_cast<bool>(interval.high) == static_cast<bool>(figure));
@@ -185,8 +186,8 @@ TEST(Uncertainty, SilhouetteByHand) {
               1);
 }
 
-// With two objects in the pool an uncertain pixel may show the other one: missing from it and extra in the one drawn.
-// One pixel, object 1 in both: high 1/1, low 0/2; object 1 alone: low 0/1.
+// With two objects in the pool an uncertain pixel may show the other one: missing from it and extra in the
+// one drawn. Three pixels of object 1 in both frames, one uncertain: at worst 2/4; of object 1 alone 2/3.
 TEST(Uncertainty, AnotherObjectOfThePoolCountsTwice) {
     Frame reference = emptyFrame(3, 1), test = emptyFrame(3, 1);
     paintRectangle(reference, 0, 0, 3, 1);
@@ -199,7 +200,8 @@ TEST(Uncertainty, AnotherObjectOfThePoolCountsTwice) {
     EXPECT_EQ(*computeSilhouetteIou(pair, std::vector<size_t>{0}).iouRange.high, 1.0);
 }
 
-// Four lit pixels, all right. Pixel 0: shadow uncertain; pixel 1: may leave; pixel 4: only the test covers it, may enter.
+// Four lit pixels, all right. Pixel 0: shadow uncertain; pixel 1: may leave; pixel 4: only the test covers
+// it, may enter.
 //   agreement: high 4/4; low: 0 wrong, 1 out, 4 in and wrong: 2/4.
 //   IoU is absent: no shadow in either frame; so is its interval, for that reason.
 TEST(Uncertainty, ShadowByHand) {

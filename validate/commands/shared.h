@@ -36,7 +36,8 @@ SceneSummary summaryOf(const Scene& scene);
 /// Largest resident set of this process so far, bytes.
 uint64_t peakBytes();
 
-/// Says on stderr what is being done, on one line that is overwritten, if stderr is a terminal; else only what is to stay.
+/// Says on stderr what is being done, on one line that is overwritten, if stderr is a terminal; else only
+/// what is to stay.
 class Progress {
   public:
     Progress();

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <set>
 
 namespace plumbline {
@@ -86,8 +87,8 @@ Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progres
     return frame;
 }
 
-/// The proxy goes first, so that its micro-triangles are gone before those on the limit surface, which the control
-/// technique may need, are made: memory never holds both.
+/// The proxy goes first, so that its micro-triangles are gone before those on the limit surface, which the
+/// control technique may need, are made: memory never holds both.
 References drawReferences(const Scene& scene, ReferenceOptions options, BaseChoice choice,
                           Progress& progress) {
     References references;
