@@ -28,6 +28,18 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// The keys `compare` reads back (validate/certificate.h).
+void addCertificate(const Certificate& certificate, std::map<std::string, std::string>& metadata) {
+    const std::pair<const char*, double> figures[] = {
+        {"error_px_p50", certificate.pxP50},       {"error_px_p99", certificate.pxP99},
+        {"error_px_max", certificate.pxMax},       {"error_px_aim", certificate.aimPx},
+        {"error_world_p50", certificate.worldP50}, {"error_world_p99", certificate.worldP99},
+        {"error_world_max", certificate.worldMax}};
+    for (const auto& [key, value] : figures)
+        metadata[std::string("certificate.") + key] = fmt::format("{}", value);
+    metadata["certificate.error_limit"] = certificate.limit;
+}
+
 } // namespace
 
 struct ReferenceScene::Impl {
@@ -105,7 +117,8 @@ struct ReferenceScene::Impl {
         stats.unpolishedHits = counts.unpolished;
         frame.metadata = sceneMetadata(scene);
         frame.metadata["renderer"] = "reference";
-        frame.metadata["base"] = "limit";
+        frame.metadata["base"] = options.base == Base::Proxy ? "proxy" : "limit";
+        addCertificate(stats.certificate, frame.metadata);
         frame.metadata["micro_triangles"] = fmt::format("{}", stats.microTriangles);
         for (size_t i = 0; i < meshes.size(); ++i)
             frame.metadata[fmt::format("object.{}.rate", i + 1)] = fmt::format("{}", stats.objects[i].rate);
