@@ -12,6 +12,8 @@ namespace {
 constexpr int kDirections = 16;
 constexpr double kNarrowestBandPx = 1.0 / 1024, kWidestBandPx = 8;
 constexpr size_t kLinesKept = 5;
+constexpr int kMostBands =
+    500; // pixels whose band is looked for: it takes a while where a frame is wrong all over
 
 /// Places around one, at the radius and at half of it, until `visit` returns true.
 template <typename Visit>
@@ -70,11 +72,11 @@ bool ExactPicture::shadowCouldFlip(const Vec2& place, size_t light, double radiu
     });
 }
 
-/// Halves the way from a to b, keeping the half over which the depth changes more: what is left of the change, after 45 halvings, is a
-/// jump; a slope, or the square root of a fold's depth, has become nothing.
-double ExactPicture::jumpBetween(Vec2 a, Vec2 b) const {
+/// Halves the way from a to b, keeping the half over which the depth changes more: a slope soon changes by nothing, the square root of a
+/// fold's depth by 1e-7 of itself after 45 halvings, a jump by itself.
+bool ExactPicture::depthJumpsBetween(Vec2 a, Vec2 b, double atLeast) const {
     double depthA = depthAt(a), depthB = depthAt(b);
-    for (int halving = 0; halving < 45; ++halving) {
+    for (int halving = 0; halving < 45 && depthGap(depthA, depthB) > atLeast; ++halving) {
         const Vec2 middle = 0.5 * (a + b);
         const double depth = depthAt(middle);
         if (depthGap(depthA, depth) > depthGap(depth, depthB)) {
@@ -85,16 +87,17 @@ double ExactPicture::jumpBetween(Vec2 a, Vec2 b) const {
             depthA = depth;
         }
     }
-    return depthGap(depthA, depthB);
+    return depthGap(depthA, depthB) > atLeast;
 }
 
 bool ExactPicture::depthCouldJumpTo(const Vec2& place, double radiusPx, double depth) const {
     const double here = depthAt(place);
     return anyAround(place, radiusPx, [&](const Vec2& other) {
         const double there = depthAt(other);
+        if (there == kInfinity) return false;
         // The sheet on the other side goes on behind this one, or ends before it: twice the way there is far enough.
         const double reach = 2 * depthGap(here, there) + kSameDepth * here;
-        return std::abs(depth - here) <= reach && jumpBetween(place, other) > kSameDepth * here;
+        return std::abs(depth - here) <= reach && depthJumpsBetween(place, other, kSameDepth * here);
     });
 }
 
@@ -142,10 +145,10 @@ class FrameComparer {
             result_.worstDepth = std::max(result_.worstDepth, error);
             return true;
         }
-        widen(result_.depthBandPx,
-              [&](double radius) { return picture_.depthCouldJumpTo(place, radius, depth); });
         if (picture_.depthCouldJumpTo(place, jumpRadiusPx_, depth)) {
             ++result_.depthJumped;
+            widen(result_.depthBandPx,
+                  [&](double radius) { return picture_.depthCouldJumpTo(place, radius, depth); });
         } else {
             ++result_.depthWrong;
             note(x, y, fmt::format("depth {:.9g}, exactly {:.9g}", depth, exact));
@@ -180,7 +183,7 @@ class FrameComparer {
 
     template <typename Holds>
     void widen(double& band, Holds holds) {
-        if (band < kWidestBandPx) band = std::max(band, smallestBand(holds));
+        if (band < kWidestBandPx && bandsLeft_-- > 0) band = std::max(band, smallestBand(holds));
     }
 
     void note(int x, int y, const std::string& what) {
@@ -192,6 +195,7 @@ class FrameComparer {
     const Frame& frame_;
     ExactPicture picture_;
     double jumpRadiusPx_;
+    int bandsLeft_ = kMostBands;
     Comparison result_;
 };
 

@@ -28,7 +28,7 @@ class ExactPicture {
     bool depthCouldJumpTo(const Vec2& place, double radiusPx, double depth) const;
 
   private:
-    double jumpBetween(Vec2 a, Vec2 b) const;
+    bool depthJumpsBetween(Vec2 a, Vec2 b, double atLeast) const;
 
     const Scene& scene_;
     CameraRays rays_;
@@ -44,8 +44,8 @@ struct Comparison {
     int depthJumped = 0;   // off, but the exact depth jumps within the radius allowed
     double worstDepth = 0; // relative; of those neither wrong nor jumped
     int shadowCompared = 0, shadowUncertain = 0, shadowWrong = 0; // all lights
-    /// Radius in pixels, a power of two, within which the exact picture shows what the frame shows at every pixel that is wrong or
-    /// jumped; infinite if 8 pixels don't suffice. How wide a band the frame would have had to call uncertain.
+    /// Radius in pixels, a power of two, within which the exact picture shows what the frame shows at every pixel whose coverage or
+    /// shadow is wrong, or whose depth jumped (of the first 500); infinite if 8 pixels don't suffice. How wide a band the frame would have had to call uncertain.
     double coverageBandPx = 0, depthBandPx = 0, shadowBandPx = 0;
     std::vector<std::string> firstWrong; // a line each
     double uncertainShare() const { return double(uncertain) / pixels; }

@@ -4,6 +4,8 @@
 #include "../../scenes/shapes.h"
 #include "test_scenes.h"
 
+#include <ostream>
+
 namespace plumbline {
 
 namespace {
@@ -28,9 +30,9 @@ MapPointer needles() {
 
 /// Seen from `degrees` off the normal, in perspective, somewhat from the side so that nothing lines up with pixels; the light
 /// stands `lightDegrees` above the plane.
-ExactScene sceneOf(std::string name, MapPointer map, double depth, Vec2 tile, int rate, double degrees,
+ExactScene sceneOf(std::string name, MapPointer map, double depth, Vec2 tile, double degrees,
                    double lightDegrees) {
-    ExactScene result{std::move(name), squareScene(std::move(map), depth), rate};
+    ExactScene result{std::move(name), squareScene(std::move(map), depth), kFineRate};
     Scene& scene = result.scene;
     scene.objects[0].relief->tile = tile;
     scene.camera.projection = Camera::Projection::Perspective;
@@ -56,7 +58,7 @@ ExactScene orthographic(ExactScene scene, double viewHeight) {
 
 /// Among the pins, halfway up, looking along the plane and a little down.
 ExactScene insideTheLayer() {
-    ExactScene result = sceneOf("pins_from_inside", generated("pins", 64), 0.4, {1, 1}, kFineRate, 0, 35);
+    ExactScene result = sceneOf("pins_from_inside", generated("pins", 64), 0.4, {1, 1}, 0, 35);
     Camera& camera = result.scene.camera;
     camera.positionWorld = {-0.5, -0.87, -0.21};
     camera.targetWorld = {0.1, 0.4, -0.24};
@@ -67,10 +69,11 @@ ExactScene insideTheLayer() {
 
 /// A plane of a scene file, smooth, turned, moved and scaled; a map that ends at its border.
 ExactScene turnedShape() {
-    ExactScene result = sceneOf("noise_on_a_turned_shape", generated("noise", 64, Wrap::Clamp), 0.2,
-                                {1.37, -1.37}, kFineRate / 2, 30, 40);
+    ExactScene result =
+        sceneOf("noise_on_a_turned_shape", generated("noise", 64, Wrap::Clamp), 0.2, {1.37, -1.37}, 30, 40);
+    result.fineRate = kFineRate / 2; // two segments along each side take it
     SceneObject& object = result.scene.objects[0];
-    object.mesh = makePlane(2.2, 1.8, 2, 2); // twice as many segments as the rate says
+    object.mesh = makePlane(2.2, 1.8, 2, 2);
     object.scheme = Scheme::CatmullClark;
     object.rotateDegrees = {70, 20, -35};
     object.scale = 0.9;
@@ -82,24 +85,25 @@ ExactScene turnedShape() {
 
 } // namespace
 
+void PrintTo(const ExactScene& scene, std::ostream* stream) {
+    *stream << scene.name;
+}
+
 std::vector<ExactScene> exactScenes() {
-    std::vector<ExactScene> scenes{
-        sceneOf("spikes", generated("pyramids", 64), 0.25, {1, 1}, kFineRate, 20, 40),
-        sceneOf("spikes_grazed", generated("pyramids", 64), 0.25, {1, 1}, kFineRate, 80, 40),
-        sceneOf("needles_grazed_1_37", needles(), 0.3, {1.37, 1.37}, kFineRate, 80, 30),
-        sceneOf("pins_tile_8", generated("pins", 32), 0.1, {8, 8}, kFineRate, 55, 40),
-        sceneOf("noise_1_37_grazed", generated("noise", 64), 0.2, {1.37, 1.37}, kFineRate, 80, 30),
-        sceneOf("noise_1_37_grazing_light", generated("noise", 64), 0.15, {1.37, 1.37}, kFineRate, 30, 5),
-        sceneOf("waves_tile_8_times_1_37_grazing_light", generated("waves", 32), 0.1, {-10.96, 10.96},
-                kFineRate, 40, 5),
-        orthographic(
-            sceneOf("fins_85_orthographic", generated("fins", 64), 0.2, {1.37, 1}, kFineRate, 85, 30), 1.2),
-        orthographic(sceneOf("needles_orthographic", needles(), 0.2, {1.37, -2}, kFineRate, 60, 20), 2.0),
-        sceneOf("noise_from_below", generated("noise", 64), 0.2, {1.37, 1.37}, kFineRate, 150, -25),
+    return {
+        sceneOf("spikes", generated("pyramids", 64), 0.25, {1, 1}, 20, 40),
+        sceneOf("spikes_grazed", generated("pyramids", 64), 0.25, {1, 1}, 80, 40),
+        sceneOf("needles_grazed_1_37", needles(), 0.3, {1.37, 1.37}, 80, 30),
+        sceneOf("pins_tile_8", generated("pins", 32), 0.1, {8, 8}, 55, 40),
+        sceneOf("noise_1_37_grazed", generated("noise", 64), 0.2, {1.37, 1.37}, 80, 30),
+        sceneOf("noise_1_37_grazing_light", generated("noise", 64), 0.15, {1.37, 1.37}, 30, 5),
+        sceneOf("waves_tile_8_times_1_37_grazing_light", generated("waves", 32), 0.1, {-10.96, 10.96}, 40, 5),
+        orthographic(sceneOf("fins_85_orthographic", generated("fins", 64), 0.2, {1.37, 1}, 85, 30), 1.2),
+        orthographic(sceneOf("needles_orthographic", needles(), 0.2, {1.37, -2}, 60, 20), 2.0),
+        sceneOf("noise_from_below", generated("noise", 64), 0.2, {1.37, 1.37}, 150, -25),
         insideTheLayer(),
         turnedShape(),
     };
-    return scenes;
 }
 
 } // namespace plumbline

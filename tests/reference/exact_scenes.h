@@ -3,6 +3,7 @@
 
 #include "../../scenes/scene.h"
 
+#include <iosfwd>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@ struct ExactScene {
     Scene scene;
     int fineRate; // segments per control edge: a third of a texel or less
 };
+
+/// How googletest names a scene.
+void PrintTo(const ExactScene& scene, std::ostream* stream);
 
 std::vector<ExactScene> exactScenes();
 
