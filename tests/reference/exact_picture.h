@@ -4,6 +4,7 @@
 #include "../../scenes/frame.h"
 #include "exact_plane_tracer.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -44,8 +45,9 @@ struct Comparison {
     int depthJumped = 0;   // off, but the exact depth jumps within the radius allowed
     double worstDepth = 0; // relative; of those neither wrong nor jumped
     int shadowCompared = 0, shadowUncertain = 0, shadowWrong = 0; // all lights
-    /// Radius in pixels, a power of two, within which the exact picture shows what the frame shows at every pixel whose coverage or
-    /// shadow is wrong, or whose depth jumped (of the first 500); infinite if 8 pixels don't suffice. How wide a band the frame would have had to call uncertain.
+    /// Radius in pixels, a power of two, within which the exact picture shows what the frame shows at every pixel whose coverage
+    /// or shadow is wrong, or whose depth jumped (of the first 500); infinite if 8 pixels don't suffice. How wide a band the
+    /// frame would have had to call uncertain.
     double coverageBandPx = 0, depthBandPx = 0, shadowBandPx = 0;
     std::vector<std::string> firstWrong; // a line each
     double uncertainShare() const { return double(uncertain) / pixels; }

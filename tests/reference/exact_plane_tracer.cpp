@@ -36,6 +36,23 @@ void clipToSlab(double base, double slope, double low, double high, double& begi
     end = std::min(end, std::max(first, second));
 }
 
+/// d = d00 + slopeX x + slopeY y + twist x y over a cell, (x, y) in texels from its lower left corner, the centre of texel `cell`.
+struct BilinearPatch {
+    double d00, slopeX, slopeY, twist;
+};
+
+BilinearPatch patchOf(const HeightMap& map, const Vec2i& cell) {
+    const double d00 = map.texel(cell.x, cell.y), d10 = map.texel(cell.x + 1, cell.y);
+    const double d01 = map.texel(cell.x, cell.y + 1), d11 = map.texel(cell.x + 1, cell.y + 1);
+    return {d00, d10 - d00, d01 - d00, (d11 - d01) - (d10 - d00)};
+}
+
+/// a x^2 + 2 halfB x + c.
+struct Quadratic {
+    double a, halfB, c;
+    double at(double x) const { return (a * x + 2 * halfB) * x + c; }
+};
+
 } // namespace
 
 FlatRelief flatRelief(const SceneObject& object) {
@@ -134,7 +151,6 @@ std::optional<double> firstRootOfQuadratic(double a, double halfB, double c, dou
 /// root there: it is put at the border.
 std::optional<double> ExactPlaneTracer::firstRoot(const TexelRay& ray, double begin, double end,
                                                   Vec2i& cell) const {
-    const Relief& relief = plane_.relief;
     const Vec2 start = ray.texel + begin * ray.texelStep - 0.5;
     cell = {static_cast<int>(std::floor(start.x)), static_cast<int>(std::floor(start.y))};
     const auto borderDistance = [&](int axis) {
@@ -142,26 +158,27 @@ std::optional<double> ExactPlaneTracer::firstRoot(const TexelRay& ray, double be
         const int border = ray.texelStep[axis] > 0 ? cell[axis] + 1 : cell[axis];
         return (border + 0.5 - ray.texel[axis]) / ray.texelStep[axis];
     };
+    const auto heightAbove = [&](double at) { // the patch of `cell`, over the distance from `at` on
+        const Relief& relief = plane_.relief;
+        const BilinearPatch patch = patchOf(*relief.map, cell);
+        const Vec2 p = ray.texel + at * ray.texelStep - (Vec2(cell) + 0.5), step = ray.texelStep;
+        const double byDistance =
+            patch.slopeX * step.x + patch.slopeY * step.y + patch.twist * (p.x * step.y + p.y * step.x);
+        const double depth = patch.d00 + patch.slopeX * p.x + patch.slopeY * p.y + patch.twist * p.x * p.y;
+        return Quadratic{relief.depth * patch.twist * step.x * step.y,
+                         0.5 * (ray.heightStep + relief.depth * byDistance),
+                         ray.height + at * ray.heightStep - relief.offset + relief.depth * depth};
+    };
     double previous = 0; // difference of heights where the last cell was left; 0 = none yet
     for (double at = begin; at <= end;) {
         const Vec2 border(borderDistance(0), borderDistance(1));
         const double next = std::clamp(std::min(border.x, border.y), at, std::max(at, end));
-        const double d00 = relief.map->texel(cell.x, cell.y), d10 = relief.map->texel(cell.x + 1, cell.y);
-        const double d01 = relief.map->texel(cell.x, cell.y + 1),
-                     d11 = relief.map->texel(cell.x + 1, cell.y + 1);
-        const double slopeX = d10 - d00, slopeY = d01 - d00, twist = (d11 - d01) - (d10 - d00);
-        const Vec2 p = ray.texel + at * ray.texelStep - (Vec2(cell) + 0.5), step = ray.texelStep;
-        // d = d00 + slopeX x + slopeY y + twist x y along (x, y) = p + step tau.
-        const double a = relief.depth * twist * step.x * step.y;
-        const double halfB = 0.5 * (ray.heightStep + relief.depth * (slopeX * step.x + slopeY * step.y +
-                                                                     twist * (p.x * step.y + p.y * step.x)));
-        const double c = ray.height + at * ray.heightStep - relief.offset +
-                         relief.depth * (d00 + slopeX * p.x + slopeY * p.y + twist * p.x * p.y);
-        if (c == 0 || c * previous < 0) return at;
+        const Quadratic above = heightAbove(at);
+        if (above.c == 0 || above.c * previous < 0) return at;
         const double length = next - at;
-        if (const auto root = firstRootOfQuadratic(a, halfB, c, length)) return at + *root;
-        previous = (a * length + 2 * halfB) * length + c;
-        if (previous == 0 || previous * c < 0) return next;
+        if (const auto root = firstRootOfQuadratic(above.a, above.halfB, above.c, length)) return at + *root;
+        previous = above.at(length);
+        if (previous == 0 || previous * above.c < 0) return next;
         if (next >= end) break;
         const int axis = border.x <= border.y ? 0 : 1;
         cell[axis] += ray.texelStep[axis] > 0 ? 1 : -1;
@@ -172,12 +189,9 @@ std::optional<double> ExactPlaneTracer::firstRoot(const TexelRay& ray, double be
 
 ExactPlaneTracer::Hit ExactPlaneTracer::hitAt(const Ray& ray, double distance, const Vec2i& cell) const {
     const TexelRay line = texelRay(ray);
-    const HeightMap& map = *plane_.relief.map;
     const Vec2 texel = line.texel + distance * line.texelStep, p = texel - (Vec2(cell) + 0.5);
-    const double d00 = map.texel(cell.x, cell.y), d10 = map.texel(cell.x + 1, cell.y);
-    const double d01 = map.texel(cell.x, cell.y + 1), d11 = map.texel(cell.x + 1, cell.y + 1);
-    const double twist = (d11 - d01) - (d10 - d00);
-    const Vec2 depthByTexel(d10 - d00 + twist * p.y, d01 - d00 + twist * p.x);
+    const BilinearPatch patch = patchOf(*plane_.relief.map, cell);
+    const Vec2 depthByTexel(patch.slopeX + patch.twist * p.y, patch.slopeY + patch.twist * p.x);
     const Vec2 heightByUv = -plane_.relief.depth * depthByTexel * mapSize_ * plane_.relief.tile;
     const Vec3 byA = plane_.edgeU + plane_.normal * glm::dot(heightByUv, plane_.uvAlongU);
     const Vec3 byB = plane_.edgeV + plane_.normal * glm::dot(heightByUv, plane_.uvAlongV);
