@@ -10,6 +10,8 @@ namespace {
 // Newton doubles the digits: from a micro-triangle's few it is there in two or three steps, one more for each crease between
 // texels that is crossed.
 constexpr int kMostSteps = 12;
+// Starts of a search for a place the ray meets earlier.
+constexpr int kStartsBefore = 6;
 // Settled: off the ray by less than that, as a fraction of the coordinates; ten bits above the rounding of the evaluation.
 constexpr double kSettled = 0x1p-42;
 bool isInside(const Vec2& uv, bool triangular) {
@@ -88,6 +90,25 @@ std::optional<PolishedHit> Polisher::polish(const Ray& ray, const PatchPlace& st
         }
     }
     return std::nullopt;
+}
+
+PolishedHit Polisher::first(const Ray& ray, const PolishedHit& hit, double reachWorld) {
+    const BaseSample& base = hit.sample.base;
+    const double uu = glm::dot(base.positionU, base.positionU), uv = glm::dot(base.positionU, base.positionV),
+                 vv = glm::dot(base.positionV, base.positionV), determinant = uu * vv - uv * uv;
+    PolishedHit first = hit;
+    if (!(determinant > 0)) return first;
+    // Below the ray, a step before the hit: the step's part along the base, in u and v.
+    const double alongU = -glm::dot(ray.direction, base.positionU),
+                 alongV = -glm::dot(ray.direction, base.positionV);
+    const Vec2 byWorld = Vec2(alongU * vv - alongV * uv, alongV * uu - alongU * uv) / determinant;
+    for (int step = 1; step <= kStartsBefore; ++step) {
+        const double before = reachWorld * step / kStartsBefore;
+        const auto other =
+            polish(ray, {hit.place.patch, hit.place.uv + byWorld * before}, hit.distance, reachWorld);
+        if (other && other->distance < first.distance) first = *other;
+    }
+    return first;
 }
 
 } // namespace plumbline

@@ -35,6 +35,10 @@ class Polisher {
     std::optional<PolishedHit> polish(const Ray& rayWorld, const PatchPlace& start, double distance,
                                       double reachWorld);
 
+    /// The first of the places the ray meets within `reachWorld` before a polished hit, or that hit: looked for from a few starts
+    /// along the ray.
+    PolishedHit first(const Ray& rayWorld, const PolishedHit& hit, double reachWorld);
+
     /// The surface at a place.
     SurfaceSample sampleAt(const PatchPlace& place);
 

@@ -163,12 +163,15 @@ class FrameTracer {
     }
 
     /// The surface at a hit; the micro-triangle's place where it can't be moved onto the surface.
-    SurfaceSample surfaceAt(const PixelHit& hit, Polisher& polisher, RayCounts& counts) {
+    SurfaceSample surfaceAt(const PixelHit& hit, Polisher& polisher, double side, RayCounts& counts) {
         const Ray ray = rayOf(hit.pixel);
         const double cosine = std::max(std::abs(glm::dot(hit.facetNormal, ray.direction)), kGrazingCosine);
-        if (const auto polished =
-                polisher.polish(ray, hit.place, hit.distance, kPolishReach * errorOf(hit) / cosine))
-            return polished->sample;
+        const double reach = kPolishReach * errorOf(hit) / cosine;
+        if (const auto polished = polisher.polish(ray, hit.place, hit.distance, reach)) {
+            if (facesThroughout(hit, polished->sample, -ray.direction, side)) return polished->sample;
+            evidence_.unsettled[hit.pixel] = 1;
+            return polisher.first(ray, *polished, reach).sample;
+        }
         ++counts.unpolished;
         evidence_.unsettled[hit.pixel] = 1;
         SurfaceSample sample = polisher.sampleAt(hit.place);
@@ -205,14 +208,12 @@ class FrameTracer {
     /// Writes one pixel.
     void shade(const PixelHit& hit, Polisher& polisher, RayCounts& counts) {
         const SceneObject& object = *objects_[hit.object].object;
-        const SurfaceSample sampled = surfaceAt(hit, polisher, counts);
-        const DisplacedSample& surface = sampled.displaced;
-        const Vec3 toCamera = rays_.towardsCamera(surface.position);
         // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the facet faces.
-        const double side = glm::dot(hit.facetNormal, toCamera) < 0 ? -1 : 1;
+        const double side = glm::dot(hit.facetNormal, rays_.towardsCamera(hit.position)) < 0 ? -1 : 1;
+        const SurfaceSample sampled = surfaceAt(hit, polisher, side, counts);
+        const DisplacedSample& surface = sampled.displaced;
         const Vec3 facing = side * surface.normal;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
-        if (!facesThroughout(hit, sampled, toCamera, side)) evidence_.unsettled[hit.pixel] = 1;
 
         double light = kAmbient;
         for (size_t i = 0; i < scene_.lights.size(); ++i) {
