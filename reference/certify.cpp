@@ -21,6 +21,20 @@ double percentile(std::vector<float>& values, unsigned percent) {
     return *nth;
 }
 
+/// Errors in pixels where the frame shows something; 0 elsewhere.
+std::vector<float> errorsPx(const Scene& scene, const FrameEvidence& evidence, const Frame& frame) {
+    const Screen screen = Screen::ofCamera(scene.camera);
+    const auto x = frame.channel("P.X"), y = frame.channel("P.Y"), z = frame.channel("P.Z"),
+               id = frame.channel("id");
+    std::vector<float> errors(frame.pixelCount(), 0);
+    for (size_t pixel = 0; pixel < errors.size(); ++pixel)
+        if (id[pixel] != 0)
+            errors[pixel] =
+                static_cast<float>(evidence.errorWorld[pixel] *
+                                   screen.pixelsPerWorld(screen.project({x[pixel], y[pixel], z[pixel]})));
+    return errors;
+}
+
 class FrameCertifier {
   public:
     FrameCertifier(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
@@ -46,15 +60,13 @@ class FrameCertifier {
     }
 
     void measure() {
-        const Screen screen = Screen::ofCamera(scene_.camera);
         const auto id = frame_.channel("id");
+        const std::vector<float> all = errorsPx(scene_, evidence_, frame_);
         std::vector<float> world, px;
         for (size_t pixel = 0; pixel < frame_.pixelCount(); ++pixel) {
             if (id[pixel] == 0) continue;
-            const float error = evidence_.errorWorld[pixel];
-            world.push_back(error);
-            px.push_back(
-                static_cast<float>(error * screen.pixelsPerWorld(screen.project(positionOf(pixel)))));
+            world.push_back(evidence_.errorWorld[pixel]);
+            px.push_back(all[pixel]);
         }
         certificate_.worldP50 = percentile(world, 50);
         certificate_.worldP99 = percentile(world, 99);
@@ -104,6 +116,25 @@ class FrameCertifier {
 };
 
 } // namespace
+
+FaceErrorsPx measureFaces(const Scene& scene, const std::vector<TracedObject>& objects,
+                          const FrameEvidence& evidence, const Frame& frame) {
+    std::vector<std::vector<std::vector<float>>> errors; // per object, per face
+    for (const TracedObject& object : objects)
+        errors.emplace_back(static_cast<size_t>(object.surface->mesh().faceCount()));
+    const auto id = frame.channel("id");
+    const std::vector<float> all = errorsPx(scene, evidence, frame);
+    for (size_t pixel = 0; pixel < all.size(); ++pixel)
+        if (id[pixel] != 0)
+            errors[static_cast<size_t>(id[pixel]) - 1][evidence.face[pixel]].push_back(all[pixel]);
+    FaceErrorsPx result;
+    for (auto& ofObject : errors) {
+        result.emplace_back();
+        for (std::vector<float>& ofFace : ofObject)
+            result.back().push_back(static_cast<float>(percentile(ofFace, 99)));
+    }
+    return result;
+}
 
 void certifyFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
                   const FrameEvidence& evidence, Frame& frame, Certificate& certificate) {

@@ -74,6 +74,13 @@ struct Rates {
     std::vector<int> edges;
 };
 
+inline int largestRate(const Rates& rates) {
+    int largest = 1;
+    for (const Vec2i& rate : rates.faces)
+        largest = std::max({largest, rate.x, rate.y});
+    return largest;
+}
+
 /// Samples are at multiples of 1 / rate: rates are powers of two so that they lie on OpenSubdiv's exact limit
 /// points, and not above 2^10, beyond which its approximation of the limit ends.
 inline constexpr int kMostRate = 1024;

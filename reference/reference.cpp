@@ -5,6 +5,7 @@
 #include "../scenes/scene_metadata.h"
 #include "certify.h"
 #include "embree_scene.h"
+#include "free_memory.h"
 #include "lattice.h"
 #include "rate.h"
 #include "render.h"
@@ -42,6 +43,9 @@ void addCertificate(const Certificate& certificate, std::map<std::string, std::s
 
 } // namespace
 
+// Runs until the error aimed at is met. Rates are planned from a few grids of each face; the second plan knows by how much that was off.
+constexpr int kMostRuns = 3;
+
 struct ReferenceScene::Impl {
     const Scene& scene;
     ReferenceOptions options;
@@ -49,72 +53,102 @@ struct ReferenceScene::Impl {
     std::vector<std::unique_ptr<BaseSurface>> surfaces;
     std::vector<MicroMesh> meshes;
     std::unique_ptr<EmbreeScene> embree;
+    std::unique_ptr<RatePlanner> planner; // null: one rate for all
+    FaceErrorsPx faceErrorsPx;            // of the last run
 
     Impl(const Scene& sceneGiven, const ReferenceOptions& optionsGiven)
         : scene(sceneGiven), options(optionsGiven) {
-        const Stopwatch tessellateWatch;
+        if (options.memoryBytes == 0) options.memoryBytes = freeMemoryBytes() / 2;
+        const Stopwatch watch;
         for (const SceneObject& object : scene.objects)
             surfaces.push_back(makeBaseSurface(object));
-        chooseRates();
-        for (size_t i = 0; i < surfaces.size(); ++i) {
-            const SceneObject& object = scene.objects[i];
-            meshes.push_back(tessellate(*surfaces[i], object.relief ? &*object.relief : nullptr,
-                                        uniformRates(*surfaces[i], stats.objects[i].rate),
-                                        options.microAttributes));
-        }
-        stats.tessellateMs = tessellateWatch.elapsedMs();
-        const Stopwatch buildWatch;
-        embree = std::make_unique<EmbreeScene>(meshes);
-        stats.buildMs = buildWatch.elapsedMs();
+        if (!options.rate)
+            planner =
+                std::make_unique<RatePlanner>(scene, plannedObjects(), options.errorPx, options.memoryBytes);
+        stats.tessellateMs = watch.elapsedMs();
+        build();
     }
 
-    void chooseRates() {
-        std::vector<const BaseSurface*> pointers;
-        std::vector<int> wanted, rates;
-        for (size_t i = 0; i < surfaces.size(); ++i) {
-            pointers.push_back(surfaces[i].get());
-            wanted.push_back(wantedRate(*surfaces[i], scene.objects[i], scene.camera));
-            rates.push_back(options.rate ? std::max(options.rate, smallestRate(*surfaces[i])) : wanted[i]);
-        }
-        if (options.rate < 0 || options.rate > kMostRate || (options.rate & (options.rate - 1)) != 0)
-            throw InputError("--rate", fmt::format("found {}", options.rate),
-                             fmt::format("a power of two from 1 to {}", kMostRate));
-        // A rate asked for is taken as it is, or refused: never quietly another.
-        const std::vector<int> fitting = ratesWithinMemory(pointers, rates, options.memoryBytes);
-        if (options.rate && fitting != rates)
-            throw MachineError(
-                "--rate",
-                fmt::format("rate {} doesn't fit --memory {} MB", options.rate, options.memoryBytes >> 20),
-                "a smaller rate or more memory");
-        for (size_t i = 0; i < surfaces.size(); ++i) {
-            const uint64_t triangles =
-                microMeshSize(*surfaces[i], uniformRates(*surfaces[i], fitting[i])).microTriangles;
-            stats.objects.push_back({scene.objects[i].name, fitting[i], wanted[i], triangles});
-            stats.microTriangles += triangles;
-        }
+    const Relief* reliefOf(size_t object) const {
+        return scene.objects[object].relief ? &*scene.objects[object].relief : nullptr;
+    }
+
+    /// Plans, tessellates and builds the acceleration structure.
+    void build() {
+        const Stopwatch tessellateWatch;
+        embree.reset();
+        meshes.clear();
+        const RatePlan plan =
+            planner ? planner->plan() : planUniformRate(plannedObjects(), options.rate, options.memoryBytes);
+        note(plan);
+        for (size_t i = 0; i < surfaces.size(); ++i)
+            meshes.push_back(tessellate(*surfaces[i], reliefOf(i), plan.rates[i], options.microAttributes));
+        stats.tessellateMs += tessellateWatch.elapsedMs();
+        const Stopwatch buildWatch;
+        embree = std::make_unique<EmbreeScene>(meshes);
+        stats.buildMs += buildWatch.elapsedMs();
+    }
+
+    std::vector<PlannedObject> plannedObjects() const {
+        std::vector<PlannedObject> objects;
+        for (size_t i = 0; i < surfaces.size(); ++i)
+            objects.push_back({surfaces[i].get(), reliefOf(i)});
+        return objects;
+    }
+
+    void note(const RatePlan& plan) {
+        stats.objects.clear();
+        for (size_t i = 0; i < surfaces.size(); ++i)
+            stats.objects.push_back({scene.objects[i].name, largestRate(plan.rates[i]), plan.wanted[i],
+                                     microMeshSize(*surfaces[i], plan.rates[i]).microTriangles});
+        stats.microTriangles = plan.microTriangles;
         stats.geometryBytes =
-            static_cast<uint64_t>(kBytesPerMicroTriangle * static_cast<double>(stats.microTriangles));
+            static_cast<uint64_t>(kBytesPerMicroTriangle * static_cast<double>(plan.microTriangles));
+        stats.certificate.aimPx = options.errorPx;
+        stats.certificate.limit = plan.limit;
     }
 
     Frame render() {
+        Frame frame = traceOnce();
+        int run = 1;
+        while (run < kMostRuns && isAboveAim() && stats.certificate.limit.empty() &&
+               planner->refine(faceErrorsPx)) {
+            build();
+            frame = traceOnce();
+            ++run;
+        }
+        if (!isAboveAim())
+            stats.certificate.limit.clear();
+        else if (stats.certificate.limit.empty())
+            stats.certificate.limit = run == kMostRuns
+                                          ? fmt::format("{} runs, each finer than the last", kMostRuns)
+                                          : "places that finer micro-triangles come no closer to";
+        describe(frame);
+        return frame;
+    }
+
+    bool isAboveAim() const { return stats.certificate.pxP99 > options.errorPx; }
+
+    Frame traceOnce() {
         const Stopwatch watch;
         std::vector<TracedObject> objects;
-        for (size_t i = 0; i < meshes.size(); ++i) {
-            const SceneObject& object = scene.objects[i];
-            objects.push_back(
-                {&object, object.relief ? &*object.relief : nullptr, surfaces[i].get(), &meshes[i]});
-        }
+        for (size_t i = 0; i < meshes.size(); ++i)
+            objects.push_back({&scene.objects[i], reliefOf(i), surfaces[i].get(), &meshes[i]});
         RayCounts counts;
         FrameEvidence evidence;
         Frame frame = traceFrame(scene, objects, *embree, counts, evidence);
-        stats.traceMs = watch.elapsedMs();
+        stats.traceMs += watch.elapsedMs();
         const Stopwatch certifyWatch;
-        stats.certificate.aimPx = options.errorPx;
+        faceErrorsPx = measureFaces(scene, objects, evidence, frame);
         certifyFrame(scene, objects, *embree, evidence, frame, stats.certificate);
-        stats.certifyMs = certifyWatch.elapsedMs();
+        stats.certifyMs += certifyWatch.elapsedMs();
         stats.cameraRays = counts.camera;
         stats.shadowRays = counts.shadow;
         stats.unpolishedHits = counts.unpolished;
+        return frame;
+    }
+
+    void describe(Frame& frame) const {
         frame.metadata = sceneMetadata(scene);
         frame.metadata["renderer"] = "reference";
         frame.metadata["base"] = options.base == Base::Proxy ? "proxy" : "limit";
@@ -122,7 +156,6 @@ struct ReferenceScene::Impl {
         frame.metadata["micro_triangles"] = fmt::format("{}", stats.microTriangles);
         for (size_t i = 0; i < meshes.size(); ++i)
             frame.metadata[fmt::format("object.{}.rate", i + 1)] = fmt::format("{}", stats.objects[i].rate);
-        return frame;
     }
 };
 

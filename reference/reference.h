@@ -20,11 +20,10 @@ struct ReferenceOptions {
     Base base = Base::Limit;
     /// Aim of the certificate: the 99th percentile of the micro-triangles' distance from the true surface, in pixels.
     double errorPx = 0.05;
-    /// Segments per control edge, a power of two in [1, 1024]; 0 = the finest of half a texel and half a
-    /// pixel that `memoryBytes` allows, for each object.
+    /// Segments per control edge, a power of two in [1, 1024], the same for all; 0 = chosen, face by face.
     int rate = 0;
-    /// Budget of micro-triangles and their acceleration structure together.
-    uint64_t memoryBytes = uint64_t(256) << 20;
+    /// Budget of micro-triangles and their acceleration structure together; 0 = half of what is free.
+    uint64_t memoryBytes = 0;
     /// Also fill normals and st of the micro-meshes.
     bool microAttributes = false;
 };
@@ -52,8 +51,8 @@ struct ReferenceStats {
     uint64_t geometryBytes = 0;  // micro-triangles, estimated acceleration structure included
     struct Object {
         std::string name;
-        int rate;       // segments per control edge taken
-        int wantedRate; // the finest of half a texel and half a pixel
+        int rate;       // segments per control edge, the most of a face
+        int wantedRate; // the most a face would have had for the error aimed at
         uint64_t microTriangles;
     };
     std::vector<Object> objects;

@@ -65,6 +65,7 @@ class FrameTracer {
                     {largestCoordinate_, std::abs(position.x), std::abs(position.y), std::abs(position.z)});
         }
         evidence_.errorWorld.assign(frame_.pixelCount(), 0);
+        evidence_.face.assign(frame_.pixelCount(), 0);
         evidence_.unsettled.assign(frame_.pixelCount(), 0);
         evidence_.shadowBy.assign(scene.lights.size(), std::vector<uint8_t>(frame_.pixelCount(), 0));
         fillBackground();
@@ -214,6 +215,8 @@ class FrameTracer {
         const DisplacedSample& surface = sampled.displaced;
         const Vec3 facing = side * surface.normal;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
+        evidence_.face[hit.pixel] = static_cast<uint32_t>(
+            objects_[hit.object].surface->patches()[static_cast<size_t>(hit.place.patch)].face);
 
         double light = kAmbient;
         for (size_t i = 0; i < scene_.lights.size(); ++i) {

@@ -84,13 +84,22 @@ TEST_F(Validate, AllTechniquesOfTheSmallScene) {
 
 // The control draws the triangles that the reference traces. What may differ is a pixel whose centre lies within the
 // rasteriser's sub-pixel grid of an edge: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of the relief.
+/// The control draws the micro-triangles, the reference's depths are those of the true surface: along a ray at an angle to the
+/// surface they differ by the certificate's error over the cosine; half of the pixels are seen at more than 30 degrees, 99 % at more
+/// than 3.
+void expectDepthWithinCertificate(const json& results) {
+    const json depth = results["techniques"][0]["depth"], reference = results["reference"];
+    EXPECT_LE(depth["p50"], 2 * reference["error_world_p50"].get<double>());
+    EXPECT_LE(depth["p99"], 20 * reference["error_world_p99"].get<double>());
+}
+
 TEST_F(Validate, TheControlAgreesWithTheReference) {
     writeFile(folder_ / "small.toml",
               withLine(withLine(kSmallScene, "width = 96", "width = 400"), "height = 72", "height = 300"));
     ASSERT_EQ(validate("out", {"--technique", "micro_triangles"}).exitCode, 0);
     const json technique = resultsOf("out")["techniques"][0];
     EXPECT_GE(technique["silhouette"]["iou"], 0.9999);
-    EXPECT_LE(technique["depth"]["p99_relief"], 1e-3);
+    expectDepthWithinCertificate(resultsOf("out"));
     EXPECT_GT(technique["depth"]["domain_px"], 20000);
 }
 
@@ -186,7 +195,7 @@ TEST_F(Validate, TheControlKeepsToTheLimitSurface) {
     ASSERT_EQ(validate("out", {"--base", "both", "--technique", "micro_triangles"}).exitCode, 0);
     const json technique = resultsOf("out")["techniques"][0];
     EXPECT_GE(technique["silhouette"]["iou"], 0.999);
-    EXPECT_LE(technique["depth"]["p99_relief"], 1e-3);
+    expectDepthWithinCertificate(resultsOf("out"));
 }
 
 TEST_F(Validate, OneBaseHasNoGap) {

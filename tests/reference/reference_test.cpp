@@ -222,29 +222,88 @@ TEST(Reference, BytesDontDependOnTheNumberOfThreads) {
                 << name;
 }
 
-TEST(Reference, RateIsTheFinestOfTexelAndPixelWithinMemory) {
-    // 64 texels over one edge: half a texel needs 128 segments. 20 pixels: half a pixel needs 40, so 64.
-    const auto map = std::make_shared<HeightMap>("flat", 64, 64, std::vector<float>(64 * 64, 0.5f));
-    Scene scene = squareScene(map, 0.1);
+std::shared_ptr<const HeightMap> roughMap() {
+    std::vector<float> depths;
+    for (int k = 0; k < 1024; ++k)
+        depths.push_back(float((k * 37) % 101) / 100.0f);
+    return std::make_shared<HeightMap>("rough", 32, 32, depths);
+}
+
+TEST(Reference, RatesRiseUntilTheErrorAimedAtIsMet) {
+    uint64_t coarser = 0;
+    for (const double aimPx : {0.5, 0.05}) {
+        const Scene scene = squareScene(roughMap(), 0.2, 4);
+        ReferenceOptions options;
+        options.errorPx = aimPx;
+        ReferenceScene reference(scene, options);
+        reference.render();
+        const Certificate& certificate = reference.stats().certificate;
+        EXPECT_LE(certificate.pxP99, aimPx);
+        EXPECT_GT(certificate.pxP99, aimPx / 32); // and not far beyond it: a doubling is worth 2 to 4
+        EXPECT_EQ(certificate.limit, "");
+        EXPECT_EQ(certificate.aimPx, aimPx);
+        EXPECT_GT(reference.stats().microTriangles, coarser);
+        coarser = reference.stats().microTriangles;
+    }
+}
+
+TEST(Reference, MemoryLimitsTheRatesAndSaysSo) {
+    const Scene scene = squareScene(roughMap(), 0.2, 4);
     ReferenceOptions options;
-    EXPECT_EQ(ReferenceScene(scene, options).stats().objects[0].rate, 128);
-    scene.objects[0].relief->tile = Vec2(0.25);
-    EXPECT_EQ(ReferenceScene(scene, options).stats().objects[0].rate, 64);
-    options.memoryBytes = 20 * 2 * 32 * 32; // exactly rate 32 at 20 bytes a micro-triangle
-    const ReferenceScene tight(scene, options);
-    EXPECT_EQ(tight.stats().objects[0].rate, 32);
-    EXPECT_EQ(tight.stats().objects[0].wantedRate, 64);
-    scene.objects[0].relief.reset(); // a square needs no more than its own two triangles
-    EXPECT_EQ(ReferenceScene(scene, options).stats().microTriangles, 2u);
-    scene.objects[0].mesh.points[0].x -= 0.1; // any other quad does
-    EXPECT_EQ(ReferenceScene(scene, options).stats().objects[0].wantedRate, 64);
+    options.errorPx = 0.001;
+    options.memoryBytes = uint64_t(1) << 20;
+    ReferenceScene reference(scene, options);
+    reference.render();
+    EXPECT_GT(reference.stats().certificate.pxP99, options.errorPx);
+    EXPECT_EQ(reference.stats().certificate.limit, "--memory 1 MB");
+    EXPECT_LE(reference.stats().microTriangles * 20, options.memoryBytes);
+    EXPECT_GT(reference.stats().objects[0].wantedRate, reference.stats().objects[0].rate);
     options.memoryBytes = 10;
     EXPECT_THROW(ReferenceScene(scene, options), MachineError);
-    options.memoryBytes = uint64_t(256) << 20;
+}
+
+TEST(Reference, FlatFacesAreTwoTriangles) {
+    const Scene plain = squareScene(nullptr, 0);
+    EXPECT_EQ(ReferenceScene(plain, {}).stats().microTriangles, 2u);
+    // A constant map displaces, but bends nothing.
+    const Scene constant = squareScene(std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f)), 0.1);
+    EXPECT_EQ(ReferenceScene(constant, {}).stats().microTriangles, 2u);
+}
+
+TEST(Reference, RatesThatAreNoneAreRefused) {
+    const Scene scene = squareScene(nullptr, 0);
+    ReferenceOptions options;
     for (const int wrong : {3, -1, 2048, 100}) {
         options.rate = wrong;
         EXPECT_THROW(ReferenceScene(scene, options), InputError) << wrong;
     }
+    options.rate = 1024;
+    options.memoryBytes = uint64_t(1) << 20;
+    EXPECT_THROW(ReferenceScene(scene, options), MachineError);
+}
+
+// A square of 16 x 16 faces of which the picture shows the middle 4 x 4, lit from above: what is outside can't shadow anything in it.
+// Under a light from the side the faces towards it can, and only those.
+TEST(Reference, FacesOutOfThePictureAreCoarseUnlessTheyCastShadows) {
+    Scene scene = squareScene(roughMap(), 0.05, 16);
+    scene.objects[0].mesh = squareMesh(8, 16);
+    scene.camera.viewHeight = 2;
+    const auto cellsAt = [&](int column, int row) {
+        ReferenceScene reference(scene, {});
+        return int(reference.microMeshes()[0].lattices[static_cast<size_t>(row * 16 + column)].columns);
+    };
+    EXPECT_GT(cellsAt(8, 8), 1);
+    EXPECT_EQ(cellsAt(0, 8), 1);
+    EXPECT_EQ(cellsAt(15, 8), 1);
+    scene.lights[0].toLightWorld = glm::normalize(Vec3(1, 0, 0.1));
+    EXPECT_EQ(cellsAt(0, 8), 1);
+    EXPECT_GT(cellsAt(15, 8), 1);
+    EXPECT_LT(cellsAt(15, 8), cellsAt(8, 8));
+    EXPECT_EQ(cellsAt(15, 15), 1);
+    scene.lights[0].kind = Light::Kind::Point; // on the other side of the picture
+    scene.lights[0].positionWorld = {-6, 0, 1};
+    EXPECT_GT(cellsAt(0, 8), 1);
+    EXPECT_EQ(cellsAt(15, 8), 1);
 }
 
 TEST(Reference, ReliefWithoutUvsIsRefused) {

@@ -1,0 +1,12 @@
+// How much memory this machine has to spare.
+#pragma once
+
+#include <cstdint>
+
+namespace plumbline {
+
+/// Bytes a process can take without others being paged out or killed: MemAvailable of /proc/meminfo, and what the control group
+/// it is in still has (cgroup v2 and v1). 1 GiB where neither can be read.
+uint64_t freeMemoryBytes();
+
+} // namespace plumbline
