@@ -60,6 +60,21 @@ TEST(ResolveHit, OfTwoSheetsTheOneEmbreeMet) {
     EXPECT_NEAR(lower.distance, 5, 1e-14);
 }
 
+TEST(ResolveHit, ATriangleMissedByRoundingBeforeOneMetElsewhere) {
+    // A sheet at z = 0 from x = 0.2 to 1, folded back under itself down to z = -1 at x = 0. A ray down at x = 0.2 - 1e-9 passes the
+    // upper sheet by less than Embree's rounding, and Embree says it met it; in double it meets the lower one at z = -0.8.
+    MicroMesh mesh;
+    for (const float y : {0.0f, 1.0f})
+        for (const Vec2f& xz : {Vec2f(0.2f, 0), Vec2f(1, 0), Vec2f(0, -1)})
+            mesh.positionsWorld.push_back({xz.x, y, xz.y});
+    mesh.grids.push_back({0, 0, 3, 2, 0, 0});
+    const Ray ray{{double(0.2f) - 1e-9, 0.25, 5}, {0, 0, -1}};
+    const ResolvedHit hit = resolveHit(mesh, mesh.grids[0], 0, 0.25f, 5, ray);
+    EXPECT_EQ(hit.distance, 5);
+    EXPECT_EQ(hit.uv.x, 0);
+    EXPECT_EQ(hit.facetNormal.z, 1);
+}
+
 TEST(ResolveHit, GrazingAnEdgeStaysOnTheMesh) {
     const MicroMesh mesh = tiltedGrid();
     const Ray ray{{4 + 1e-9, 2, 10}, {0, 0, -1}}; // just past the last column
