@@ -41,6 +41,14 @@ Vec3 unitOrZero(const Vec3& vector) {
     return length > 0 ? vector / length : Vec3(0);
 }
 
+/// A point of a triangle's sub-face k, as Bfr cuts one under the bilinear scheme, on the triangle as one patch. Its
+/// barycentric coordinates are themselves interpolated linearly from those of the corners.
+BaseSurface::FaceTessellation::Sample onTriangle(int patch, int k, double u, double v) {
+    const Vec3 corners =
+        makeLinearPatch<Vec3>(3, k, false, [](int i) { return Vec3(i == 0, i == 1, i == 2); }).at(u, v);
+    return {patch, corners[1], corners[2]};
+}
+
 } // namespace
 
 struct BaseSurface::Impl {
@@ -83,7 +91,7 @@ struct BaseSurface::Impl {
                     "OpenSubdiv can't make a limit surface of it",
                     fmt::format("at most {} edges around a face or a vertex", Bfr::Limits::MaxFaceSize()));
             }
-            if (scheme == Scheme::Loop) {
+            if (scheme == Scheme::Loop || (scheme == Scheme::None && size == 3)) {
                 patches.push_back({face, 0, true, false});
             } else if (size == 4) {
                 patches.push_back({face, 0, false, false});
@@ -147,9 +155,10 @@ BaseSurface::FaceTessellation BaseSurface::tessellateFace(int face, int rate) co
                                         coords[i + 1]};
         if (parameterization.HasSubFaces()) {
             double local[2];
-            sample.patch += parameterization.ConvertCoordToNormalizedSubFace(&coords[i], local);
-            sample.u = local[0];
-            sample.v = local[1];
+            const int subFace = parameterization.ConvertCoordToNormalizedSubFace(&coords[i], local);
+            sample = impl_->patches[static_cast<size_t>(sample.patch)].triangular
+                         ? onTriangle(sample.patch, subFace, local[0], local[1])
+                         : FaceTessellation::Sample{sample.patch + subFace, local[0], local[1]};
         }
         result.samples.push_back(sample);
     }

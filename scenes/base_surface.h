@@ -2,7 +2,7 @@
 // scheme: OpenSubdiv's Bfr in double precision, refined so far (level 10) that samples at dyadic (u,v) are on
 // the limit surface.
 //
-// The surface is a list of patches. A quad face is one patch over the unit square; a triangle under Loop is
+// The surface is a list of patches. A quad face is one patch over the unit square; a triangle under Loop or Scheme::None is
 // one patch over u, v >= 0, u + v <= 1; any other face of n corners is n patches over unit squares, patch k
 // going from corner k (0,0) to the middle of edge k (1,0), the face's centre (1,1) and the middle of edge k-1
 // (0,1).

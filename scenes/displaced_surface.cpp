@@ -1,14 +1,22 @@
 #include "displaced_surface.h"
 
 #include "error.h"
+#include "proxy_mesh.h"
 
 namespace plumbline {
 
-std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object) {
+std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object, Base base) {
     if (object.relief && !object.mesh.hasUvs())
         throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
                          "uvs, because the object has a relief");
+    if (base == Base::Proxy) return std::make_unique<BaseSurface>(proxyPolygons(object), Scheme::None);
     return std::make_unique<BaseSurface>(object.meshWorld(), object.scheme);
+}
+
+std::optional<Relief> reliefOn(const SceneObject& object, Base base) {
+    std::optional<Relief> relief = object.relief;
+    if (relief && base == Base::Proxy) relief->offset = 0;
+    return relief;
 }
 
 Vec2 textureCoordinates(const BasePoint& base, const Relief* relief) {

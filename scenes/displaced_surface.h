@@ -3,6 +3,13 @@
 //     P(u,v) = S(u,v) + n(u,v) * (offset - depth * d(st(u,v))),     st = tile * uv + uvOffset
 //
 // World space. Without a relief P = S.
+//
+// S and n are the limit surface's, or, on the proxy base, those of the triangles the real-time module draws: pushed out by
+// `offset` at their vertices, with the vertices' normals interpolated linearly and renormalised. There the offset is in S:
+//
+//     P = S' + n * (-depth * d(st)),     S' = S + n * offset at the vertices, linear in between
+//
+// which is the P above at the vertices; in between, n times offset isn't linear, and the triangles' is meant.
 #pragma once
 
 #include "base_surface.h"
@@ -11,7 +18,10 @@
 namespace plumbline {
 
 /// The object's base in world space. Throws InputError if it has a relief and its mesh no uvs.
-std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object);
+std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object, Base base = Base::Limit);
+
+/// The relief to displace that base with: the object's own, for the proxy with offset 0; none if the object has none.
+std::optional<Relief> reliefOn(const SceneObject& object, Base base);
 
 struct DisplacedSample {
     Vec3 position;             // world

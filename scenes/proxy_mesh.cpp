@@ -80,6 +80,7 @@ class ProxyBuilder {
             if (surface_.hasLimit(face)) addFace(face);
         pushOut();
         fitQuadrics();
+        proxy_.placeCount = places_.size();
         return std::move(proxy_);
     }
 
@@ -112,6 +113,8 @@ class ProxyBuilder {
         ProxyVertex vertex{};
         vertex.normal = base.normal;
         vertex.st = textureCoordinates(base, relief_);
+        vertex.uv = base.uv;
+        vertex.place = place;
         const Vec2 tile = relief_ ? relief_->tile : Vec2(1);
         Derivatives derivatives{};
         if (!solveDerivatives(base, tile, derivatives)) {
@@ -129,7 +132,6 @@ class ProxyBuilder {
         here.sampled = true;
         here.normalSum += base.normal;
         proxy_.vertices.push_back(vertex);
-        placeOfVertex_.push_back(place);
     }
 
     /// Quads are cut between their second and fourth corner.
@@ -137,6 +139,7 @@ class ProxyBuilder {
         const auto index = [&](int k) {
             return static_cast<unsigned>(first) + static_cast<unsigned>(facet[static_cast<size_t>(k)]);
         };
+        const auto placeOf = [&](unsigned vertex) { return proxy_.vertices[vertex].place; };
         const int corners = facet[3] < 0 ? 3 : 4;
         if (corners == 3)
             proxy_.triangles.insert(proxy_.triangles.end(), {index(0), index(1), index(2)});
@@ -145,7 +148,7 @@ class ProxyBuilder {
                                     {index(0), index(1), index(3), index(1), index(2), index(3)});
         for (int i = 0; i < corners; ++i)
             for (int j = 0; j < corners; ++j)
-                if (i != j) places_[placeOfVertex_[index(i)]].ring.push_back(placeOfVertex_[index(j)]);
+                if (i != j) places_[placeOf(index(i))].ring.push_back(placeOf(index(j)));
     }
 
     /// One position per place, moved by the offset along the mean normal, so that the proxy closes where it
@@ -158,16 +161,15 @@ class ProxyBuilder {
             std::sort(place.ring.begin(), place.ring.end());
             place.ring.erase(std::unique(place.ring.begin(), place.ring.end()), place.ring.end());
         }
-        for (size_t i = 0; i < proxy_.vertices.size(); ++i)
-            proxy_.vertices[i].position = places_[placeOfVertex_[i]].position;
+        for (ProxyVertex& vertex : proxy_.vertices)
+            vertex.position = places_[vertex.place].position;
     }
 
     void fitQuadrics() {
-        for (size_t i = 0; i < proxy_.vertices.size(); ++i) {
-            ProxyVertex& vertex = proxy_.vertices[i];
+        for (ProxyVertex& vertex : proxy_.vertices) {
             if (glm::length(vertex.positionS) == 0) continue;
             QuadricFit fit(vertex);
-            for (const size_t neighbour : places_[placeOfVertex_[i]].ring)
+            for (const size_t neighbour : places_[vertex.place].ring)
                 fit.add(places_[neighbour].position);
             fit.solve(vertex.quadricA, vertex.quadricB);
         }
@@ -179,7 +181,6 @@ class ProxyBuilder {
     SharedSamples shared_;
     BaseSurface::Evaluator evaluator_;
     std::vector<Place> places_;
-    std::vector<size_t> placeOfVertex_;
     ProxyMesh proxy_;
 };
 
@@ -188,6 +189,25 @@ class ProxyBuilder {
 ProxyMesh buildProxyMesh(const SceneObject& object) {
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
     return ProxyBuilder(object, *surface).build();
+}
+
+ControlMesh proxyPolygons(const SceneObject& object) {
+    const ProxyMesh proxy = buildProxyMesh(object);
+    ControlMesh mesh;
+    mesh.name = object.mesh.name;
+    mesh.faceSizes.assign(proxy.triangles.size() / 3, 3);
+    mesh.points.resize(proxy.placeCount); // places of faces without a limit stay unused
+    for (const ProxyVertex& vertex : proxy.vertices) {
+        mesh.points[vertex.place] = vertex.position;
+        mesh.normals.push_back(vertex.normal);
+        if (object.mesh.hasUvs()) mesh.uvs.push_back(vertex.uv);
+    }
+    for (const unsigned vertex : proxy.triangles) {
+        mesh.faceVertices.push_back(static_cast<int>(proxy.vertices[vertex].place));
+        mesh.faceNormals.push_back(static_cast<int>(vertex));
+    }
+    if (object.mesh.hasUvs()) mesh.faceUvs = mesh.faceNormals;
+    return mesh;
 }
 
 } // namespace plumbline

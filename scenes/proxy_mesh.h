@@ -14,6 +14,10 @@ struct ProxyVertex {
     Vec3 positionS;
     Vec3 positionT;
     Vec2 st; // tiled, unwrapped
+    Vec2 uv; // of the control mesh, not tiled; zero if it has none
+    /// Number of the place of the surface it stands on, below ProxyMesh::placeCount: vertices split there share it, and their
+    /// position.
+    size_t place = 0;
     /// Coefficients of the quadric z = -(A x^2 + B y^2) that fits the one-ring (all vertices that share a facet) in
     /// the frame (x along positionS, y along positionT, z along normal), world units^-1. Oliveira and Policarpo,
     /// UFRGS RP-351 (2005), section 3.1, with the sign their Eqs 6 and 7 need: A > 0 where the surface is convex
@@ -24,9 +28,14 @@ struct ProxyVertex {
 struct ProxyMesh {
     std::vector<ProxyVertex> vertices; // split where texture coordinates are
     std::vector<unsigned> triangles;   // 3 indices each, counter-clockwise seen from outside
+    size_t placeCount = 0;
 };
 
 /// Throws InputError if the object has a relief and its mesh no uvs.
 ProxyMesh buildProxyMesh(const SceneObject& object);
+
+/// The same triangles as a control mesh for Scheme::None, in world space: one point a place, so that it closes where the proxy
+/// does; the proxy's own normals; the object's uvs, not tiled, if it has any.
+ControlMesh proxyPolygons(const SceneObject& object);
 
 } // namespace plumbline

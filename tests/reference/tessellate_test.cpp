@@ -47,9 +47,9 @@ TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
             SCOPED_TRACE(testing::Message() << "scheme " << int(scheme) << ", rate " << rate);
             const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, rate), false);
             const std::vector<Triangle> triangles = trianglesWithArea(mesh);
-            // Loop: rate^2 on each of 8 triangles; else 3 quarters of 2 (rate/2)^2 each.
+            // Catmull-Clark: 3 quarters of 2 (rate/2)^2 on each of 8 triangles; else rate^2.
             const uint64_t expected =
-                scheme == Scheme::Loop ? 8u * rate * rate : 8u * 3 * 2 * (rate / 2) * (rate / 2);
+                scheme == Scheme::CatmullClark ? 8u * 3 * 2 * (rate / 2) * (rate / 2) : 8u * rate * rate;
             EXPECT_EQ(triangles.size(), expected);
             EXPECT_EQ(mesh.microTriangleCount, expected);
             EXPECT_EQ(microMeshSize(surface, uniformRates(surface, rate)).vertices,
