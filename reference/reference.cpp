@@ -51,6 +51,7 @@ struct ReferenceScene::Impl {
     ReferenceOptions options;
     ReferenceStats stats;
     std::vector<std::unique_ptr<BaseSurface>> surfaces;
+    std::vector<std::optional<Relief>> reliefs; // per object, as they go on the base
     std::vector<MicroMesh> meshes;
     std::unique_ptr<EmbreeScene> embree;
     std::unique_ptr<RatePlanner> planner; // null: one rate for all
@@ -60,8 +61,10 @@ struct ReferenceScene::Impl {
         : scene(sceneGiven), options(optionsGiven) {
         if (options.memoryBytes == 0) options.memoryBytes = freeMemoryBytes() / 2;
         const Stopwatch watch;
-        for (const SceneObject& object : scene.objects)
-            surfaces.push_back(makeBaseSurface(object));
+        for (const SceneObject& object : scene.objects) {
+            surfaces.push_back(makeBaseSurface(object, options.base));
+            reliefs.push_back(reliefOn(object, options.base));
+        }
         if (!options.rate)
             planner =
                 std::make_unique<RatePlanner>(scene, plannedObjects(), options.errorPx, options.memoryBytes);
@@ -70,7 +73,7 @@ struct ReferenceScene::Impl {
     }
 
     const Relief* reliefOf(size_t object) const {
-        return scene.objects[object].relief ? &*scene.objects[object].relief : nullptr;
+        return reliefs[object] ? &*reliefs[object] : nullptr;
     }
 
     /// Plans, tessellates and builds the acceleration structure.

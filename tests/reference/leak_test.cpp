@@ -133,7 +133,8 @@ TEST(Leaks, NoRayGetsThroughAClosedSurface) {
 TEST(Leaks, OutlinesStayWhereTheyAre) {
     const Scene scene = squareScene(nullptr, 0, 4);
     std::vector<MicroMesh> meshes;
-    meshes.push_back(tessellate(*makeBaseSurface(scene.objects[0]), nullptr, 8, false));
+    const auto surface = makeBaseSurface(scene.objects[0]);
+    meshes.push_back(tessellate(*surface, nullptr, uniformRates(*surface, 8), false));
     const EmbreeScene embree(meshes);
     const FlushDenormals flush;
     const Vec3f down(0, 0, -1);
@@ -153,7 +154,8 @@ TEST(Leaks, OutlinesStayWhereTheyAre) {
 TEST(Leaks, LightsBeforeASurfaceAreNotOccluded) {
     const Scene scene = squareScene(nullptr, 0, 4);
     std::vector<MicroMesh> meshes;
-    meshes.push_back(tessellate(*makeBaseSurface(scene.objects[0]), nullptr, 8, false));
+    const auto surface = makeBaseSurface(scene.objects[0]);
+    meshes.push_back(tessellate(*surface, nullptr, uniformRates(*surface, 8), false));
     const EmbreeScene embree(meshes);
     const FlushDenormals flush;
     std::mt19937 random(7);

@@ -67,7 +67,8 @@ TEST(ResolveHit, ATriangleMissedByRoundingBeforeOneMetElsewhere) {
     for (const float y : {0.0f, 1.0f})
         for (const Vec2f& xz : {Vec2f(0.2f, 0), Vec2f(1, 0), Vec2f(0, -1)})
             mesh.positionsWorld.push_back({xz.x, y, xz.y});
-    mesh.grids.push_back({0, 0, 3, 2, 0, 0});
+    mesh.lattices = {{2, 1, {2, 1, 2, 1}, false}};
+    mesh.grids.push_back({0, 0, 3, 2, 0, 0, 0, false});
     const Ray ray{{double(0.2f) - 1e-9, 0.25, 5}, {0, 0, -1}};
     const ResolvedHit hit = resolveHit(mesh, mesh.grids[0], 0, 0.25f, 5, ray);
     EXPECT_EQ(hit.distance, 5);
