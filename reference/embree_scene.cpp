@@ -35,8 +35,8 @@ void check(RTCDevice device) {
 // outline would grow by the distance between the two.
 
 // The distance to either side, as a fraction of the largest coordinate in play. Vertices less the ray's origin, and the
-// products of them, are off by some 2^-24 of it each, half a dozen of them in a sum; but origins are floats themselves, and
-// to move one by less than a few of its own last bits is not to move it at all.
+// products of them, are off by some 2^-24 of it each, half a dozen of them in a sum. Measured, of 10^6 rays aimed at vertices
+// (tests/reference/leak_test.cpp) 200 still slip through at 2^-24, one or two at 2^-22 and none at 2^-21.
 constexpr float kShiftFraction = 0x1p-20f;
 
 // Angle of the first pair in the plane across the ray: none that a mesh would have rows of vertices along.
