@@ -1,6 +1,7 @@
 #include "base_surface.h"
 
 #include "error.h"
+#include "folded_faces.h"
 #include "linear_patch.h"
 #include "topology.h"
 #include "vertex_normals.h"
@@ -62,6 +63,7 @@ struct BaseSurface::Impl {
 
     Impl(ControlMesh meshWorld, Scheme schemeOfMesh) : mesh(std::move(meshWorld)), scheme(schemeOfMesh) {
         checkControlMesh(mesh, scheme);
+        if (scheme != Scheme::None) checkFoldedFaces(mesh);
         refiner = makeTopology(mesh, scheme);
         if (scheme != Scheme::None) {
             Bfr::SurfaceFactory::Options options;
@@ -79,16 +81,19 @@ struct BaseSurface::Impl {
 
     void listPatches() {
         int first = 0;
+        std::vector<bool> isHole(static_cast<size_t>(mesh.faceCount()));
+        for (const SubdivisionTags::Hole& hole : mesh.tags.holes)
+            isHole[static_cast<size_t>(hole.face)] = true;
         for (int face = 0; face < mesh.faceCount(); ++face) {
             const int size = mesh.faceSizes[static_cast<size_t>(face)];
             firstCorner.push_back(first);
             firstPatch.push_back(static_cast<int>(patches.size()));
             first += size;
+            if (isHole[static_cast<size_t>(face)]) continue;
             if (factory && !factory->FaceHasLimitSurface(face)) {
                 if (mesh.boundaryFacesSupportOnly) continue;
                 throw InputError(
-                    fmt::format("{}: face {}", mesh.name, face + 1),
-                    "OpenSubdiv can't make a limit surface of it",
+                    whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it",
                     fmt::format("at most {} edges around a face or a vertex", Bfr::Limits::MaxFaceSize()));
             }
             if (scheme == Scheme::Loop || (scheme == Scheme::None && size == 3)) {
@@ -102,7 +107,7 @@ struct BaseSurface::Impl {
         }
         if (patches.empty())
             throw InputError(mesh.name, "no face has a limit surface",
-                             "at least one face away from the boundary");
+                             "at least one face away from the boundary and no hole");
     }
 };
 
@@ -205,7 +210,9 @@ struct BaseSurface::Evaluator::State {
     }
 
     void prepareSmooth() {
-        surface.factory->InitVertexSurface(patch.face, &smooth);
+        if (!surface.factory->InitVertexSurface(patch.face, &smooth))
+            throw InputError(whereOfFace(surface.mesh, patch.face),
+                             "OpenSubdiv can't make a limit surface of it");
         smoothPoints.resize(3 * static_cast<size_t>(smooth.GetNumPatchPoints()));
         const Bfr::Surface<double>::PointDescriptor xyz(3);
         smooth.PreparePatchPoints(&surface.mesh.points[0].x, xyz, smoothPoints.data(), xyz);

@@ -60,7 +60,7 @@ class BaseSurface {
     /// Vertex an edge starts from; a face whose corner k is not this vertex runs along the edge backwards.
     int edgeStart(int edge) const;
 
-    /// False for a face that only supports its neighbours (ControlMesh::boundaryFacesSupportOnly).
+    /// False for a face that only supports its neighbours: a hole, or one of ControlMesh::boundaryFacesSupportOnly.
     bool hasLimit(int face) const;
 
     /// A face cut into facets at `rate` segments an edge. The first `boundaryCount` samples run round the

@@ -1,22 +1,20 @@
 #include "control_mesh.h"
 
 #include "error.h"
+#include "mesh_edges.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
 namespace plumbline {
 namespace {
 
 /// Buffers for tracing and drawing are float, where squared lengths overflow from 1.8e19 on.
 constexpr double kLargestCoordinate = 1e15;
-
-std::string whereOfFace(const ControlMesh& mesh, int face) {
-    if (mesh.faceLines.empty()) return fmt::format("{}: face {}", mesh.name, face + 1);
-    return fmt::format("{}:{}: face {}", mesh.name, mesh.faceLines[static_cast<size_t>(face)], face + 1);
-}
 
 template <class Vector>
 void checkCoordinates(const ControlMesh& mesh, const std::vector<Vector>& values, const char* what) {
@@ -69,6 +67,94 @@ void checkDistinctVertices(const ControlMesh& mesh, int face, size_t firstCorner
                          fmt::format("vertex {} occurs twice in the face", *twice + 1), "distinct vertices");
 }
 
+/// The vertices of a face, begun at the lowest.
+std::vector<int> rotatedVertices(const ControlMesh& mesh, size_t firstCorner, int size) {
+    const auto begin = mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(firstCorner);
+    std::vector<int> vertices(begin, begin + size);
+    std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+/// Two faces with the same vertices in the same order lie in one place, where nobody can say which of them a ray meets.
+/// Two in opposite orders are the two sides of a sheet.
+void checkDistinctFaces(const ControlMesh& mesh, const MeshEdges& edges) {
+    const std::vector<size_t> firstCorners = mesh.firstCorners();
+    for (const auto& edge : edges.edges()) {
+        // Without two faces in one direction there is nothing to compare: nearly always.
+        const auto forward =
+            std::count_if(edge.begin(), edge.end(), [](const HalfEdge& h) { return h.forward; });
+        if (forward < 2 && static_cast<std::ptrdiff_t>(edge.size()) - forward < 2) continue;
+        std::map<std::vector<int>, int> seen;
+        for (const HalfEdge& half : edge) {
+            const auto face = static_cast<size_t>(half.face);
+            const auto [place, isNew] =
+                seen.emplace(rotatedVertices(mesh, firstCorners[face], mesh.faceSizes[face]), half.face);
+            if (!isNew)
+                throw InputError(whereOfFace(mesh, half.face),
+                                 fmt::format("has the same vertices as face {}", place->second + 1),
+                                 "each face once");
+        }
+    }
+}
+
+void checkNormals(const ControlMesh& mesh, int face, size_t firstCorner) {
+    const auto corners = static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
+    for (size_t corner = firstCorner; corner < firstCorner + corners; ++corner)
+        if (mesh.normals[static_cast<size_t>(mesh.faceNormals[corner])] == Vec3(0))
+            throw InputError(whereOfFace(mesh, face),
+                             fmt::format("normal {} is zero", mesh.faceNormals[corner] + 1), "a direction",
+                             "a mesh without any normals gets them from its faces");
+}
+
+std::string whereOfTag(const ControlMesh& mesh, int line) {
+    return line > 0 ? fmt::format("{}:{}", mesh.name, line) : mesh.name;
+}
+
+void checkSharpness(const ControlMesh& mesh, double sharpness, int line) {
+    if (!(sharpness >= 0) || !std::isfinite(sharpness))
+        throw InputError(whereOfTag(mesh, line), fmt::format("sharpness {}", sharpness),
+                         "a finite number, 0 (smooth) or more; from 10 on it stays sharp for ever");
+}
+
+void checkTagIndex(const ControlMesh& mesh, int line, const char* what, int index, size_t count) {
+    if (index < 0 || static_cast<size_t>(index) >= count)
+        throw InputError(whereOfTag(mesh, line), fmt::format("{} {} isn't in the mesh", what, index + 1),
+                         fmt::format("1 to {} (0 to {} in 't' lines)", count, count - 1));
+}
+
+void checkCreases(const ControlMesh& mesh, const MeshEdges& edges) {
+    std::set<std::pair<int, int>> creased;
+    for (const SubdivisionTags::Crease& crease : mesh.tags.creases) {
+        checkTagIndex(mesh, crease.line, "vertex", crease.from, mesh.points.size());
+        checkTagIndex(mesh, crease.line, "vertex", crease.to, mesh.points.size());
+        if (!edges.contains(crease.from, crease.to))
+            throw InputError(
+                whereOfTag(mesh, crease.line),
+                fmt::format("no face has an edge from vertex {} to {}", crease.from + 1, crease.to + 1),
+                "neighbours in a face", "'t' lines count vertices from 0, faces and scene files from 1");
+        checkSharpness(mesh, crease.sharpness, crease.line);
+        if (!creased.insert(std::minmax(crease.from, crease.to)).second)
+            throw InputError(
+                whereOfTag(mesh, crease.line),
+                fmt::format("the edge from vertex {} to {} is creased twice", crease.from + 1, crease.to + 1),
+                "one sharpness for each edge");
+    }
+}
+
+void checkCornersAndHoles(const ControlMesh& mesh) {
+    std::set<int> corners;
+    for (const SubdivisionTags::Corner& corner : mesh.tags.corners) {
+        checkTagIndex(mesh, corner.line, "vertex", corner.vertex, mesh.points.size());
+        checkSharpness(mesh, corner.sharpness, corner.line);
+        if (!corners.insert(corner.vertex).second)
+            throw InputError(whereOfTag(mesh, corner.line),
+                             fmt::format("vertex {} is made a corner twice", corner.vertex + 1),
+                             "one sharpness for each vertex");
+    }
+    for (const SubdivisionTags::Hole& hole : mesh.tags.holes)
+        checkTagIndex(mesh, hole.line, "face", hole.face, mesh.faceSizes.size());
+}
+
 /// Length of the area vector (sum of p_k x p_k+1 about the first corner, halved): the area of a planar face.
 double faceArea(const ControlMesh& mesh, int face, size_t firstCorner) {
     const auto point = [&](int k) {
@@ -81,6 +167,21 @@ double faceArea(const ControlMesh& mesh, int face, size_t firstCorner) {
 }
 
 } // namespace
+
+std::string whereOfFace(const ControlMesh& mesh, int face) {
+    if (mesh.faceLines.empty()) return fmt::format("{}: face {}", mesh.name, face + 1);
+    return fmt::format("{}:{}: face {}", mesh.name, mesh.faceLines[static_cast<size_t>(face)], face + 1);
+}
+
+std::vector<size_t> ControlMesh::firstCorners() const {
+    std::vector<size_t> result;
+    size_t first = 0;
+    for (const int size : faceSizes) {
+        result.push_back(first);
+        first += static_cast<size_t>(size);
+    }
+    return result;
+}
 
 void checkControlMesh(const ControlMesh& mesh, Scheme scheme) {
     if (mesh.faceCount() == 0) throw InputError(mesh.name, "no face", "at least one");
@@ -95,6 +196,7 @@ void checkControlMesh(const ControlMesh& mesh, Scheme scheme) {
         if (mesh.hasUvs()) checkIndices(mesh, face, firstCorner, mesh.faceUvs, mesh.uvs.size(), "uv");
         if (mesh.hasNormals())
             checkIndices(mesh, face, firstCorner, mesh.faceNormals, mesh.normals.size(), "normal");
+        if (mesh.hasNormals() && scheme == Scheme::None) checkNormals(mesh, face, firstCorner);
         checkDistinctVertices(mesh, face, firstCorner);
         const int size = mesh.faceSizes[static_cast<size_t>(face)];
         if (scheme == Scheme::Loop && size != 3)
@@ -105,6 +207,10 @@ void checkControlMesh(const ControlMesh& mesh, Scheme scheme) {
         firstCorner += static_cast<size_t>(size);
     }
     if (!(area > 0)) throw InputError(mesh.name, "the mesh has no area: its faces are points or lines");
+    const MeshEdges edges(mesh);
+    checkDistinctFaces(mesh, edges);
+    checkCreases(mesh, edges);
+    checkCornersAndHoles(mesh);
 }
 
 } // namespace plumbline

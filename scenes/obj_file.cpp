@@ -65,6 +65,9 @@ ControlMesh readObj(const std::filesystem::path& file) {
     if (scan.anyUvs && !allUvs) mesh.uvsMissing = missingOnFace(scan, scan.firstFaceWithoutUvs, "uv");
     if (scan.anyNormals && !allNormals)
         mesh.normalsMissing = missingOnFace(scan, scan.firstFaceWithoutNormals, "normal");
+    mesh.tags = scan.tags.tags;
+    mesh.boundaryFacesSupportOnly = scan.tags.boundaryFacesSupportOnly;
+    mesh.warnings = scan.tags.warnings;
     appendFaces(mesh, reader.GetShapes(), allUvs, allNormals);
     checkControlMesh(mesh, Scheme::CatmullClark); // what every scheme asks for
     return mesh;

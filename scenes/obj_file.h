@@ -1,4 +1,5 @@
-// Wavefront OBJ through tinyobjloader: polygons kept, uv and normal indices of their own.
+// Wavefront OBJ through tinyobjloader: polygons kept, uv and normal indices of their own;
+// subdivision tags through obj_tags.h.
 #pragma once
 
 #include "control_mesh.h"

@@ -118,18 +118,16 @@ class Scanner {
         if (keyword == "vn") return scanNumbers(normals_, arguments);
         if (keyword == "f") return scanFace(arguments);
         if (std::find(kIgnored.begin(), kIgnored.end(), keyword) != kIgnored.end()) return;
-        if (keyword == "t") fail("subdivision tags ('t') are not supported", "a mesh without creases");
+        if (keyword == "t") return scanTag(arguments, line);
         if (std::find(kFreeForm.begin(), kFreeForm.end(), keyword) != kFreeForm.end())
             fail(fmt::format("'{}' is not supported", keyword), "polygons ('f')");
         fail(fmt::format("unknown keyword '{}'", shortened(keyword)), "v, vt, vn, f or another OBJ keyword");
     }
 
-    static std::string shortened(std::string_view word) {
-        constexpr size_t kShown = 40;
-        std::string text(word.substr(0, kShown));
-        for (char& c : text)
-            if (static_cast<unsigned char>(c) > 0x7e) c = '?';
-        return word.size() > kShown ? text + "…" : text;
+    /// tinyobjloader reads tags too, without checks, so it doesn't get to see them.
+    void scanTag(const std::vector<std::string_view>& arguments, std::string_view line) {
+        readObjTag(arguments, fileName_, line_, scan_.tags);
+        std::fill_n(text_.begin() + (line.data() - text_.data()), line.size(), ' ');
     }
 
     void scanNumbers(Elements& elements, const std::vector<std::string_view>& arguments) {

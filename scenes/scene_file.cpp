@@ -3,10 +3,13 @@
 #include "content_hash.h"
 #include "data_folder.h"
 #include "error.h"
+#include "folded_faces.h"
 #include "generate_map.h"
 #include "map_file.h"
+#include "mesh_defects.h"
 #include "obj_file.h"
 #include "read_file.h"
+#include "scene_creases.h"
 #include "scene_shape.h"
 #include "toml_file.h"
 
@@ -204,6 +207,8 @@ class SceneReader {
             readColor(table, object);
             table.finish();
             checkSurface(table, object);
+            for (const std::string& warning : meshWarnings(object.mesh, object.scheme))
+                scene_.warnings.push_back(object.name + ": " + warning);
             scene_.objects.push_back(std::move(object));
         }
     }
@@ -220,11 +225,13 @@ class SceneReader {
         if (object.scheme == Scheme::None && !object.mesh.normalsMissing.empty())
             table.fail("mesh", "normals of " + object.mesh.name + ": " + object.mesh.normalsMissing,
                        "normals on every face or on none under scheme \"none\"");
+        readCreases(table, object.scheme, object.mesh);
     }
 
     static void checkSurface(const TomlTable& table, const SceneObject& object) {
         try {
             checkControlMesh(object.meshWorld(), object.scheme);
+            if (object.scheme != Scheme::None) checkFoldedFaces(object.mesh);
         } catch (const InputError& error) { // names the face; the scene's line says which object
             table.fail(table.has("mesh") ? "mesh" : "shape", error.what());
         }
@@ -262,6 +269,7 @@ class SceneReader {
         if (std::abs(relief.tile.x) < kSmallestTile || std::abs(relief.tile.y) < kSmallestTile)
             table.fail("tile", fmt::format("is [{}, {}]", relief.tile.x, relief.tile.y), "neither of them 0");
         relief.uvOffset = table.vector2("uv_offset", -kLargestTile, kLargestTile, Vec2(0));
+        relief.seams = table.choice("seams", {"weld", "open"}, "weld") == "open" ? Seams::Open : Seams::Weld;
         table.finish();
         object.relief = relief;
     }

@@ -241,6 +241,17 @@ Vec2i TomlTable::integers2(std::string_view key, int low, int high, std::optiona
     return {integerOf(*this, key, array[0], low, high), integerOf(*this, key, array[1], low, high)};
 }
 
+std::vector<int> TomlTable::integers(std::string_view key, int low, int high) const {
+    const TomlValue* value = find(key);
+    if (!value) failMissing(key, "an array of whole numbers");
+    const auto* array = value->as<TomlValue::Array>();
+    if (!array) fail(key, "is " + describe(*value), "an array of whole numbers");
+    std::vector<int> result;
+    for (const TomlValue& element : *array)
+        result.push_back(integerOf(*this, key, element, low, high));
+    return result;
+}
+
 std::string TomlTable::choice(std::string_view key, const std::vector<std::string>& choices,
                               std::optional<std::string> fallback) const {
     const TomlValue* value = find(key);

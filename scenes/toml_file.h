@@ -40,6 +40,8 @@ class TomlTable {
     Vec2 vector2(std::string_view key, double low, double high, std::optional<Vec2> fallback = {}) const;
     Vec3 vector3(std::string_view key, double low, double high, std::optional<Vec3> fallback = {}) const;
     Vec2i integers2(std::string_view key, int low, int high, std::optional<Vec2i> fallback = {}) const;
+    /// An array of any length.
+    std::vector<int> integers(std::string_view key, int low, int high) const;
     /// One of `choices`.
     std::string choice(std::string_view key, const std::vector<std::string>& choices,
                        std::optional<std::string> fallback = {}) const;
@@ -48,7 +50,7 @@ class TomlTable {
                                    std::optional<std::vector<std::string>> fallback = {}) const;
     /// `[key]` or `key = { … }`.
     TomlTable table(std::string_view key) const;
-    /// `[[key]]`, in the order of the file; empty if there is none.
+    /// `[[key]]` or `key = [{ … }, …]`, in the order of the file; empty if there is none.
     std::vector<TomlTable> tables(std::string_view key) const;
 
     /// Throws for a field of this table nobody asked for. Call it for every table.

@@ -7,6 +7,7 @@
 #include <opensubdiv/far/topologyRefinerFactory.h>
 
 #include <string>
+#include <vector>
 
 namespace plumbline {
 
@@ -26,6 +27,45 @@ void keepOpenSubdivWarning(const char* message) {
     lastOpenSubdivMessage() = message;
 }
 
+/// The arrays a TopologyDescriptor points at.
+struct TagArrays {
+    std::vector<int> creaseVertices, cornerVertices, holes;
+    std::vector<float> creaseSharpness, cornerSharpness;
+
+    explicit TagArrays(const SubdivisionTags& tags) {
+        for (const SubdivisionTags::Crease& crease : tags.creases) {
+            creaseVertices.insert(creaseVertices.end(), {crease.from, crease.to});
+            creaseSharpness.push_back(static_cast<float>(crease.sharpness));
+        }
+        for (const SubdivisionTags::Corner& corner : tags.corners) {
+            cornerVertices.push_back(corner.vertex);
+            cornerSharpness.push_back(static_cast<float>(corner.sharpness));
+        }
+        for (const SubdivisionTags::Hole& hole : tags.holes)
+            holes.push_back(hole.face);
+    }
+
+    void describe(Far::TopologyDescriptor& descriptor) const {
+        descriptor.numCreases = static_cast<int>(creaseSharpness.size());
+        descriptor.creaseVertexIndexPairs = creaseVertices.data();
+        descriptor.creaseWeights = creaseSharpness.data();
+        descriptor.numCorners = static_cast<int>(cornerSharpness.size());
+        descriptor.cornerVertexIndices = cornerVertices.data();
+        descriptor.cornerWeights = cornerSharpness.data();
+        descriptor.numHoles = static_cast<int>(holes.size());
+        descriptor.holeIndices = holes.data();
+    }
+};
+
+Sdc::Options subdivisionOptions(const ControlMesh& mesh) {
+    Sdc::Options options;
+    options.SetVtxBoundaryInterpolation(mesh.boundaryFacesSupportOnly ? Sdc::Options::VTX_BOUNDARY_NONE
+                                        : mesh.tags.boundaryCornersRound
+                                            ? Sdc::Options::VTX_BOUNDARY_EDGE_ONLY
+                                            : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
+    return options;
+}
+
 } // namespace
 
 std::unique_ptr<Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Scheme scheme) {
@@ -39,16 +79,15 @@ std::unique_ptr<Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Sche
     descriptor.numVertsPerFace = mesh.faceSizes.data();
     descriptor.vertIndicesPerFace = mesh.faceVertices.data();
 
-    Sdc::Options options;
-    options.SetVtxBoundaryInterpolation(mesh.boundaryFacesSupportOnly
-                                            ? Sdc::Options::VTX_BOUNDARY_NONE
-                                            : Sdc::Options::VTX_BOUNDARY_EDGE_AND_CORNER);
+    const TagArrays tags(mesh.tags);
+    if (scheme != Scheme::None) tags.describe(descriptor); // polygons as they are have no smooth edges
+
     const Sdc::SchemeType type = scheme == Scheme::CatmullClark ? Sdc::SCHEME_CATMARK
                                  : scheme == Scheme::Loop       ? Sdc::SCHEME_LOOP
                                                                 : Sdc::SCHEME_BILINEAR;
     using Factory = Far::TopologyRefinerFactory<Far::TopologyDescriptor>;
     std::unique_ptr<Far::TopologyRefiner> refiner(
-        Factory::Create(descriptor, Factory::Options(type, options)));
+        Factory::Create(descriptor, Factory::Options(type, subdivisionOptions(mesh))));
     if (!refiner)
         throw InputError(mesh.name, "OpenSubdiv refuses the mesh: " + lastOpenSubdivMessage(),
                          "a mesh whose faces share edges and vertices consistently");

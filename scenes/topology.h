@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// Boundaries as ControlMesh::boundaryFacesSupportOnly says. Throws InputError with OpenSubdiv's own words for a mesh
+/// Boundaries as ControlMesh::boundaryFacesSupportOnly and the tags say; Scheme::None takes no tags. Throws InputError with OpenSubdiv's own words for a mesh
 /// it refuses.
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Scheme scheme);
 

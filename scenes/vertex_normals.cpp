@@ -30,6 +30,27 @@ Vec3 unitOrZero(const Vec3& vector) {
     return length > 0 ? vector / length : Vec3(0);
 }
 
+/// Sums of unit vectors shorter than this have cancelled: what is left of them is rounding, some 1e-15.
+constexpr double kCancelled = 1e-9;
+
+/// Corners whose vertex got no normal take their face's.
+void fallBackOnFaceNormals(ControlMesh& mesh) {
+    int first = 0;
+    for (const int size : mesh.faceSizes) {
+        int ofFace = -1; // index into normals, made when first needed
+        for (int corner = first; corner < first + size; ++corner) {
+            int& index = mesh.faceNormals[static_cast<size_t>(corner)];
+            if (mesh.normals[static_cast<size_t>(index)] != Vec3(0)) continue;
+            if (ofFace < 0) {
+                ofFace = static_cast<int>(mesh.normals.size());
+                mesh.normals.push_back(unitOrZero(polygonNormal(mesh, first, size)));
+            }
+            index = ofFace;
+        }
+        first += size;
+    }
+}
+
 } // namespace
 
 void addAngleWeightedNormals(ControlMesh& mesh) {
@@ -48,8 +69,9 @@ void addAngleWeightedNormals(ControlMesh& mesh) {
         first += size;
     }
     for (Vec3& normal : mesh.normals)
-        normal = unitOrZero(normal);
+        normal = glm::length(normal) > kCancelled ? glm::normalize(normal) : Vec3(0);
     mesh.faceNormals = mesh.faceVertices;
+    fallBackOnFaceNormals(mesh);
 }
 
 } // namespace plumbline

@@ -99,7 +99,6 @@ TEST(ObjFile, FaultsHaveTheirLine) {
          "a.obj:6: corners '1/1' and '3' of one face have different kinds"},
         {kSquare + "f 1 2 2\n", "a.obj:5: face 1: vertex 2 occurs twice"},
         {kSquare + "garbage 1\n", "a.obj:5: unknown keyword 'garbage'"},
-        {kSquare + "t crease 2/1/0 1 2 5.0\n", "a.obj:5: subdivision tags"},
         {kSquare + "surf 0 1 0 1 1\n", "a.obj:5: 'surf' is not supported"},
         {kSquare, "a.obj: has no face"},
         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no area"},
@@ -112,6 +111,79 @@ TEST(ObjFile, FaultsHaveTheirLine) {
         EXPECT_THAT(messageFor(text), HasSubstr(message)) << text;
     EXPECT_THAT(inputErrorOf([] { readObj("/nonexistent/a.obj"); }), HasSubstr("no such file"));
     EXPECT_THAT(inputErrorOf([] { readObj("/"); }), HasSubstr("is not a file"));
+}
+
+TEST(ObjFile, SubdivisionTagsAreKept) {
+    // Vertices and faces of `t` lines count from 0. Tags may stand before what they speak of.
+    const ControlMesh mesh =
+        readText("t crease 2/1/0 0 1 2.5\n" + kSquare + "f 1 2 3 4\n" +
+                 "t crease 3/2/0 1 2 3 1 +2e0\n"
+                 "t corner 2/1/0 0 2 10\nt hole 1/0/0 0\n"
+                 "t interpolateboundary 1/0/0 2\nt creasemethod 0/0/1 normal\n"
+                 "t facevaryinginterpolateboundary 1/0/0 1\nt smoothtriangles 1/0/0 0\n");
+    const auto& creases = mesh.tags.creases;
+    ASSERT_EQ(creases.size(), 3u);
+    const double sharpness[] = {2.5, 1, 2};
+    const int lines[] = {1, 7, 7};
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(creases[size_t(i)].from, i);
+        EXPECT_EQ(creases[size_t(i)].to, i + 1);
+        EXPECT_EQ(creases[size_t(i)].sharpness, sharpness[i]);
+        EXPECT_EQ(creases[size_t(i)].line, lines[i]);
+    }
+    ASSERT_EQ(mesh.tags.corners.size(), 2u);
+    EXPECT_EQ(mesh.tags.corners[1].vertex, 2);
+    EXPECT_EQ(mesh.tags.corners[1].sharpness, 10);
+    ASSERT_EQ(mesh.tags.holes.size(), 1u);
+    EXPECT_EQ(mesh.tags.holes[0].face, 0);
+    EXPECT_TRUE(mesh.tags.boundaryCornersRound);
+    EXPECT_FALSE(mesh.boundaryFacesSupportOnly);
+    ASSERT_EQ(mesh.warnings.size(), 1u);
+    EXPECT_THAT(mesh.warnings[0], HasSubstr("a.obj:12: facevaryinginterpolateboundary is left aside"));
+    EXPECT_TRUE(readText(kSquare + "f 1 2 3 4\nt interpolateboundary 1/0/0 0\n").boundaryFacesSupportOnly);
+    EXPECT_FALSE(readText(kSquare + "f 1 2 3 4\nt interpolateboundary 1/0/0 1\n").tags.boundaryCornersRound);
+}
+
+TEST(ObjFile, FaultyTagsHaveTheirLine) {
+    const std::string square = kSquare + "f 1 2 3 4\n";
+    const std::pair<std::string, std::string> cases[] = {
+        {"t", "a.obj:6: a subdivision tag without its counts; expected t crease 2/1/0 …"},
+        {"t crease", "a.obj:6: a subdivision tag without its counts"},
+        {"t crease 2/1 0 1 2", "a.obj:6: '2/1' in a subdivision tag; expected how many"},
+        {"t crease -2/1/0 0 1 2", "a.obj:6: '-2' in a subdivision tag"},
+        {"t crease 2/1/0 0 1", "a.obj:6: 2 values follow 2/1/0 in a subdivision tag; expected as many"},
+        {"t crease 18446744073709551615/4/0 0 1 2", "3 values follow 18446744073709551615/4/0"},
+        {"t crease 2/1/0 0 x 2", "a.obj:6: 'x' in a subdivision tag; expected a whole number"},
+        {"t crease 2/1/0 0 1 two", "a.obj:6: 'two' in a subdivision tag; expected a number"},
+        {"t crease 2/1/0 0 1 nan", "a.obj:6: sharpness nan; expected a finite number"},
+        {"t crease 2/1/0 0 1 inf", "a.obj:6: sharpness inf"},
+        {"t crease 2/1/0 0 1 -1", "a.obj:6: sharpness -1"},
+        {"t crease 1/1/0 0 1",
+         "a.obj:6: crease with 1 whole numbers, 1 numbers and 0 words; expected two vertices"},
+        {"t crease 3/3/0 0 1 2 1 1 1", "a.obj:6: crease with 3 whole numbers, 3 numbers"},
+        {"t crease 2/1/0 0 4 1",
+         "a.obj:6: vertex 5 isn't in the mesh; expected 1 to 4 (0 to 3 in 't' lines)"},
+        {"t crease 2/1/0 -1 0 1", "a.obj:6: vertex 0 isn't in the mesh"},
+        {"t crease 2/1/0 0 2 1", "a.obj:6: no face has an edge from vertex 1 to 3"},
+        {"t crease 2/1/0 1 1 1", "a.obj:6: no face has an edge from vertex 2 to 2"},
+        {"t crease 2/1/0 0 1 1\nt crease 2/1/0 1 0 2",
+         "a.obj:7: the edge from vertex 2 to 1 is creased twice"},
+        {"t corner 1/1/0 4 1", "a.obj:6: vertex 5 isn't in the mesh"},
+        {"t corner 1/1/0 3 -0.5", "a.obj:6: sharpness -0.5"},
+        {"t corner 1/0/0 3", "a.obj:6: corner with 1 whole numbers, 0 numbers"},
+        {"t corner 2/1/0 3 3 1", "a.obj:6: vertex 4 is made a corner twice"},
+        {"t hole 1/0/0 1", "a.obj:6: face 2 isn't in the mesh; expected 1 to 1 (0 to 0 in 't' lines)"},
+        {"t hole 0/1/0 1", "a.obj:6: hole with 0 whole numbers"},
+        {"t interpolateboundary 1/0/0 3", "a.obj:6: interpolateboundary 3; expected 0 (faces"},
+        {"t interpolateboundary 0/0/0", "expected one whole number"},
+        {"t creasemethod 0/0/1 chaikin", "a.obj:6: creasemethod 'chaikin' is not supported; expected normal"},
+        {"t smoothtriangles 1/0/0 1", "a.obj:6: smoothtriangles is not supported"},
+        {"t vertexedit 1/0/0 1",
+         "a.obj:6: subdivision tag 'vertexedit' is not supported; expected crease, corner,"},
+        {"t creese 2/1/0 0 1 2", "did you mean 'crease'?"},
+    };
+    for (const auto& [tag, message] : cases)
+        EXPECT_THAT(messageFor(square + tag + "\n"), HasSubstr(message)) << tag;
 }
 
 TEST(ObjFile, UvsOnSomeFacesAloneAreNoUvsAndSayWhy) {

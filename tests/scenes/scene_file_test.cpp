@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <random>
 
@@ -251,6 +252,8 @@ TEST_F(SceneFile, FaultsHaveLineFieldAndHint) {
          "object.relief.map: no height map is called \"stoen\"; expected made or "
          "stone; did you mean 'stone'?"},
         {"map = \"stone\"", "map = \"stone\", constant = 0.5", "has both map and constant"},
+        {"depth = 0.08", "depth = 0.08, seams = \"wedl\"",
+         "object.relief.seams: is the text \"wedl\"; expected weld or open; did you mean 'weld'?"},
         {"constant = 0.5, ", "", "object.relief: has no depths"},
         {"constant = 0.5", "constant = 1.5", "object.relief.constant: is 1.5"},
         {"constant = 0.5", "constant = 0.5, detph = 1", "object.relief.detph: unknown field"},
@@ -304,6 +307,94 @@ TEST_F(SceneFile, PartialNormalsMatterUnderSchemeNoneAlone) {
     EXPECT_NO_THROW(read(with("scheme = \"none\"", "scheme = \"catmull-clark\"")));
 }
 
+/// The whole scene with creases for its torus of 72 vertices.
+std::string withCreases(const std::string& creases) {
+    return with("color = [0.8, 0.75, 0.7]\n", "creases = " + creases + "\n");
+}
+
+TEST_F(SceneFile, CreasesArrive) {
+    const SubdivisionTags tags =
+        read(withCreases("[{ edges = [1, 2, 3], sharpness = 2.5 }, { vertex = 72, sharpness = 10 },\n"
+                         "  { edges = [3, 2], sharpness = 4 }]")) // the latest counts
+            .objects[1]
+            .mesh.tags;
+    ASSERT_EQ(tags.creases.size(), 2u);
+    EXPECT_EQ(std::minmax(tags.creases[0].from, tags.creases[0].to), std::minmax(0, 1)); // 1-based to 0-based
+    EXPECT_EQ(tags.creases[0].sharpness, 2.5);
+    EXPECT_EQ(std::minmax(tags.creases[1].from, tags.creases[1].to), std::minmax(1, 2));
+    EXPECT_EQ(tags.creases[1].sharpness, 4);
+    ASSERT_EQ(tags.corners.size(), 1u);
+    EXPECT_EQ(tags.corners[0].vertex, 71);
+    EXPECT_EQ(tags.corners[0].sharpness, 10);
+    EXPECT_TRUE(read(withCreases("[]")).objects[1].mesh.tags.creases.empty());
+}
+
+TEST_F(SceneFile, CreasesOfTheSceneFileStandBesideThoseOfTheMesh) {
+    writeBytes(folder_ / "quad.obj",
+               std::string(kQuad) + "t crease 4/3/0 0 1 2 3 1 2 3\nt corner 1/1/0 0 1\n");
+    const SubdivisionTags tags =
+        read(with("scheme = \"none\"", "creases = [{ edges = [3, 2], sharpness = 7 }, { vertex = 1, "
+                                       "sharpness = 8 }, { vertex = 2, sharpness = 9 }]"))
+            .objects[0]
+            .mesh.tags;
+    ASSERT_EQ(tags.creases.size(), 3u);
+    EXPECT_EQ(tags.creases[0].sharpness, 1);
+    EXPECT_EQ(tags.creases[1].sharpness, 7);
+    EXPECT_EQ(tags.creases[2].sharpness, 3);
+    ASSERT_EQ(tags.corners.size(), 2u);
+    EXPECT_EQ(tags.corners[0].sharpness, 8);
+    EXPECT_EQ(tags.corners[1].sharpness, 9);
+}
+
+TEST_F(SceneFile, FaultyCreasesHaveTheirLine) {
+    const std::pair<const char*, const char*> cases[] = {
+        {"3", "scene.toml:45: object.creases: is 3; expected tables [[object.creases]]"},
+        {"[1]", "object.creases: holds 1"},
+        {"[{ edges = [1, 2] }]", "object.creases.sharpness: is missing"},
+        {"[{ sharpness = 2 }]",
+         "object.creases: has nothing to sharpen; expected edges = [vertex, vertex, …] or vertex"},
+        {"[{ edges = [1, 2], vertex = 3, sharpness = 2 }]", "has both edges and vertex"},
+        {"[{ edges = [1, 2], sharpness = -1 }]",
+         "object.creases.sharpness: is -1; expected a number from 0 to"},
+        {"[{ edges = [1, 2], sharpness = nan }]", "object.creases.sharpness: is nan"},
+        {"[\n{ edges = [1], sharpness = 2 }]",
+         "scene.toml:46: object.creases.edges: has 1 vertices; expected two"},
+        {"[{ edges = [0, 1], sharpness = 2 }]",
+         "object.creases.edges: is 0; expected a whole number from 1 to 72"},
+        {"[{ edges = [1, 73], sharpness = 2 }]", "object.creases.edges: is 73"},
+        {"[{ edges = [1, 2, 4], sharpness = 2 }]", "object.creases.edges: no face has an edge from vertex 2 "
+                                                   "to 4; expected vertices that are neighbours"},
+        {"[{ edges = 1, sharpness = 2 }]", "object.creases.edges: is 1; expected an array of whole numbers"},
+        {"[{ vertex = 73, sharpness = 2 }]",
+         "object.creases.vertex: is 73; expected a whole number from 1 to 72"},
+        {"[{ vertex = 3, sharpnes = 2 }]", "object.creases.sharpness: is missing"},
+        {"[{ vertex = 3, sharpness = 2, colour = 1 }]", "object.creases.colour: unknown field"},
+    };
+    for (const auto& [creases, message] : cases)
+        EXPECT_THAT(messageFor(withCreases(creases)), HasSubstr(message)) << creases;
+    EXPECT_THAT(messageFor(with("scheme = \"none\"", "scheme = \"none\"\ncreases = []")),
+                HasSubstr("scene.toml:34: object.creases: has no meaning under scheme \"none\""));
+}
+
+TEST_F(SceneFile, SeamsAreWeldedUnlessLeftOpen) {
+    EXPECT_EQ(read(kWholeScene).objects[0].relief->seams, Seams::Weld);
+    EXPECT_EQ(read(with("depth = 0.08", "depth = 0.08, seams = \"weld\"")).objects[0].relief->seams,
+              Seams::Weld);
+    EXPECT_EQ(read(with("depth = 0.08", "depth = 0.08, seams = \"open\"")).objects[0].relief->seams,
+              Seams::Open);
+}
+
+TEST_F(SceneFile, WarningsNameTheObject) {
+    EXPECT_TRUE(read(kWholeScene).warnings.empty());
+    writeBytes(folder_ / "quad.obj", std::string(kQuad) + "v 9 9 9\nt facevaryingpropagatecorners 1/0/0 1\n");
+    const std::vector<std::string> warnings = read(kWholeScene).warnings;
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_THAT(warnings[0], testing::StartsWith("quad: "));
+    EXPECT_THAT(warnings[0], HasSubstr("quad.obj:11: facevaryingpropagatecorners is left aside"));
+    EXPECT_THAT(warnings[1], testing::StartsWith("quad: "));
+    EXPECT_THAT(warnings[1], HasSubstr("quad.obj: vertex 5 belongs to no face: left out"));
+}
+
 TEST_F(SceneFile, HashFollowsEveryByteThatMatters) {
     const std::string hash = read(kWholeScene).hash;
     EXPECT_EQ(hash.size(), 32u);
@@ -355,7 +446,7 @@ TEST(SceneLibrary, NamesPathsAndHints) {
 
 TEST(SceneLibrary, EverySceneReads) {
     for (const LibraryScene& scene : libraryScenes())
-        EXPECT_NO_THROW(readScene(scene.file)) << scene.name;
+        EXPECT_THAT(readScene(scene.file).warnings, testing::IsEmpty()) << scene.name;
 }
 
 } // namespace

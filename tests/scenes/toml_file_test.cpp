@@ -27,6 +27,21 @@ TEST(TomlFile, ReadsWhatIsAskedFor) {
     EXPECT_NO_THROW(root.finish());
 }
 
+TEST(TomlFile, ArraysOfWholeNumbersAndInlineTables) {
+    const TomlTable root = parse("a = [3, 1, 2]\nb = []\nc = [1, 2.5]\nt = [{ x = 1 },\n{ x = 2, y = 3 }]\n");
+    EXPECT_THAT(root.integers("a", 1, 3), ElementsAre(3, 1, 2));
+    EXPECT_TRUE(root.integers("b", 1, 3).empty());
+    EXPECT_EQ(inputErrorOf([&] { root.integers("c", 1, 3); }),
+              "a.toml:3: c: is 2.5; expected a whole number from 1 to 3");
+    EXPECT_EQ(inputErrorOf([&] { root.integers("d", 1, 3); }),
+              "a.toml:1: d: is missing; expected an array of whole numbers");
+    const std::vector<TomlTable> tables = root.tables("t");
+    ASSERT_EQ(tables.size(), 2u);
+    EXPECT_EQ(tables[1].integer("x", 0, 9), 2);
+    EXPECT_EQ(inputErrorOf([&] { tables[1].finish(); }),
+              "a.toml:5: t.y: unknown field; expected x");
+}
+
 TEST(TomlFile, FallbacksStandForMissingFieldsAlone) {
     const TomlTable root = parse("a = 1\n");
     EXPECT_EQ(root.integer("b", 0, 9, 5), 5);

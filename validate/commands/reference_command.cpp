@@ -11,6 +11,7 @@ int runReference(const ReferenceArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
     const Scene scene = readScene(findScene(arguments.scene));
+    printWarnings(scene);
     ReferenceOptions options = referenceOptions(arguments);
     options.base = parseBase(arguments.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
     const std::filesystem::path file = arguments.output.value_or(

@@ -11,6 +11,9 @@
 #include <unistd.h>
 
 namespace plumbline {
+namespace {
+constexpr const char* kClearLine = "\r\033[K";
+}
 
 uint64_t parseMemorySize(const std::string& text) {
     constexpr uint64_t kSmallest = uint64_t(1) << 20, kLargest = uint64_t(1) << 46;
@@ -107,14 +110,16 @@ SceneSummary summaryOf(const Scene& scene) {
     return {scene.name, scene.purpose, scene.hash, scene.camera.width, scene.camera.height};
 }
 
+void printWarnings(const Scene& scene) {
+    const bool terminal = ::isatty(STDERR_FILENO) == 1; // where a line of progress may stand
+    for (const std::string& warning : scene.warnings)
+        fmt::print(stderr, "{}warning: {}\n", terminal ? kClearLine : "", warning);
+}
+
 uint64_t peakBytes() {
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
     return static_cast<uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
-}
-
-namespace {
-constexpr const char* kClearLine = "\r\033[K";
 }
 
 Progress::Progress() : terminal_(::isatty(STDERR_FILENO) == 1) {}

@@ -173,6 +173,7 @@ int runValidate(const ValidateArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
     const Scene scene = readScene(findScene(arguments.reference.scene));
+    printWarnings(scene);
     const auto settings = parseSettings(arguments.realtime.settings);
     const auto requests = chosenTechniques(arguments.realtime.techniques, settings);
     checkSettings(settings, requests);
