@@ -112,7 +112,9 @@ struct BaseSurface::Impl {
 };
 
 BaseSurface::BaseSurface(ControlMesh meshWorld, Scheme scheme)
-    : impl_(std::make_unique<Impl>(std::move(meshWorld), scheme)) {}
+    : impl_(std::make_unique<Impl>(std::move(meshWorld), scheme)) {
+    if (scheme != Scheme::None) checkFacesMeet(*this);
+}
 BaseSurface::~BaseSurface() = default;
 
 const ControlMesh& BaseSurface::mesh() const {

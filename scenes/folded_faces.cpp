@@ -2,13 +2,23 @@
 
 #include "error.h"
 #include "mesh_edges.h"
+#include "shared_samples.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <unordered_map>
 
 namespace plumbline {
 namespace {
+
+/// Evaluated from two faces, a place is the same to 1e-15 of the mesh's size, or off by a visible amount.
+constexpr double kGapFraction = 1e-9;
+/// Places compared along an edge: its ends, where faces take the same vertex for a corner and for none, and some between.
+constexpr int kRate = 4;
+
+bool isNonManifold(std::span<const HalfEdge> edge) {
+    return edge.size() > 2 || (edge.size() == 2 && edge[0].forward == edge[1].forward);
+}
 
 class FoldFinder {
   public:
@@ -22,7 +32,7 @@ class FoldFinder {
             const auto& edge = edges_.edges()[i];
             for (const HalfEdge& half : edge)
                 edgeAfter_[static_cast<size_t>(half.forward ? half.lowCorner : half.highCorner)] = i;
-            if (!isNonManifold(i) && !(creased[i] && edge.size() > 1)) continue;
+            if (!isNonManifold(edge) && !(creased[i] && edge.size() > 1)) continue;
             touchesSharpEdge_[static_cast<size_t>(edge[0].low)] = true;
             touchesSharpEdge_[static_cast<size_t>(edge[0].high)] = true;
         }
@@ -42,12 +52,6 @@ class FoldFinder {
                          fmt::format("vertex {} has no edge beside those it shares with face {}, and a sharp "
                                      "edge is near",
                                      vertex + 1, other + 1));
-                if (size == 3 && isNonManifold(edgeAfter_[first + (k + 1) % 3]) &&
-                    isTipOfThree(face, before, after))
-                    fail(face, fmt::format(
-                                   "vertex {} has three faces alone, and more than one surface meets in the "
-                                   "edge opposite",
-                                   vertex + 1));
             }
         }
     }
@@ -56,11 +60,6 @@ class FoldFinder {
     [[noreturn]] void fail(int face, const std::string& what) const {
         throw InputError(whereOfFace(mesh_, face), what, "a mesh OpenSubdiv can evaluate there",
                          "scheme \"none\" takes it");
-    }
-
-    bool isNonManifold(size_t index) const {
-        const auto& edge = edges_.edges()[index];
-        return edge.size() > 2 || (edge.size() == 2 && edge[0].forward == edge[1].forward);
     }
 
     bool touchesSharp(size_t firstCorner, size_t size) const {
@@ -77,25 +76,6 @@ class FoldFinder {
         return -1;
     }
 
-    /// The triangles across both edges have the same third vertex: with this one they surround the vertex.
-    bool isTipOfThree(int face, size_t before, size_t after) const {
-        const int tip = tipAcross(face, before);
-        return tip >= 0 && tip == tipAcross(face, after);
-    }
-
-    /// Third vertex of the triangle across a manifold edge of a face; -1 if there is no such triangle.
-    int tipAcross(int face, size_t index) const {
-        const auto& edge = edges_.edges()[index];
-        if (edge.size() != 2 || isNonManifold(index)) return -1;
-        const HalfEdge& across = edge[0].face == face ? edge[1] : edge[0];
-        if (mesh_.faceSizes[static_cast<size_t>(across.face)] != 3) return -1;
-        const size_t first = firstCorners_[static_cast<size_t>(across.face)];
-        for (size_t corner = first; corner < first + 3; ++corner)
-            if (mesh_.faceVertices[corner] != across.low && mesh_.faceVertices[corner] != across.high)
-                return mesh_.faceVertices[corner];
-        return -1;
-    }
-
     const ControlMesh& mesh_;
     MeshEdges edges_;
     std::vector<size_t> firstCorners_;   // of each face
@@ -103,10 +83,67 @@ class FoldFinder {
     std::vector<bool> touchesSharpEdge_; // of each vertex
 };
 
+/// Faces at vertices of edges that more than one surface meets in, and at vertices that faces share without an edge.
+std::vector<int> facesAtNonManifoldVertices(const ControlMesh& mesh) {
+    const MeshEdges edges(mesh);
+    std::vector<bool> nonManifold(mesh.points.size());
+    for (const auto& edge : edges.edges())
+        if (isNonManifold(edge)) {
+            nonManifold[static_cast<size_t>(edge[0].low)] = true;
+            nonManifold[static_cast<size_t>(edge[0].high)] = true;
+        }
+    for (const int vertex : pinchedVertices(mesh, edges))
+        nonManifold[static_cast<size_t>(vertex)] = true;
+    std::vector<int> faces;
+    size_t corner = 0;
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        bool touches = false;
+        for (const size_t end = corner + static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
+             corner < end; ++corner)
+            touches |= nonManifold[static_cast<size_t>(mesh.faceVertices[corner])];
+        if (touches) faces.push_back(face);
+    }
+    return faces;
+}
+
 } // namespace
 
 void checkFoldedFaces(const ControlMesh& mesh) {
     FoldFinder(mesh).check();
+}
+
+void checkFacesMeet(const BaseSurface& surface) {
+    const ControlMesh& mesh = surface.mesh();
+    const std::vector<int> suspects = facesAtNonManifoldVertices(mesh);
+    if (suspects.empty()) return;
+    Bounds bounds;
+    for (const Vec3& point : mesh.points)
+        bounds.add(point);
+    struct Seen {
+        int face;
+        Vec3 position;
+    };
+    std::unordered_map<size_t, Seen> seen; // by the number of the shared sample
+    const SharedSamples shared(surface, kRate);
+    BaseSurface::Evaluator evaluator(surface);
+    for (const int face : suspects) {
+        if (!surface.hasLimit(face)) continue;
+        const BaseSurface::FaceTessellation cut = surface.tessellateFace(face, kRate);
+        for (int i = 0; i < cut.boundaryCount; ++i) {
+            const auto& sample = cut.samples[static_cast<size_t>(i)];
+            evaluator.setPatch(sample.patch);
+            const Vec3 position = evaluator.point(sample.u, sample.v).position;
+            const auto [place, isNew] =
+                seen.emplace(shared.onEdge(face, i / kRate, i % kRate), Seen{face, position});
+            const double gap = glm::length(position - place->second.position);
+            if (!(gap <= kGapFraction * bounds.diagonal()))
+                throw InputError(
+                    whereOfFace(mesh, face),
+                    fmt::format("OpenSubdiv leaves a gap of {:.3g} between its surface and that of face {}",
+                                gap, place->second.face + 1),
+                    "fewer surfaces that meet there", "scheme \"none\" takes any number");
+        }
+    }
 }
 
 } // namespace plumbline

@@ -1,21 +1,21 @@
 // Meshes whose limit surface OpenSubdiv can't evaluate.
 //
-// Bfr cuts the faces around the one it evaluates out of the mesh. Where these fold back onto each other, it takes edges
-// of that cutting for others: 3.5 then returns surfaces that gape along edges of the mesh, or reads and writes memory
-// that isn't its own. Two situations bring that about; of 30 000 random small meshes no other had a gap or crashed:
-//
-// - A vertex with two faces alone between two edges, both the same two (a doublet), on a face that touches an infinitely
-//   sharp or creased edge inside the mesh.
-// - A triangle with a vertex of three triangles, where the edge opposite has more than two faces, or two that run along it
-//   in the same direction.
+// Bfr cuts the faces around the one it evaluates out of the mesh. Where these fold back onto each other or several
+// surfaces meet, it may take edges of that cutting for others: 3.5 then reads and writes memory that isn't its own, or
+// returns faces that don't meet along the edge they share. Found with random meshes (tests/scenes/any_mesh_test.cpp).
 #pragma once
 
-#include "control_mesh.h"
+#include "base_surface.h"
 
 namespace plumbline {
 
-/// Throws InputError naming the face. For Scheme::CatmullClark and Scheme::Loop; the mesh must have passed
-/// checkControlMesh.
+/// Throws InputError naming the face where memory would be harmed: two faces are the only ones between two edges, both
+/// of theirs (a doublet), and a vertex of them is on an edge that is creased or has more than two faces, or two that run
+/// along it in the same direction. For Scheme::CatmullClark and Scheme::Loop; the mesh must have passed checkControlMesh.
 void checkFoldedFaces(const ControlMesh& mesh);
+
+/// Throws InputError naming a face that doesn't meet another one in a vertex or an edge they share, to 1e-9 of the mesh's
+/// size. Only faces at vertices where more than one surface meets are evaluated: elsewhere Bfr's faces do meet.
+void checkFacesMeet(const BaseSurface& surface);
 
 } // namespace plumbline

@@ -1,12 +1,12 @@
 #include "mesh_defects.h"
 
+#include "disjoint_sets.h"
 #include "mesh_edges.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
 
 namespace plumbline {
@@ -18,21 +18,6 @@ constexpr double kRounding = 0x1p-50;
 
 /// Signed volumes this small beside the cube of the mesh's size belong to flat shells, two sheets back to back.
 constexpr double kFlatVolume = 1e-9;
-
-class DisjointSets {
-  public:
-    explicit DisjointSets(size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
-    int rootOf(int i) {
-        while (parent(i) != i)
-            i = parent(i) = parent(parent(i));
-        return i;
-    }
-    void join(int a, int b) { parent(rootOf(a)) = rootOf(b); }
-
-  private:
-    int& parent(int i) { return parents_[static_cast<size_t>(i)]; }
-    std::vector<int> parents_;
-};
 
 /// Places where one kind of defect was found: the first is described, the rest counted.
 struct Findings {
@@ -106,25 +91,9 @@ class DefectFinder {
                      : ": one of them is inside out");
     }
 
-    /// Corners of faces at a vertex belong together when the faces share an edge there; more than one group, and
-    /// surfaces touch in a point.
     void findPinchedVertices() {
-        DisjointSets fans(mesh_.faceVertices.size());
-        for (const auto& edge : edges_.edges())
-            for (const HalfEdge& half : edge) {
-                fans.join(half.lowCorner, edge[0].lowCorner);
-                fans.join(half.highCorner, edge[0].highCorner);
-            }
-        std::vector<int> fanOfVertex(mesh_.points.size(), -1);
-        std::set<int> pinched;
-        for (size_t corner = 0; corner < mesh_.faceVertices.size(); ++corner) {
-            int& fan = fanOfVertex[static_cast<size_t>(mesh_.faceVertices[corner])];
-            const int root = fans.rootOf(static_cast<int>(corner));
-            if (fan < 0) fan = root;
-            if (fan != root) pinched.insert(mesh_.faceVertices[corner]);
-        }
         Findings found;
-        for (const int vertex : pinched)
+        for (const int vertex : pinchedVertices(mesh_, edges_))
             found.add([&] {
                 return fmt::format("{}: vertex {} joins faces that share no edge there", mesh_.name,
                                    vertex + 1);

@@ -33,4 +33,7 @@ class MeshEdges {
     std::vector<std::span<const HalfEdge>> edges_;
 };
 
+/// Vertices where faces meet that share no edge there, nor are joined through others that do. Ascending.
+std::vector<int> pinchedVertices(const ControlMesh& mesh, const MeshEdges& edges);
+
 } // namespace plumbline

@@ -19,10 +19,10 @@ constexpr double kTornFraction = 1.0 / 256;
 /// largest coordinate, and maps have up to some thousand texels a side.
 constexpr double kWholeTexels = 1e-2;
 
-constexpr int kFewestPlaces = 32, kMostPlaces = 4096;
-/// Normals of two faces differ all along a crease, or beside a corner; where a semi-sharp crease or a smooth edge ends
-/// in a corner, at one of the two ends alone.
-constexpr int kNormalPlaces = 9;
+constexpr int kFewestPlaces = 32, kMostPlaces = 2048;
+/// Normals are compared at the ends of an edge and between: they differ all along a crease, at one end where the edge
+/// meets a corner.
+constexpr int kNormalSegments = 4;
 
 /// A face's side of an edge of the control mesh.
 struct Side {
@@ -30,8 +30,8 @@ struct Side {
     bool forward; // the face starts where the edge starts
 };
 
-/// Normals along each edge of one face, from the edge's start.
-using EdgeNormals = std::array<Vec3, kNormalPlaces>;
+/// A face's normals along one of its edges, from the corner it starts in; the end is the next edge's start.
+using EdgeNormals = std::array<Vec3, kNormalSegments>;
 
 class TearFinder {
   public:
@@ -162,24 +162,26 @@ class TearFinder {
     void evaluateNormals(int face, BaseSurface::Evaluator& evaluator) {
         const int size = mesh_.faceSizes[static_cast<size_t>(face)];
         for (int k = 0; k < size; ++k)
-            for (int i = 0; i < kNormalPlaces; ++i) {
-                const PatchPlace place = placeOnEdge(face, k, static_cast<double>(i) / (kNormalPlaces - 1));
+            for (int i = 0; i < kNormalSegments; ++i) {
+                const PatchPlace place = placeOnEdge(face, k, static_cast<double>(i) / kNormalSegments);
                 evaluator.setPatch(place.patch);
                 const size_t corner = static_cast<size_t>(firstCorner_[static_cast<size_t>(face)] + k);
                 normals_[corner][static_cast<size_t>(i)] = evaluator.point(place.u, place.v).normal;
             }
     }
 
+    /// `place` of kNormalSegments along the edge, from its start.
     const Vec3& normalAt(const Side& side, int place) const {
-        const int along = side.forward ? place : kNormalPlaces - 1 - place;
-        return normals_[cornerOf(side, 0)][static_cast<size_t>(along)];
+        const int along = side.forward ? place : kNormalSegments - place;
+        return along < kNormalSegments ? normals_[cornerOf(side, 0)][static_cast<size_t>(along)]
+                                       : normals_[cornerOf(side, 1)][0];
     }
 
     bool isTornByNormals(const Side& a, const Side& b) const {
         const Vec2 a0 = stAtEnd(a, 0), a1 = stAtEnd(a, 1);
         const double size = std::max(relief_.depth, std::abs(relief_.offset));
-        for (int i = 0; i < kNormalPlaces; ++i) {
-            const double t = static_cast<double>(i) / (kNormalPlaces - 1);
+        for (int i = 0; i <= kNormalSegments; ++i) {
+            const double t = static_cast<double>(i) / kNormalSegments;
             const double height = displacement(glm::mix(a0, a1, t), &relief_);
             if (glm::length(normalAt(a, i) - normalAt(b, i)) * std::abs(height) > kTornFraction * size)
                 return true;

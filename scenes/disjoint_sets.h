@@ -1,0 +1,24 @@
+// Numbers 0 … count - 1 in groups that are joined step by step (union-find).
+#pragma once
+
+#include <numeric>
+#include <vector>
+
+namespace plumbline {
+
+class DisjointSets {
+  public:
+    explicit DisjointSets(size_t count) : parents_(count) { std::iota(parents_.begin(), parents_.end(), 0); }
+    int rootOf(int i) {
+        while (parent(i) != i)
+            i = parent(i) = parent(parent(i));
+        return i;
+    }
+    void join(int a, int b) { parent(rootOf(a)) = rootOf(b); }
+
+  private:
+    int& parent(int i) { return parents_[static_cast<size_t>(i)]; }
+    std::vector<int> parents_;
+};
+
+} // namespace plumbline
