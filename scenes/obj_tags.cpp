@@ -30,6 +30,7 @@ class TagReader {
                                           [&](const Handler& each) { return each.name == tag.name; });
         if (handler == kHandlers.end()) {
             std::vector<std::string> names;
+            names.reserve(kHandlers.size());
             for (const Handler& each : kHandlers)
                 names.emplace_back(each.name);
             fail(fmt::format("subdivision tag '{}' is not supported", shortened(tag.name)), listOf(names),

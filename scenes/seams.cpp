@@ -38,16 +38,12 @@ class TearFinder {
     TearFinder(const BaseSurface& surface, const Relief& relief)
         : surface_(surface), mesh_(surface.mesh()), relief_(relief),
           sides_(static_cast<size_t>(surface.edgeCount())),
-          firstPatch_(static_cast<size_t>(mesh_.faceCount()), -1) {
+          firstPatch_(static_cast<size_t>(mesh_.faceCount()), -1), firstCorner_(mesh_.firstCorners()) {
         const auto& patches = surface.patches();
         for (size_t i = patches.size(); i-- > 0;)
             firstPatch_[static_cast<size_t>(patches[i].face)] = static_cast<int>(i);
-        int first = 0;
-        for (int face = 0; face < mesh_.faceCount(); ++face) {
-            firstCorner_.push_back(first);
-            first += mesh_.faceSizes[static_cast<size_t>(face)];
+        for (int face = 0; face < mesh_.faceCount(); ++face)
             if (surface.hasLimit(face)) listSides(face);
-        }
     }
 
     TornEdges count() {
@@ -77,9 +73,11 @@ class TearFinder {
                 {face, static_cast<int>(k), vertices[k] == surface_.edgeStart(edges[k])});
     }
 
-    size_t cornerOf(const Side& side, int step) const {
-        const int size = mesh_.faceSizes[static_cast<size_t>(side.face)];
-        return static_cast<size_t>(firstCorner_[static_cast<size_t>(side.face)] + (side.k + step) % size);
+    size_t cornerOf(const Side& side, int step) const { return cornerOf(side.face, side.k + step); }
+
+    size_t cornerOf(int face, int k) const {
+        const auto index = static_cast<size_t>(face);
+        return firstCorner_[index] + static_cast<size_t>(k % mesh_.faceSizes[index]);
     }
 
     /// st at the edge's start (0) or end (1); linear in between.
@@ -165,7 +163,7 @@ class TearFinder {
             for (int i = 0; i < kNormalSegments; ++i) {
                 const PatchPlace place = placeOnEdge(face, k, static_cast<double>(i) / kNormalSegments);
                 evaluator.setPatch(place.patch);
-                const size_t corner = static_cast<size_t>(firstCorner_[static_cast<size_t>(face)] + k);
+                const size_t corner = cornerOf(face, k);
                 normals_[corner][static_cast<size_t>(i)] = evaluator.point(place.u, place.v).normal;
             }
     }
@@ -192,8 +190,9 @@ class TearFinder {
     const BaseSurface& surface_;
     const ControlMesh& mesh_;
     const Relief& relief_;
-    std::vector<std::vector<Side>> sides_;      // of each edge
-    std::vector<int> firstPatch_, firstCorner_; // of each face; -1: no patch
+    std::vector<std::vector<Side>> sides_; // of each edge
+    std::vector<int> firstPatch_;          // of each face; -1: no patch
+    std::vector<size_t> firstCorner_;      // of each face, into ControlMesh::faceVertices
     std::vector<EdgeNormals>
         normals_; // of the edge that starts in each corner of a face, from that corner on
 };

@@ -117,6 +117,31 @@ TEST(AnyMesh, TwistedStripHasASurface) { // Moebius': it has but one side, so so
         expectSurface(mesh, scheme);
 }
 
+TEST(AnyMesh, FacesThatDoNotMeetAreRefused) {
+    // A tetrahedron (0 1 2 3) and a fin on its edge from 0 to 1. Vertices 2 and 3 have three triangles each, and
+    // OpenSubdiv 3.5 joins faces 1 and 2 over that edge, which for the others is a crease: 0.041 apart. A version that does
+    // better may pass.
+    ControlMesh mesh;
+    mesh.name = "finned";
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
+    addFace(mesh, {0, 2, 1});
+    addFace(mesh, {0, 1, 3});
+    addFace(mesh, {1, 2, 3});
+    addFace(mesh, {0, 3, 2});
+    expectSurface(mesh, Scheme::Loop);
+    addFace(mesh, {0, 1, 4});
+    try {
+        EXPECT_LE(survey(BaseSurface(mesh, Scheme::Loop), 8).gap, 1e-12 * sizeOf(mesh));
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what())
+                      .find("finned: face 3: OpenSubdiv leaves a gap of 0.041 between its surface "
+                            "and that of face 1; expected "),
+                  0u)
+            << error.what();
+    }
+    EXPECT_LE(survey(BaseSurface(mesh, Scheme::None), 8).gap, 0);
+}
+
 /// Faces of 3 to 5 out of 4 to 9 vertices, at random: edges of many faces, flips, pinches, sheets; vertices sometimes in
 /// one place, sometimes huge; tags of random edges; uvs.
 ControlMesh randomMesh(std::mt19937& random, Scheme scheme) {

@@ -185,23 +185,6 @@ TEST(FoldedFaces, AreRefusedWhereOpenSubdivFails) {
     EXPECT_NO_THROW(BaseSurface(pillow, Scheme::None));
     pillow.tags.creases[0].sharpness = 0; // smooth
     EXPECT_NO_THROW(BaseSurface(pillow, Scheme::CatmullClark));
-
-    // A tetrahedron (0 1 2 3) and a fin on its edge from 0 to 1: vertices 2 and 3 have three triangles each, and Bfr
-    // joins faces 1 and 2 over that edge.
-    ControlMesh finned;
-    finned.name = "finned";
-    finned.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
-    addFace(finned, {0, 2, 1});
-    addFace(finned, {0, 1, 3});
-    addFace(finned, {1, 2, 3});
-    addFace(finned, {0, 3, 2});
-    EXPECT_NO_THROW(BaseSurface(finned, Scheme::Loop));
-    addFace(finned, {0, 1, 4});
-    EXPECT_THAT(inputErrorOf([&] { BaseSurface(finned, Scheme::Loop); }),
-                testing::StartsWith(
-                    "finned: face 3: OpenSubdiv leaves a gap of 0.041 between its surface and that of "
-                    "face 1; expected "));
-    EXPECT_NO_THROW(BaseSurface(finned, Scheme::None));
 }
 
 TEST(VertexNormals, AreTheFacesOwnWhereTheyCancel) {

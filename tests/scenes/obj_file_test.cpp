@@ -213,7 +213,7 @@ TEST(ObjFile, CutAnywhereIsReadOrRefused) {
 TEST(ObjFile, DamagedAnywhereIsReadOrRefused) {
     std::mt19937 random(5);
     for (int i = 0; i < 3000; ++i) {
-        std::string text = smallObj();
+        std::string text = smallObj() + "t crease 2/1/0 0 1 2.5\nt corner 1/1/0 2 10\nt hole 1/0/0 0\n";
         for (int changes = 0; changes < 3; ++changes)
             text[random() % text.size()] = static_cast<char>(random());
         worksOrIsRefused([&] {

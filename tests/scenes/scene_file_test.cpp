@@ -1,10 +1,7 @@
-#include "../../scenes/image_file.h"
-#include "../../scenes/scene_file.h"
-#include "test_files.h"
+#include "scene_file_fixture.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <gmock/gmock.h>
 #include <random>
 
@@ -13,88 +10,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-/// Every field of the format once.
-const char* const kWholeScene = R"(purpose = "A test"
-background = [0.1, 0.2, 0.3]
-
-[camera]
-position = [0, 1.2, 3]
-target = [0, 0.5, 0]
-up = [0, 1, 0.5]
-fov_y_degrees = 35
-width = 64
-height = 48
-
-[[light]]
-name = "sun"
-to_light = [0, 3, 4]
-
-[[light]]
-name = "lamp"
-position = [1, 2, 3]
-
-[[height_map]]
-name = "stone"
-file = "maps/stone.png"
-stores = "height"
-wrap = ["repeat", "clamp"]
-
-[[height_map]]
-name = "made"
-generate = { kind = "cobbles", size = 16, seed = 3 }
-
-[[object]]
-name = "quad"
-mesh = "quad.obj"
-scheme = "none"
-proxy_rate = 2
-translate = [1, 2, 3]
-rotate_degrees = [10, 20, 30]
-scale = 1.5
-relief = { map = "stone", depth = 0.08, offset = 0.01, tile = [8, -3], uv_offset = [0.5, 0.25] }
-color_map = "maps/stone.png"
-
-[[object]]
-name = "torus"
-shape = { kind = "torus", major = 1.0, minor = 0.25, segments = [12, 6] }
-relief = { constant = 0.5, depth = 0.1 }
-color = [0.8, 0.75, 0.7]
-)";
-
-const char* const kQuad =
-    "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n";
-
-/// A folder with the files the scene names.
-class SceneFile : public testing::Test {
-  protected:
-    SceneFile() {
-        std::filesystem::create_directory(folder_ / "maps");
-        writePng(folder_ / "maps/stone.png", 2, 1, {0, 0, 0, 51, 51, 51});
-        writeBytes(folder_ / "quad.obj", kQuad);
-    }
-
-    Scene read(const std::string& text) {
-        writeBytes(folder_ / "scene.toml", text);
-        return readScene(folder_ / "scene.toml");
-    }
-
-    /// The message without the folder in front.
-    std::string messageFor(const std::string& text) {
-        const std::string message = inputErrorOf([&] { read(text); });
-        const std::string prefix = folder_.path().string() + "/";
-        return message.starts_with(prefix) ? message.substr(prefix.size()) : message;
-    }
-
-    TemporaryFolder folder_;
-};
-
-/// The whole scene with `from` replaced by `to`; `from` must be in it.
-std::string with(const std::string& from, const std::string& to, std::string text = kWholeScene) {
-    const size_t at = text.find(from);
-    EXPECT_NE(at, std::string::npos) << from;
-    return at == std::string::npos ? text : text.replace(at, from.size(), to);
-}
 
 TEST_F(SceneFile, EveryFieldArrives) {
     const Scene scene = read(kWholeScene);
@@ -305,94 +220,6 @@ TEST_F(SceneFile, PartialNormalsMatterUnderSchemeNoneAlone) {
                                      "f 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\n");
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("the face in line 8 has no normal indices"));
     EXPECT_NO_THROW(read(with("scheme = \"none\"", "scheme = \"catmull-clark\"")));
-}
-
-/// The whole scene with creases for its torus of 72 vertices.
-std::string withCreases(const std::string& creases) {
-    return with("color = [0.8, 0.75, 0.7]\n", "creases = " + creases + "\n");
-}
-
-TEST_F(SceneFile, CreasesArrive) {
-    const SubdivisionTags tags =
-        read(withCreases("[{ edges = [1, 2, 3], sharpness = 2.5 }, { vertex = 72, sharpness = 10 },\n"
-                         "  { edges = [3, 2], sharpness = 4 }]")) // the latest counts
-            .objects[1]
-            .mesh.tags;
-    ASSERT_EQ(tags.creases.size(), 2u);
-    EXPECT_EQ(std::minmax(tags.creases[0].from, tags.creases[0].to), std::minmax(0, 1)); // 1-based to 0-based
-    EXPECT_EQ(tags.creases[0].sharpness, 2.5);
-    EXPECT_EQ(std::minmax(tags.creases[1].from, tags.creases[1].to), std::minmax(1, 2));
-    EXPECT_EQ(tags.creases[1].sharpness, 4);
-    ASSERT_EQ(tags.corners.size(), 1u);
-    EXPECT_EQ(tags.corners[0].vertex, 71);
-    EXPECT_EQ(tags.corners[0].sharpness, 10);
-    EXPECT_TRUE(read(withCreases("[]")).objects[1].mesh.tags.creases.empty());
-}
-
-TEST_F(SceneFile, CreasesOfTheSceneFileStandBesideThoseOfTheMesh) {
-    writeBytes(folder_ / "quad.obj",
-               std::string(kQuad) + "t crease 4/3/0 0 1 2 3 1 2 3\nt corner 1/1/0 0 1\n");
-    const SubdivisionTags tags =
-        read(with("scheme = \"none\"", "creases = [{ edges = [3, 2], sharpness = 7 }, { vertex = 1, "
-                                       "sharpness = 8 }, { vertex = 2, sharpness = 9 }]"))
-            .objects[0]
-            .mesh.tags;
-    ASSERT_EQ(tags.creases.size(), 3u);
-    EXPECT_EQ(tags.creases[0].sharpness, 1);
-    EXPECT_EQ(tags.creases[1].sharpness, 7);
-    EXPECT_EQ(tags.creases[2].sharpness, 3);
-    ASSERT_EQ(tags.corners.size(), 2u);
-    EXPECT_EQ(tags.corners[0].sharpness, 8);
-    EXPECT_EQ(tags.corners[1].sharpness, 9);
-}
-
-TEST_F(SceneFile, FaultyCreasesHaveTheirLine) {
-    const std::pair<const char*, const char*> cases[] = {
-        {"3", "scene.toml:45: object.creases: is 3; expected tables [[object.creases]]"},
-        {"[1]", "object.creases: holds 1"},
-        {"[{ edges = [1, 2] }]", "object.creases.sharpness: is missing"},
-        {"[{ sharpness = 2 }]",
-         "object.creases: has nothing to sharpen; expected edges = [vertex, vertex, …] or vertex"},
-        {"[{ edges = [1, 2], vertex = 3, sharpness = 2 }]", "has both edges and vertex"},
-        {"[{ edges = [1, 2], sharpness = -1 }]",
-         "object.creases.sharpness: is -1; expected a number from 0 to"},
-        {"[{ edges = [1, 2], sharpness = nan }]", "object.creases.sharpness: is nan"},
-        {"[\n{ edges = [1], sharpness = 2 }]",
-         "scene.toml:46: object.creases.edges: has 1 vertices; expected two"},
-        {"[{ edges = [0, 1], sharpness = 2 }]",
-         "object.creases.edges: is 0; expected a whole number from 1 to 72"},
-        {"[{ edges = [1, 73], sharpness = 2 }]", "object.creases.edges: is 73"},
-        {"[{ edges = [1, 2, 4], sharpness = 2 }]", "object.creases.edges: no face has an edge from vertex 2 "
-                                                   "to 4; expected vertices that are neighbours"},
-        {"[{ edges = 1, sharpness = 2 }]", "object.creases.edges: is 1; expected an array of whole numbers"},
-        {"[{ vertex = 73, sharpness = 2 }]",
-         "object.creases.vertex: is 73; expected a whole number from 1 to 72"},
-        {"[{ vertex = 3, sharpnes = 2 }]", "object.creases.sharpness: is missing"},
-        {"[{ vertex = 3, sharpness = 2, colour = 1 }]", "object.creases.colour: unknown field"},
-    };
-    for (const auto& [creases, message] : cases)
-        EXPECT_THAT(messageFor(withCreases(creases)), HasSubstr(message)) << creases;
-    EXPECT_THAT(messageFor(with("scheme = \"none\"", "scheme = \"none\"\ncreases = []")),
-                HasSubstr("scene.toml:34: object.creases: has no meaning under scheme \"none\""));
-}
-
-TEST_F(SceneFile, SeamsAreWeldedUnlessLeftOpen) {
-    EXPECT_EQ(read(kWholeScene).objects[0].relief->seams, Seams::Weld);
-    EXPECT_EQ(read(with("depth = 0.08", "depth = 0.08, seams = \"weld\"")).objects[0].relief->seams,
-              Seams::Weld);
-    EXPECT_EQ(read(with("depth = 0.08", "depth = 0.08, seams = \"open\"")).objects[0].relief->seams,
-              Seams::Open);
-}
-
-TEST_F(SceneFile, WarningsNameTheObject) {
-    EXPECT_TRUE(read(kWholeScene).warnings.empty());
-    writeBytes(folder_ / "quad.obj", std::string(kQuad) + "v 9 9 9\nt facevaryingpropagatecorners 1/0/0 1\n");
-    const std::vector<std::string> warnings = read(kWholeScene).warnings;
-    ASSERT_EQ(warnings.size(), 2u);
-    EXPECT_THAT(warnings[0], testing::StartsWith("quad: "));
-    EXPECT_THAT(warnings[0], HasSubstr("quad.obj:11: facevaryingpropagatecorners is left aside"));
-    EXPECT_THAT(warnings[1], testing::StartsWith("quad: "));
-    EXPECT_THAT(warnings[1], HasSubstr("quad.obj: vertex 5 belongs to no face: left out"));
 }
 
 TEST_F(SceneFile, HashFollowsEveryByteThatMatters) {
