@@ -1,13 +1,11 @@
 #include "base_surface.h"
 
 #include "error.h"
-#include "folded_faces.h"
+#include "limit_check.h"
 #include "linear_patch.h"
 #include "topology.h"
 #include "vertex_normals.h"
 
-#include <fmt/format.h>
-#include <opensubdiv/bfr/limits.h>
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/bfr/surface.h>
 #include <opensubdiv/bfr/tessellation.h>
@@ -63,7 +61,7 @@ struct BaseSurface::Impl {
 
     Impl(ControlMesh meshWorld, Scheme schemeOfMesh) : mesh(std::move(meshWorld)), scheme(schemeOfMesh) {
         checkControlMesh(mesh, scheme);
-        if (scheme != Scheme::None) checkFoldedFaces(mesh);
+        if (scheme != Scheme::None) checkLimitTopology(mesh);
         refiner = makeTopology(mesh, scheme);
         if (scheme != Scheme::None) {
             Bfr::SurfaceFactory::Options options;
@@ -92,9 +90,7 @@ struct BaseSurface::Impl {
             if (isHole[static_cast<size_t>(face)]) continue;
             if (factory && !factory->FaceHasLimitSurface(face)) {
                 if (mesh.boundaryFacesSupportOnly) continue;
-                throw InputError(
-                    whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it",
-                    fmt::format("at most {} edges around a face or a vertex", Bfr::Limits::MaxFaceSize()));
+                throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it");
             }
             if (scheme == Scheme::Loop || (scheme == Scheme::None && size == 3)) {
                 patches.push_back({face, 0, true, false});

@@ -3,8 +3,8 @@
 #include "content_hash.h"
 #include "data_folder.h"
 #include "error.h"
-#include "folded_faces.h"
 #include "generate_map.h"
+#include "limit_check.h"
 #include "map_file.h"
 #include "mesh_defects.h"
 #include "obj_file.h"
@@ -231,7 +231,7 @@ class SceneReader {
     static void checkSurface(const TomlTable& table, const SceneObject& object) {
         try {
             checkControlMesh(object.meshWorld(), object.scheme);
-            if (object.scheme != Scheme::None) checkFoldedFaces(object.mesh);
+            if (object.scheme != Scheme::None) checkLimitTopology(object.mesh);
         } catch (const InputError& error) { // names the face; the scene's line says which object
             table.fail(table.has("mesh") ? "mesh" : "shape", error.what());
         }

@@ -58,7 +58,7 @@ ControlMesh makeBox(const Vec3& size, int segments);
 /// and v along by arc length: body [0,4] x [0,1] upwards, bottom [0,4] x [0,1] outwards, lid [0,2] x [0,1]
 /// upwards, handle [0,1] x [0,2], spout [0,1] x [0,1]: whole numbers, so that maps close, and units of about
 /// one length, so that stones are about as large everywhere. Segments in [2, kMostTeapotSegments] (at 1 a
-/// tube of two faces is no manifold; at 64 the poles have 256 neighbours, and OpenSubdiv takes 511).
+/// tube of two faces is no manifold; at 64 the poles have 256 neighbours, and a limit surface takes 512).
 ControlMesh makeTeapot(int segments);
 
 /// Bezier patches of the teapot as they are in the data, z up: 16 control points each, row by row. For tests.

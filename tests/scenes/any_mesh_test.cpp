@@ -117,6 +117,29 @@ TEST(AnyMesh, TwistedStripHasASurface) { // Moebius': it has but one side, so so
         expectSurface(mesh, scheme);
 }
 
+TEST(AnyMesh, WhatIsLargerThanOpenSubdivTakesIsRefused) {
+    const auto messageFor = [](const ControlMesh& mesh) {
+        EXPECT_NO_THROW(BaseSurface(mesh, Scheme::None));
+        return inputErrorOf([&] { BaseSurface(mesh, Scheme::CatmullClark); });
+    };
+    EXPECT_NO_THROW(BaseSurface(fanMesh(512), Scheme::CatmullClark));
+    EXPECT_EQ(messageFor(fanMesh(513)),
+              "fan: face 1: vertex 1 has 513 edges; expected at most 512 at a vertex of a limit "
+              "surface; scheme \"none\" takes it");
+    EXPECT_NO_THROW(BaseSurface(prismMesh(512), Scheme::CatmullClark));
+    EXPECT_EQ(messageFor(prismMesh(513)),
+              "prism: face 1: 513 vertices; expected at most 512 in a face with a limit "
+              "surface; scheme \"none\" takes it");
+    ControlMesh book; // any number of faces on one edge
+    book.name = "book";
+    book.points = {{0, 0, 0}, {0, 0, 1}};
+    for (int k = 0; k < 20000; ++k) {
+        book.points.push_back(Vec3(std::cos(0.001 * k), std::sin(0.001 * k), 0.5));
+        addFace(book, {0, 1, 2 + k});
+    }
+    EXPECT_EQ(messageFor(book).find("book: face 1: vertex 1 has 20001 edges"), 0u);
+}
+
 TEST(AnyMesh, FacesThatDoNotMeetAreRefused) {
     // A tetrahedron (0 1 2 3) and a fin on its edge from 0 to 1. Vertices 2 and 3 have three triangles each, and
     // OpenSubdiv 3.5 joins faces 1 and 2 over that edge, which for the others is a crease: 0.041 apart. A version that does

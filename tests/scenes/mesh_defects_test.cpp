@@ -169,7 +169,7 @@ TEST(MeshDefects, ZeroNormalsAreRefusedWhereTheyMatter) {
                 HasSubstr("grid: face 1: normal 2 is zero; expected a direction"));
 }
 
-TEST(FoldedFaces, AreRefusedWhereOpenSubdivFails) {
+TEST(LimitCheck, DoubletsBesideSharpEdgesAreRefused) {
     // A pillow: two squares back to back, so that every vertex has two faces alone. Fine by itself.
     ControlMesh pillow;
     pillow.name = "pillow";

@@ -1,4 +1,4 @@
-#include "folded_faces.h"
+#include "limit_check.h"
 
 #include "error.h"
 #include "mesh_edges.h"
@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace plumbline {
@@ -20,16 +21,18 @@ bool isNonManifold(std::span<const HalfEdge> edge) {
     return edge.size() > 2 || (edge.size() == 2 && edge[0].forward == edge[1].forward);
 }
 
-class FoldFinder {
+class LimitTopology {
   public:
-    explicit FoldFinder(const ControlMesh& mesh)
+    explicit LimitTopology(const ControlMesh& mesh)
         : mesh_(mesh), edges_(mesh), firstCorners_(mesh.firstCorners()), edgeAfter_(mesh.faceVertices.size()),
-          touchesSharpEdge_(mesh.points.size()) {
+          edgeCounts_(mesh.points.size()), touchesSharpEdge_(mesh.points.size()) {
         std::vector<bool> creased(edges_.edges().size());
         for (const SubdivisionTags::Crease& crease : mesh.tags.creases)
             if (crease.sharpness > 0) creased[edges_.indexOf(crease.from, crease.to)] = true;
         for (size_t i = 0; i < edges_.edges().size(); ++i) {
             const auto& edge = edges_.edges()[i];
+            ++edgeCounts_[static_cast<size_t>(edge[0].low)];
+            ++edgeCounts_[static_cast<size_t>(edge[0].high)];
             for (const HalfEdge& half : edge)
                 edgeAfter_[static_cast<size_t>(half.forward ? half.lowCorner : half.highCorner)] = i;
             if (!isNonManifold(edge) && !(creased[i] && edge.size() > 1)) continue;
@@ -42,6 +45,7 @@ class FoldFinder {
         for (int face = 0; face < mesh_.faceCount(); ++face) {
             const auto size = static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
             const size_t first = firstCorners_[static_cast<size_t>(face)];
+            checkSizes(face, first, size);
             for (size_t k = 0; k < size; ++k) {
                 const size_t before = edgeAfter_[first + (k + size - 1) % size],
                              after = edgeAfter_[first + k];
@@ -57,6 +61,22 @@ class FoldFinder {
     }
 
   private:
+    void checkSizes(int face, size_t firstCorner, size_t size) const {
+        const auto most = static_cast<size_t>(kMostLimitEdges);
+        if (size > most)
+            throw InputError(whereOfFace(mesh_, face), fmt::format("{} vertices", size),
+                             fmt::format("at most {} in a face with a limit surface", most),
+                             "scheme \"none\" takes it");
+        for (size_t corner = firstCorner; corner < firstCorner + size; ++corner) {
+            const int vertex = mesh_.faceVertices[corner];
+            if (const int edges = edgeCounts_[static_cast<size_t>(vertex)]; edges > kMostLimitEdges)
+                throw InputError(whereOfFace(mesh_, face),
+                                 fmt::format("vertex {} has {} edges", vertex + 1, edges),
+                                 fmt::format("at most {} at a vertex of a limit surface", kMostLimitEdges),
+                                 "scheme \"none\" takes it");
+        }
+    }
+
     [[noreturn]] void fail(int face, const std::string& what) const {
         throw InputError(whereOfFace(mesh_, face), what, "a mesh OpenSubdiv can evaluate there",
                          "scheme \"none\" takes it");
@@ -68,11 +88,17 @@ class FoldFinder {
         return false;
     }
 
-    /// Another face on both edges; -1 if there is none.
+    /// Another face on both edges; -1 if there is none. Looked up in the longer list, as an edge may have any number of
+    /// faces.
     int doubletPartner(int face, size_t before, size_t after) const {
-        for (const HalfEdge& half : edges_.edges()[before])
-            for (const HalfEdge& otherHalf : edges_.edges()[after])
-                if (half.face == otherHalf.face && half.face != face) return half.face;
+        std::span<const HalfEdge> few = edges_.edges()[before], many = edges_.edges()[after];
+        if (few.size() > many.size()) std::swap(few, many);
+        for (const HalfEdge& half : few) {
+            if (half.face == face) continue;
+            const auto place = std::partition_point(
+                many.begin(), many.end(), [&](const HalfEdge& other) { return other.face < half.face; });
+            if (place != many.end() && place->face == half.face) return half.face;
+        }
         return -1;
     }
 
@@ -80,6 +106,7 @@ class FoldFinder {
     MeshEdges edges_;
     std::vector<size_t> firstCorners_;   // of each face
     std::vector<size_t> edgeAfter_;      // of each corner of a face: the edge from there to the next
+    std::vector<int> edgeCounts_;        // of each vertex
     std::vector<bool> touchesSharpEdge_; // of each vertex
 };
 
@@ -108,8 +135,8 @@ std::vector<int> facesAtNonManifoldVertices(const ControlMesh& mesh) {
 
 } // namespace
 
-void checkFoldedFaces(const ControlMesh& mesh) {
-    FoldFinder(mesh).check();
+void checkLimitTopology(const ControlMesh& mesh) {
+    LimitTopology(mesh).check();
 }
 
 void checkFacesMeet(const BaseSurface& surface) {
