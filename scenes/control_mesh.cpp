@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace plumbline {
 namespace {
@@ -123,7 +122,7 @@ void checkTagIndex(const ControlMesh& mesh, int line, const char* what, int inde
 }
 
 void checkCreases(const ControlMesh& mesh, const MeshEdges& edges) {
-    std::set<std::pair<int, int>> creased;
+    std::map<std::pair<int, int>, double> creased;
     for (const SubdivisionTags::Crease& crease : mesh.tags.creases) {
         checkTagIndex(mesh, crease.line, "vertex", crease.from, mesh.points.size());
         checkTagIndex(mesh, crease.line, "vertex", crease.to, mesh.points.size());
@@ -133,22 +132,25 @@ void checkCreases(const ControlMesh& mesh, const MeshEdges& edges) {
                 fmt::format("no face has an edge from vertex {} to {}", crease.from + 1, crease.to + 1),
                 "neighbours in a face", "'t' lines count vertices from 0, faces and scene files from 1");
         checkSharpness(mesh, crease.sharpness, crease.line);
-        if (!creased.insert(std::minmax(crease.from, crease.to)).second)
-            throw InputError(
-                whereOfTag(mesh, crease.line),
-                fmt::format("the edge from vertex {} to {} is creased twice", crease.from + 1, crease.to + 1),
-                "one sharpness for each edge");
+        const auto [place, isNew] = creased.emplace(std::minmax(crease.from, crease.to), crease.sharpness);
+        if (!isNew && place->second != crease.sharpness)
+            throw InputError(whereOfTag(mesh, crease.line),
+                             fmt::format("the edge from vertex {} to {} has sharpness {} and {}",
+                                         crease.from + 1, crease.to + 1, place->second, crease.sharpness),
+                             "one sharpness for each edge");
     }
 }
 
 void checkCornersAndHoles(const ControlMesh& mesh) {
-    std::set<int> corners;
+    std::map<int, double> corners;
     for (const SubdivisionTags::Corner& corner : mesh.tags.corners) {
         checkTagIndex(mesh, corner.line, "vertex", corner.vertex, mesh.points.size());
         checkSharpness(mesh, corner.sharpness, corner.line);
-        if (!corners.insert(corner.vertex).second)
+        const auto [place, isNew] = corners.emplace(corner.vertex, corner.sharpness);
+        if (!isNew && place->second != corner.sharpness)
             throw InputError(whereOfTag(mesh, corner.line),
-                             fmt::format("vertex {} is made a corner twice", corner.vertex + 1),
+                             fmt::format("vertex {} has sharpness {} and {}", corner.vertex + 1,
+                                         place->second, corner.sharpness),
                              "one sharpness for each vertex");
     }
     for (const SubdivisionTags::Hole& hole : mesh.tags.holes)

@@ -31,8 +31,8 @@ struct SubdivisionTags {
         int face;
         int line = 0;
     };
-    std::vector<Crease> creases; // each edge once
-    std::vector<Corner> corners; // each vertex once
+    std::vector<Crease> creases; // an edge more than once only with the same sharpness
+    std::vector<Corner> corners; // likewise a vertex
     std::vector<Hole> holes;     // these faces shape their neighbours, but are no part of the surface
     /// True: the boundary is a curve that passes its corners by (VTX_BOUNDARY_EDGE_ONLY). Nothing to boundaryFacesSupportOnly.
     bool boundaryCornersRound = false;
@@ -73,7 +73,7 @@ std::string whereOfFace(const ControlMesh& mesh, int face);
 /// Throws InputError naming mesh, face and reason: an index out of range, a face with fewer than 3 vertices or with one
 /// of them twice, two faces with the same vertices in the same order, a coordinate that isn't finite, no face at all,
 /// no area, Loop with a face that is not a triangle, None with a normal of length 0, tags of an edge, a vertex or a
-/// face that isn't there, given twice, or with a sharpness that is negative or not finite. What else may be odd with a
+/// face that isn't there, with two kinds of sharpness, or with one that is negative or not finite. What else may be odd with a
 /// mesh is handled; mesh_defects.h tells of it.
 void checkControlMesh(const ControlMesh& mesh, Scheme scheme);
 

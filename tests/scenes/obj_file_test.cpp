@@ -167,11 +167,11 @@ TEST(ObjFile, FaultyTagsHaveTheirLine) {
         {"t crease 2/1/0 0 2 1", "a.obj:6: no face has an edge from vertex 1 to 3"},
         {"t crease 2/1/0 1 1 1", "a.obj:6: no face has an edge from vertex 2 to 2"},
         {"t crease 2/1/0 0 1 1\nt crease 2/1/0 1 0 2",
-         "a.obj:7: the edge from vertex 2 to 1 is creased twice"},
+         "a.obj:7: the edge from vertex 2 to 1 has sharpness 1 and 2; expected one"},
         {"t corner 1/1/0 4 1", "a.obj:6: vertex 5 isn't in the mesh"},
         {"t corner 1/1/0 3 -0.5", "a.obj:6: sharpness -0.5"},
         {"t corner 1/0/0 3", "a.obj:6: corner with 1 whole numbers, 0 numbers"},
-        {"t corner 2/1/0 3 3 1", "a.obj:6: vertex 4 is made a corner twice"},
+        {"t corner 2/2/0 3 3 1 2", "a.obj:6: vertex 4 has sharpness 1 and 2; expected one"},
         {"t hole 1/0/0 1", "a.obj:6: face 2 isn't in the mesh; expected 1 to 1 (0 to 0 in 't' lines)"},
         {"t hole 0/1/0 1", "a.obj:6: hole with 0 whole numbers"},
         {"t interpolateboundary 1/0/0 3", "a.obj:6: interpolateboundary 3; expected 0 (faces"},
@@ -184,6 +184,11 @@ TEST(ObjFile, FaultyTagsHaveTheirLine) {
     };
     for (const auto& [tag, message] : cases)
         EXPECT_THAT(messageFor(square + tag + "\n"), HasSubstr(message)) << tag;
+}
+
+TEST(ObjFile, TagsMayRepeatThemselves) {
+    EXPECT_NO_THROW(readText(
+        kSquare + "f 1 2 3 4\nt crease 2/1/0 0 1 2\nt crease 3/1/0 2 1 0 2\nt corner 2/1/0 3 3 1\n"));
 }
 
 TEST(ObjFile, UvsOnSomeFacesAloneAreNoUvsAndSayWhy) {
