@@ -79,6 +79,8 @@ class FrameCertifier {
     void markCoverage() {
         const std::span<float> uncertain = frame_.add("uncertain");
         otherSheet_.assign(frame_.pixelCount(), 0);
+        for (size_t pixel = 0; pixel < frame_.pixelCount(); ++pixel)
+            if (evidence_.otherObject[pixel]) uncertain[pixel] = otherSheet_[pixel] = 1;
         markUncertainCoverage(scene_.camera, contours_, embree_, frame_.channel("id"), uncertain,
                               otherSheet_);
         certificate_.uncertainPixels =

@@ -3,6 +3,7 @@
 #include "../scenes/displaced_surface.h"
 #include "../scenes/error.h"
 #include "../scenes/scene_metadata.h"
+#include "../scenes/seams.h"
 #include "certify.h"
 #include "embree_scene.h"
 #include "free_memory.h"
@@ -64,6 +65,8 @@ struct ReferenceScene::Impl {
         for (const SceneObject& object : scene.objects) {
             surfaces.push_back(makeBaseSurface(object, options.base));
             reliefs.push_back(reliefOn(object, options.base));
+            const std::vector<std::string> warnings = surfaceWarnings(object, *surfaces.back());
+            stats.warnings.insert(stats.warnings.end(), warnings.begin(), warnings.end());
         }
         if (!options.rate)
             planner =
@@ -72,9 +75,7 @@ struct ReferenceScene::Impl {
         build();
     }
 
-    const Relief* reliefOf(size_t object) const {
-        return reliefs[object] ? &*reliefs[object] : nullptr;
-    }
+    const Relief* reliefOf(size_t object) const { return reliefs[object] ? &*reliefs[object] : nullptr; }
 
     /// Plans, tessellates and builds the acceleration structure.
     void build() {

@@ -56,6 +56,7 @@ struct ReferenceStats {
         uint64_t microTriangles;
     };
     std::vector<Object> objects;
+    std::vector<std::string> warnings; // a line each: where a relief tears the surface
 };
 
 /// Tessellated and displaced objects with their acceleration structure.

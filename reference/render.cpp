@@ -36,6 +36,9 @@ constexpr double kGrazingCosine = 0.02;
 // A blocker this many times the error's reach away can't be the surface's own stand-in any more.
 constexpr double kBelowReach = 4;
 
+// Own sheets of an object behind the place seen that are looked through for another object.
+constexpr int kSheetsPassed = 4;
+
 // Cells of a torn patch's border that the wall between it and its neighbour may shadow or hide: the one it stands in for and the next.
 constexpr double kTearCells = 2;
 
@@ -60,6 +63,8 @@ class FrameTracer {
             shadows_.push_back(frame_.add(shadowChannel(light.name)).data());
         for (const TracedObject& object : objects) {
             neighbours_.emplace_back(*object.surface);
+            for (const MicroGrid& grid : object.mesh->grids)
+                largestError_ = std::max(largestError_, grid.errorWorld);
             for (const Vec3f& position : object.mesh->positionsWorld)
                 largestCoordinate_ = std::max(
                     {largestCoordinate_, std::abs(position.x), std::abs(position.y), std::abs(position.z)});
@@ -67,6 +72,7 @@ class FrameTracer {
         evidence_.errorWorld.assign(frame_.pixelCount(), 0);
         evidence_.face.assign(frame_.pixelCount(), 0);
         evidence_.unsettled.assign(frame_.pixelCount(), 0);
+        evidence_.otherObject.assign(frame_.pixelCount(), 0);
         evidence_.shadowBy.assign(scene.lights.size(), std::vector<uint8_t>(frame_.pixelCount(), 0));
         fillBackground();
     }
@@ -180,6 +186,38 @@ class FrameTracer {
         return sample;
     }
 
+    /// How far along a ray a grid's error can move where the ray meets it.
+    static double alongRay(double error, const Vec3& facetNormal, const Ray& ray) {
+        return error / std::max(std::abs(glm::dot(facetNormal, ray.direction)), kGrazingCosine);
+    }
+
+    /// Whether behind the micro-triangle seen another object's comes within both's errors. Own sheets in between are passed.
+    bool isCloseToAnother(const PixelHit& hit) const {
+        const Ray ray = rayOf(hit.pixel);
+        const double own = alongRay(errorOf(hit), hit.facetNormal, ray);
+        const double farthest = own + largestError_ / kGrazingCosine;
+        double from = hit.distance;
+        for (int sheet = 0; sheet < kSheetsPassed; ++sheet) {
+            const double start = from + kShadowOffsetFraction * (largestCoordinate_ + from);
+            const double left = hit.distance + farthest - start;
+            if (!(left > 0) || !embree_.occluded(ray.at(start), ray.direction, static_cast<float>(left)))
+                return false;
+            const auto next = embree_.intersect(ray.at(start), ray.direction);
+            if (!next) return false;
+            if (next->object == hit.object) {
+                from = start + next->distance;
+                continue;
+            }
+            const MicroMesh& mesh = *objects_[next->object].mesh;
+            const MicroGrid& grid = mesh.grids[next->grid];
+            const Ray onwards{ray.at(start), ray.direction};
+            const ResolvedHit other = resolveHit(mesh, grid, next->u, next->v, next->distance, onwards);
+            return start + other.distance - hit.distance <=
+                   own + alongRay(grid.errorWorld, other.facetNormal, ray);
+        }
+        return false;
+    }
+
     /// Whether the place is in the outermost cells of a patch whose neighbour disagrees with it.
     bool isBesideTear(const PixelHit& hit) const {
         const MicroMesh& mesh = *objects_[hit.object].mesh;
@@ -217,6 +255,8 @@ class FrameTracer {
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
         evidence_.face[hit.pixel] = static_cast<uint32_t>(
             objects_[hit.object].surface->patches()[static_cast<size_t>(hit.place.patch)].face);
+
+        if (objects_.size() > 1 && isCloseToAnother(hit)) evidence_.otherObject[hit.pixel] = 1;
 
         double light = kAmbient;
         for (size_t i = 0; i < scene_.lights.size(); ++i) {
@@ -282,7 +322,7 @@ class FrameTracer {
     FrameEvidence evidence_;
     std::vector<PatchNeighbours> neighbours_; // per object
     std::vector<float*> channels_, shadows_;
-    float largestCoordinate_ = 0;
+    float largestCoordinate_ = 0, largestError_ = 0;
 };
 
 } // namespace

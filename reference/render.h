@@ -29,6 +29,8 @@ struct FrameEvidence {
     /// 1: another place of the surface could be seen. The hit stayed on its micro-triangle, or the surface turns away within
     /// reach of the error.
     std::vector<uint8_t> unsettled;
+    /// 1: another object lies so close behind the place seen that it could be in front.
+    std::vector<uint8_t> otherObject;
     /// Per light: how the shadow was decided.
     enum ShadowBy : uint8_t {
         kNormal,  // N.L <= 0

@@ -96,7 +96,8 @@ ResolvedHit resolveHit(const MicroMesh& mesh, const MicroGrid& grid, float u, fl
     result.facetNormal = glm::normalize(glm::cross(triangle.alongColumn, triangle.alongRow));
     const PatchLattice& lattice = mesh.lattices[grid.patch];
     const Vec2 corner = latticeUv(lattice, triangle.column, triangle.row);
-    result.uv = corner + hit.beta * (latticeUv(lattice, triangle.column + triangle.sign, triangle.row) - corner) +
+    result.uv = corner +
+                hit.beta * (latticeUv(lattice, triangle.column + triangle.sign, triangle.row) - corner) +
                 hit.gamma * (latticeUv(lattice, triangle.column, triangle.row + triangle.sign) - corner);
     return result;
 }

@@ -17,7 +17,7 @@ int runRealtime(const RealtimeArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
     const Scene scene = readScene(findScene(arguments.scene));
-    printWarnings(scene);
+    printWarnings(scene.warnings);
     const auto settings = parseSettings(arguments.settings);
     const auto requests = chosenTechniques(arguments.techniques, settings);
     if (requests.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");

@@ -11,7 +11,7 @@ int runReference(const ReferenceArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
     const Scene scene = readScene(findScene(arguments.scene));
-    printWarnings(scene);
+    printWarnings(scene.warnings);
     ReferenceOptions options = referenceOptions(arguments);
     options.base = parseBase(arguments.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
     const std::filesystem::path file = arguments.output.value_or(
@@ -20,6 +20,7 @@ int runReference(const ReferenceArguments& arguments) {
 
     progress.step("tessellating");
     ReferenceScene reference(scene, options);
+    printWarnings(reference.stats().warnings);
     progress.step("tracing");
     const Frame frame = reference.render();
     progress.step("writing");
@@ -27,10 +28,11 @@ int runReference(const ReferenceArguments& arguments) {
 
     const ReferenceStats& stats = reference.stats();
     progress.say(certificateLine(summaryOf(stats, frame).certificate));
-    fmt::print(
-        "{}\n{} micro-triangles; tessellate {:.0f} ms, build {:.0f} ms, trace {:.0f} ms; peak {:.0f} MB\n",
-        file.string(), stats.microTriangles, stats.tessellateMs, stats.buildMs, stats.traceMs,
-        static_cast<double>(peakBytes()) / 1e6);
+    fmt::print("{}\n{} micro-triangles; tessellate {:.0f} ms, build {:.0f} ms, trace {:.0f} ms, certify "
+               "{:.0f} ms; peak "
+               "{:.0f} MB\n",
+               file.string(), stats.microTriangles, stats.tessellateMs, stats.buildMs, stats.traceMs,
+               stats.certifyMs, static_cast<double>(peakBytes()) / 1e6);
     for (const ReferenceStats::Object& object : stats.objects)
         if (object.rate < object.wantedRate)
             fmt::print("{}: {} segments per control edge of the {} wanted\n", object.name, object.rate,

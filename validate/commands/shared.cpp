@@ -110,9 +110,9 @@ SceneSummary summaryOf(const Scene& scene) {
     return {scene.name, scene.purpose, scene.hash, scene.camera.width, scene.camera.height};
 }
 
-void printWarnings(const Scene& scene) {
+void printWarnings(const std::vector<std::string>& warnings) {
     const bool terminal = ::isatty(STDERR_FILENO) == 1; // where a line of progress may stand
-    for (const std::string& warning : scene.warnings)
+    for (const std::string& warning : warnings)
         fmt::print(stderr, "{}warning: {}\n", terminal ? kClearLine : "", warning);
 }
 

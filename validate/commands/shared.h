@@ -33,8 +33,8 @@ ReferenceOptions referenceOptions(const ReferenceArguments& arguments);
 ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame);
 SceneSummary summaryOf(const Scene& scene);
 
-/// Prints Scene::warnings on stderr, a line "warning: …" each.
-void printWarnings(const Scene& scene);
+/// Prints them on stderr, a line "warning: …" each.
+void printWarnings(const std::vector<std::string>& warnings);
 
 /// Largest resident set of this process so far, bytes.
 uint64_t peakBytes();
