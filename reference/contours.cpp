@@ -25,6 +25,12 @@ uint64_t hashOf(const Vec3f& p) {
     return hash;
 }
 
+/// 1 if a triangle turns its front to the viewer, -1 its back, 0 its edge.
+int8_t facingOf(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const double towards = glm::dot(glm::cross(b - a, c - a), viewpoint.towards(a));
+    return static_cast<int8_t>((towards > 0) - (towards < 0));
+}
+
 } // namespace
 
 ContourFinder::ContourFinder(const MicroMesh& mesh) : mesh_(mesh) {
@@ -59,10 +65,14 @@ bool ContourFinder::hasArea(const Triangle& t) const {
 }
 
 int ContourFinder::facing(const Viewpoint& viewpoint, const Triangle& t) const {
-    const Vec3 a(mesh_.positionsWorld[t.a]);
-    const Vec3 normal = glm::cross(Vec3(mesh_.positionsWorld[t.b]) - a, Vec3(mesh_.positionsWorld[t.c]) - a);
-    const double towards = glm::dot(normal, viewpoint.towards(a));
-    return (towards > 0) - (towards < 0);
+    const auto& p = mesh_.positionsWorld;
+    return facingOf(viewpoint, Vec3(p[t.a]), Vec3(p[t.b]), Vec3(p[t.c]));
+}
+
+bool ContourFinder::touchesSide(const MicroGrid& grid) const {
+    const PatchLattice& lattice = mesh_.lattices[grid.patch];
+    return grid.column0 == 0 || grid.row0 == 0 || grid.row0 + grid.rows - 1 == lattice.rows ||
+           grid.column0 + grid.columns - 1 == lattice.columns || lattice.triangular;
 }
 
 int64_t ContourFinder::gridAt(uint32_t index, int columnsAway, int rowsAway) const {
@@ -80,9 +90,7 @@ int64_t ContourFinder::gridAt(uint32_t index, int columnsAway, int rowsAway) con
 void ContourFinder::collectLooseSides(uint32_t index, std::vector<LooseSide>& sides) const {
     const MicroGrid& grid = mesh_.grids[index];
     const PatchLattice& lattice = mesh_.lattices[grid.patch];
-    const bool onBorder = grid.column0 == 0 || grid.row0 == 0 || grid.row0 + grid.rows - 1 == lattice.rows ||
-                          grid.column0 + grid.columns - 1 == lattice.columns || lattice.triangular;
-    if (!onBorder) return;
+    if (!touchesSide(grid)) return;
     const auto has = [&](int column, int row, bool upper) { // of the lattice
         if (column < 0 || row < 0 || column >= lattice.columns || row >= lattice.rows) return false;
         int64_t of = index;
@@ -133,16 +141,27 @@ void ContourFinder::visitGrid(const Viewpoint& viewpoint, uint32_t index,
     const MicroGrid& grid = mesh_.grids[index];
     const int columns = grid.columns - 1, rows = grid.rows - 1;
     constexpr int kNone = 2; // no area, or no triangle
+    std::array<Vec3, kMaxGridSide * kMaxGridSide> points;
+    for (size_t i = 0; i < static_cast<size_t>(grid.columns) * grid.rows; ++i)
+        points[i] = Vec3(mesh_.positionsWorld[grid.firstVertex + i]);
     std::array<std::array<std::array<int8_t, 2>, kGridCells>, kGridCells> facings;
-    const auto facingOf = [&](uint32_t of, int column, int row, bool upper) {
-        const Triangle t = triangle(of, column, row, upper);
+    // Without area there are only some along a patch's sides.
+    const bool allHaveArea = !touchesSide(grid);
+    for (int row = 0; row < rows; ++row)
+        for (int column = 0; column < columns; ++column) {
+            const Vec3* a = &points[static_cast<size_t>(row * grid.columns + column)];
+            const Vec3 &b = a[1], &c = a[grid.columns], &d = a[grid.columns + 1];
+            auto& here = facings[static_cast<size_t>(row)][static_cast<size_t>(column)];
+            here[0] = facingOf(viewpoint, *a, b, c);
+            here[1] = facingOf(viewpoint, d, c, b);
+            if (allHaveArea) continue;
+            for (const bool upper : {false, true})
+                if (!hasArea(triangle(index, column, row, upper))) here[upper] = kNone;
+        }
+    const auto facingIn = [&](uint32_t of, int column, int row) {
+        const Triangle t = triangle(of, column, row, true);
         return hasArea(t) ? facing(viewpoint, t) : kNone;
     };
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            for (const bool upper : {false, true})
-                facings[static_cast<size_t>(row)][static_cast<size_t>(column)][upper] =
-                    static_cast<int8_t>(facingOf(index, column, row, upper));
     const int64_t below = gridAt(index, 0, -1), left = gridAt(index, -1, 0);
     // A triangle seen exactly edge-on counts as turned from both sides.
     const auto consider = [&](int one, int other, uint32_t a, uint32_t b, uint32_t third, double error) {
@@ -158,16 +177,16 @@ void ContourFinder::visitGrid(const Viewpoint& viewpoint, uint32_t index,
                          t.b, t.c, grid.errorWorld);
             else if (below >= 0) {
                 const MicroGrid& other = mesh_.grids[static_cast<size_t>(below)];
-                consider(here[0], facingOf(static_cast<uint32_t>(below), column, other.rows - 2, true), t.a,
-                         t.b, t.c, std::max(grid.errorWorld, other.errorWorld));
+                consider(here[0], facingIn(static_cast<uint32_t>(below), column, other.rows - 2), t.a, t.b,
+                         t.c, std::max(grid.errorWorld, other.errorWorld));
             }
             if (column > 0)
                 consider(here[0], facings[static_cast<size_t>(row)][static_cast<size_t>(column - 1)][1], t.c,
                          t.a, t.b, grid.errorWorld);
             else if (left >= 0) {
                 const MicroGrid& other = mesh_.grids[static_cast<size_t>(left)];
-                consider(here[0], facingOf(static_cast<uint32_t>(left), other.columns - 2, row, true), t.c,
-                         t.a, t.b, std::max(grid.errorWorld, other.errorWorld));
+                consider(here[0], facingIn(static_cast<uint32_t>(left), other.columns - 2, row), t.c, t.a,
+                         t.b, std::max(grid.errorWorld, other.errorWorld));
             }
         }
 }

@@ -46,6 +46,7 @@ class ContourFinder {
     Triangle triangle(uint32_t grid, int column, int row, bool upper) const;
     bool hasArea(const Triangle& triangle) const;
     int facing(const Viewpoint& viewpoint, const Triangle& triangle) const;
+    bool touchesSide(const MicroGrid& grid) const;
     /// The grid beside one, of the same patch; -1 if there is none.
     int64_t gridAt(uint32_t grid, int columnsAway, int rowsAway) const;
     void collectLooseSides(uint32_t grid, std::vector<LooseSide>& sides) const;

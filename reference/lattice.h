@@ -70,7 +70,7 @@ struct Rates {
     /// Of each face: along its edges 0 and 2, and along 1 and 3, for a face that is one square patch; else two
     /// equal numbers for all its edges, at least 2 where the face is cut into sub-faces.
     std::vector<Vec2i> faces;
-    /// Of each edge: the smallest its faces have along it.
+    /// Of each edge: the smallest its faces have along it, but at least 2 beside a face that is cut into sub-faces.
     std::vector<int> edges;
 };
 

@@ -12,8 +12,9 @@ namespace {
 constexpr int kMostSteps = 12;
 // Starts of a search for a place the ray meets earlier.
 constexpr int kStartsBefore = 6;
-// Settled: off the ray by less than that, as a fraction of the coordinates; ten bits above the rounding of the evaluation.
-constexpr double kSettled = 0x1p-42;
+// Settled: off the ray by less than that, as a fraction of the coordinates. At 1 degree to the surface the depth is then 60 times that
+// off, 2^-26: the last bits of the frame's floats. (Rounding of the evaluation is near 2^-50.)
+constexpr double kSettled = 0x1p-32;
 bool isInside(const Vec2& uv, bool triangular) {
     return uv.x >= 0 && uv.y >= 0 && (triangular ? uv.x + uv.y <= 1 : uv.x <= 1 && uv.y <= 1);
 }

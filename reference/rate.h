@@ -33,9 +33,9 @@ using FaceErrorsPx = std::vector<std::vector<float>>;
 /// Plans rates for an error of `errorPx`, all within `memoryBytes`.
 ///
 /// A face begins at two texels of its relief a cell, along u and along v, or at 1 without one; then the axis that gains more is doubled
-/// until the error bound (tile.h) is at most the aim, or falls no more; it is measured in all the grids of the first rate, then where it
-/// was worst; in pixels at
-/// the face's nearest place, for a face that is seen. One that only casts shadows may be kCasterSlack times worse, in pixels of the
+/// until the error bound (tile.h) is at most the aim, or falls no more. It is measured in all the grids of the first rate; at finer ones
+/// within the grid that all but 2 % of those don't exceed, and its worst part. It counts in pixels at the face's nearest place, for a
+/// face that is seen. One that only casts shadows may be kCasterSlack times worse, in pixels of the
 /// nearest place of anything seen; one that does neither stays at the smallest rate. If that doesn't fit, the aim is doubled until it
 /// does; then texels are given up, the largest faces first.
 class RatePlanner {

@@ -44,7 +44,7 @@ void addCertificate(const Certificate& certificate, std::map<std::string, std::s
 
 } // namespace
 
-// Runs until the error aimed at is met. Rates are planned from a few grids of each face; the second plan knows by how much that was off.
+// Runs until the error aimed at is met. Rates are planned from the grids of each face that are worst at its first rate; the second plan knows by how much that was off.
 constexpr int kMostRuns = 3;
 
 struct ReferenceScene::Impl {
@@ -143,7 +143,7 @@ struct ReferenceScene::Impl {
         Frame frame = traceFrame(scene, objects, *embree, counts, evidence);
         stats.traceMs += watch.elapsedMs();
         const Stopwatch certifyWatch;
-        faceErrorsPx = measureFaces(scene, objects, evidence, frame);
+        if (planner) faceErrorsPx = measureFaces(scene, objects, evidence, frame);
         certifyFrame(scene, objects, *embree, evidence, frame, stats.certificate);
         stats.certifyMs += certifyWatch.elapsedMs();
         stats.cameraRays = counts.camera;

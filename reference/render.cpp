@@ -36,7 +36,7 @@ constexpr double kGrazingCosine = 0.02;
 // A blocker this many times the error's reach away can't be the surface's own stand-in any more.
 constexpr double kBelowReach = 4;
 
-// Own sheets of an object behind the place seen that are looked through for another object.
+// Sheets behind the place seen that are looked at for another object: own ones are passed, all but the last.
 constexpr int kSheetsPassed = 4;
 
 // Cells of a torn patch's border that the wall between it and its neighbour may shadow or hide: the one it stands in for and the next.

@@ -33,9 +33,9 @@ struct FrameEvidence {
     std::vector<uint8_t> otherObject;
     /// Per light: how the shadow was decided.
     enum ShadowBy : uint8_t {
-        kNormal,  // N.L <= 0
-        kRay,     // by a ray
-        kNearRay, // by a ray that is free, but the surface may rise into it within reach of the error
+        kNormal, // N.L <= 0
+        kRay,    // by a ray
+        kNearRay, // by a ray, but within reach of the error the surface may rise into it, or it began beneath micro-triangles
     };
     std::vector<std::vector<uint8_t>> shadowBy;
 };

@@ -29,6 +29,14 @@ TileVertex sampleVertex(const BaseSurface::Evaluator& evaluator, const Relief* r
     return vertex;
 }
 
+/// Tile::bend: st is bilinear in (u, v), and u v is off by 1/4 of a cell's share in its middle.
+Vec2 bendOfCells(const PatchLattice& lattice, const Relief& relief, const BaseSurface::Evaluator& evaluator) {
+    const auto st = [&](double u, double v) { return textureCoordinates(evaluator.point(u, v), &relief); };
+    const Vec2 twist = st(0, 0) + st(1, 1) - st(1, 0) - st(0, 1);
+    const Vec2 texels = glm::abs(twist) * Vec2(relief.map->width(), relief.map->height());
+    return texels / (4.0 * lattice.columns * lattice.rows);
+}
+
 /// Bows of S and n along one edge of a cell.
 struct Bows {
     double base = 0, normal = 0;
@@ -42,12 +50,22 @@ class TileMeasure {
   public:
     TileMeasure(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
                 const BaseSurface::Evaluator& evaluator)
-        : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator) {}
+        : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator) {
+        if (relief) {
+            const double low = relief->offset - relief->depth * relief->map->mostDepth();
+            const double high = relief->offset - relief->depth * relief->map->leastDepth();
+            largestHeight_ = std::max(std::abs(low), std::abs(high));
+        }
+        for (int side = 0; side < (lattice.triangular ? 3 : 4); ++side)
+            if (isCoarse(side))
+                coarsest_ = std::max(coarsest_, std::max(lattice.columns, lattice.rows) /
+                                                    double(lattice.sides[static_cast<size_t>(side)]));
+    }
 
     TileError error(int column0, int row0, int columns, int rows) {
         column0_ = column0, row0_ = row0, columns_ = columns, rows_ = rows;
         measureBase();
-        double largestHeight = 0, map = 0, heightRange = 0, tear = 0, coordinate = 0;
+        double map = 0, heightRange = 0, tear = 0, coordinate = 0;
         for (int row = row0; row < row0 + rows; ++row)
             for (int column = column0; column < column0 + columns; ++column) {
                 const TileVertex &a = tile_.at(column, row), &b = tile_.at(column + 1, row),
@@ -55,16 +73,18 @@ class TileMeasure {
                 const double least = std::min({a.height, b.height, c.height, d.height});
                 const double most = std::max({a.height, b.height, c.height, d.height});
                 heightRange = std::max(heightRange, most - least);
-                largestHeight = std::max({largestHeight, std::abs(least), std::abs(most)});
                 if (relief_) map = std::max(map, cellDeviation(*relief_->map, a.map, b.map, c.map, d.map));
                 tear = std::max({tear, tear_(column, row), tear_(column + 1, row), tear_(column, row + 1),
                                  tear_(column + 1, row + 1)});
             }
         const Vec3 corner = glm::abs(tile_.at(column0, row0).base);
         coordinate = std::max({corner.x, corner.y, corner.z}) + columns_ * largestCell_;
-        const double bow = kBowMargin * (bows_.base + bows_.normal * largestHeight);
+        const double bow = kBowMargin * (bows_.base + bows_.normal * largestHeight_);
         const double covariance = 0.25 * kBowMargin * normalRange_ * heightRange;
         const double depth = relief_ ? relief_->depth : 0;
+        if (relief_)
+            map += (tile_.bend.x + tile_.bend.y) * coarsest_ *
+                   (relief_->map->mostDepth() - relief_->map->leastDepth());
         // Along a tear the true surface is a wall between the two heights, and no point of it is farther from a welded cell
         // than that cell is wide.
         const double rounding = kFloatRounding * coordinate;
@@ -140,6 +160,8 @@ class TileMeasure {
     int column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
     Bows bows_;
     double normalRange_ = 0, largestCell_ = 0;
+    double largestHeight_ = 0; // the relief can reach, either way
+    double coarsest_ = 1;      // steps a cell along a coarse side is wide
 };
 
 } // namespace
@@ -148,6 +170,7 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
                 const BaseSurface::Evaluator& evaluator) {
     tile.vertices.resize(static_cast<size_t>(tile.columns + 1) * static_cast<size_t>(tile.rows + 1));
     tile.tears.assign(tile.vertices.size(), 0);
+    tile.bend = relief && !lattice.triangular ? bendOfCells(lattice, *relief, evaluator) : Vec2(0);
     for (int row = 0; row <= tile.rows; ++row)
         for (int column = 0; column <= tile.columns; ++column)
             tile.vertices[tile.index(column, row)] =

@@ -24,8 +24,10 @@ struct TileVertex {
 
 struct Tile {
     int patch;
-    int column0, row0;                // in the lattice
-    int columns, rows;                // cells
+    int column0, row0; // in the lattice
+    int columns, rows; // cells
+    /// Texels that st within a cell is off from linear between the cell's corners, at most: quads whose uvs are no parallelogram.
+    Vec2 bend;
     std::vector<TileVertex> vertices; // (columns + 1) x (rows + 1), row by row
     /// How far the vertex shared with the neighbours is from the one this patch would have, world units; the largest of a grid.
     std::vector<double> tears; // as vertices
@@ -45,8 +47,8 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
 ///
 /// With weights w over a micro-triangle's corners, S, n, h at them and P = S + n h,
 ///     P - sum w P = (S - sum w S) + (n - sum w n) h + (sum w n)(h - sum w h) + sum w n (sum w h - h_k):
-/// the bows of S and of n, measured at the middles of the edges of some cells, with kBowMargin on top; that of h exactly, from
-/// the texels (map_deviation.h); and a covariance, a quarter of the product of the ranges at most.
+/// the bows of S and of n, measured at the middles of the edges of some cells, with kBowMargin on top; that of h from the
+/// texels, exactly where st is linear over a cell (map_deviation.h), with what its bend can add elsewhere; and a covariance, a quarter of the product of the ranges at most.
 struct TileError {
     double world;
     bool torn; // a vertex of it is farther from where its patch would have it than rounding explains

@@ -33,7 +33,8 @@ struct MicroGrid {
     uint32_t patch;         // of the BaseSurface
     uint16_t columns, rows; // vertices
     uint16_t column0, row0; // place of the first vertex in the patch's lattice
-    /// No point of the surface is farther from the place of the same (u, v) on the grid's micro-triangles; world units.
+    /// No point of the surface is farther from the place of the same (u, v) on the grid's micro-triangles, as far as reference/tile.h
+    /// can tell; world units.
     float errorWorld;
     /// Whether faces disagree about a vertex of it, so that the surface closes with a wall there (Seams::Weld).
     bool torn;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
 #include <cstring>
 
 namespace plumbline {
@@ -304,6 +305,63 @@ TEST(Reference, FacesOutOfThePictureAreCoarseUnlessTheyCastShadows) {
     scene.lights[0].positionWorld = {-6, 0, 1};
     EXPECT_GT(cellsAt(0, 8), 1);
     EXPECT_EQ(cellsAt(15, 8), 1);
+}
+
+/// Everything with a length in it, scaled.
+Scene scaled(Scene scene, double scale) {
+    scene.camera.positionWorld *= scale;
+    scene.camera.targetWorld *= scale;
+    scene.camera.viewHeight *= scale;
+    for (SceneObject& object : scene.objects) {
+        for (Vec3& point : object.mesh.points)
+            point *= scale;
+        object.translate *= scale;
+        if (object.relief) object.relief->depth *= scale;
+        if (object.relief) object.relief->offset *= scale;
+    }
+    for (Light& light : scene.lights)
+        light.positionWorld *= scale;
+    return scene;
+}
+
+// Scaled by a power of two every float is the same but for its exponent: so are the frames, bit for bit, and depths are scaled. By a
+// power of ten coordinates are rounded elsewhere: a pixel on the very edge may fall to the other side, and is uncertain.
+TEST(Reference, MillimetresAndKilometresGiveTheSamePicture) {
+    Scene scene = squareScene(roughMap(), 0.3, 3);
+    scene.camera.projection = Camera::Projection::Perspective;
+    scene.camera.positionWorld = {1.5, -2.5, 2};
+    scene.camera.width = scene.camera.height = 120;
+    scene.lights[0].toLightWorld = glm::normalize(Vec3(1, 0.3, 0.4));
+    Light lamp;
+    lamp.name = "lamp";
+    lamp.kind = Light::Kind::Point;
+    lamp.positionWorld = {-0.6, 0.2, 1.1};
+    scene.lights.push_back(lamp);
+    const Frame unit = renderReference(scene, 32);
+    for (const double scale : {0x1p-13, 0x1p13, 1e-4, 1e4}) {
+        const bool exact = scale == 0x1p-13 || scale == 0x1p13;
+        const Frame other = renderReference(scaled(scene, scale), 32);
+        const auto uncertain = unit.channel("uncertain");
+        size_t differ = 0;
+        for (size_t i = 0; i < unit.pixelCount(); ++i) {
+            if (uncertain[i] != 0 && !exact) continue;
+            ASSERT_EQ(unit.channel("A")[i], other.channel("A")[i]) << scale << ", pixel " << i;
+            if (unit.channel("A")[i] == 0) continue;
+            EXPECT_NEAR(other.channel("Z")[i] / scale / unit.channel("Z")[i], 1, 1e-5)
+                << scale << ", pixel " << i;
+            for (const char* light : {"sun", "lamp"})
+                differ += unit.channel(shadowChannel(light))[i] != other.channel(shadowChannel(light))[i] &&
+                          unit.channel(uncertainShadowChannel(light))[i] == 0;
+        }
+        EXPECT_EQ(differ, 0u) << scale;
+        const auto count = [](const Frame& frame, const char* name) {
+            return std::count(frame.channel(name).begin(), frame.channel(name).end(), 1.0f);
+        };
+        for (const char* name : {"uncertain", "uncertain.shadow.sun", "uncertain.shadow.lamp"})
+            EXPECT_NEAR(double(count(other, name)), double(count(unit, name)),
+                        0.01 * double(count(unit, name)) + 2)
+                << scale << ", " << name;
+    }
 }
 
 TEST(Reference, ReliefWithoutUvsIsRefused) {

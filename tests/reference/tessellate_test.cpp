@@ -129,5 +129,38 @@ TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
     EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * 6 * 8); // the pair's rim alone, both ways
 }
 
+// The same pair left open: each face keeps its own displacement along the shared edge, so that the edge is there twice, and only
+// where the two disagree. At y = 1/2 both texels' rows say 1/2 on the left; the right's 0.5 there agrees.
+TEST(Tessellate, TornEdgesGapeWhereSeamsAreOpen) {
+    ControlMesh mesh;
+    mesh.name = "pair";
+    mesh.points = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+    mesh.faceSizes = {4, 4};
+    mesh.faceVertices = {0, 1, 2, 3, 1, 4, 5, 2};
+    mesh.uvs = {{0.25, 0}, {0.25, 1}, {0.75, 0}, {0.75, 1}};
+    mesh.faceUvs = {0, 0, 1, 1, 3, 3, 2, 2};
+    const BaseSurface surface(mesh, Scheme::None);
+    const std::vector<float> depths{0.125f, 0.5f, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0.5f};
+    Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
+                  Vec2(1), Vec2(0)};
+    relief.seams = Seams::Open;
+    const MicroMesh micro = tessellate(surface, &relief, uniformRates(surface, 8), false);
+    int checked = 0;
+    for (const MicroGrid& grid : micro.grids)
+        for (uint32_t i = grid.firstVertex; i < grid.firstVertex + uint32_t(grid.columns) * grid.rows; ++i) {
+            const Vec3f& p = micro.positionsWorld[i];
+            if (p.x != 0 || p.y < 0.125f || p.y > 0.875f) continue;
+            EXPECT_NEAR(p.z, grid.patch == 0 ? -p.y : -0.5f, 1e-6) << "patch " << grid.patch << ", y " << p.y;
+            ++checked;
+        }
+    EXPECT_EQ(checked, 2 * 7);
+    // The rim, and of the shared edge 8 segments on both sides.
+    EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * (6 * 8 + 2 * 8));
+    relief.map = std::make_shared<HeightMap>(HeightMap::constant("same", 0.5f)); // nothing to disagree about
+    EXPECT_EQ(
+        unmatchedEdges(trianglesWithArea(tessellate(surface, &relief, uniformRates(surface, 8), false))),
+        2 * 6 * 8);
+}
+
 } // namespace
 } // namespace plumbline

@@ -80,8 +80,7 @@ Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progres
     const char* where = options.base == Base::Proxy ? "reference on the proxy" : "reference";
     progress.step(fmt::format("{}: tessellating", where));
     auto reference = std::make_unique<ReferenceScene>(scene, options);
-    // With both bases it is the limit surface's tears that are told of.
-    if (kept || options.base == Base::Limit) printWarnings(reference->stats().warnings);
+    printWarnings(reference->stats().warnings);
     progress.step(fmt::format("{}: tracing", where));
     Frame frame = reference->render();
     summary = summaryOf(reference->stats(), frame);
