@@ -49,6 +49,27 @@ double bow(const Vec2& along) {
     return std::abs(along.x * along.y) / 4;
 }
 
+/// A bound on the deviation over any triangle within a box of few texels; infinite for more. With g0 the middle of the box of
+/// gradients, f less its plane is sum w_k (integral of (g - g0) . (x - x_k)), and sum w_k |x - x_k| is at most half the box's side.
+double deviationAtMost(const HeightMap& map, const Vec2& low, const Vec2& high) {
+    constexpr double kFew = 3;
+    if (high.x - low.x > kFew || high.y - low.y > kFew) return kInfinity;
+    Vec2 least(kInfinity), most(-kInfinity);
+    const int right = static_cast<int>(std::ceil(high.x - kOnCrease)),
+              top = static_cast<int>(std::ceil(high.y - kOnCrease));
+    for (int j = static_cast<int>(std::floor(low.y + kOnCrease)); j < top; ++j)
+        for (int i = static_cast<int>(std::floor(low.x + kOnCrease)); i < right; ++i) {
+            const HeightMap::Cell cell = map.cell(i, j);
+            for (const Vec2& gradient : {Vec2(cell.d10 - cell.d00, cell.d01 - cell.d00),
+                                         Vec2(cell.d11 - cell.d01, cell.d11 - cell.d10)}) {
+                least = glm::min(least, gradient);
+                most = glm::max(most, gradient);
+            }
+        }
+    const Vec2 bound = (most - least) * (high - low) / 4.0;
+    return bound.x + bound.y;
+}
+
 /// The triangle with the plane over it.
 struct LinearTriangle {
     const std::array<MapPoint, 3>& p;
@@ -142,13 +163,16 @@ double triangleDeviation(const HeightMap& map, const std::array<MapPoint, 3>& co
 }
 
 double cellDeviation(const HeightMap& map, const MapPoint& a, const MapPoint& b, const MapPoint& c,
-                     const MapPoint& d) {
+                     const MapPoint& d, double enough) {
     const Vec2 low = glm::min(glm::min(a.texel, b.texel), glm::min(c.texel, d.texel));
     const Vec2 high = glm::max(glm::max(a.texel, b.texel), glm::max(c.texel, d.texel));
-    if (isSmall(low, high) && withinPatch(low, high))
-        return std::abs(twistAt(map, 0.5 * (low + high))) *
-               std::max({bow(b.texel - a.texel), bow(c.texel - a.texel), bow(c.texel - b.texel),
-                         bow(d.texel - b.texel), bow(d.texel - c.texel)});
+    if (isSmall(low, high)) {
+        if (withinPatch(low, high))
+            return std::abs(twistAt(map, 0.5 * (low + high))) *
+                   std::max({bow(b.texel - a.texel), bow(c.texel - a.texel), bow(c.texel - b.texel),
+                             bow(d.texel - b.texel), bow(d.texel - c.texel)});
+        if (deviationAtMost(map, low, high) <= enough) return enough;
+    }
     return std::max(triangleDeviation(map, {a, b, c}), triangleDeviation(map, {d, c, b}));
 }
 

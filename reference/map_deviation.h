@@ -23,8 +23,9 @@ struct MapPoint {
 /// inside; so the extremum over the triangle is at a texel centre inside it, or on an edge, at a crease or between two.
 double triangleDeviation(const HeightMap& map, const std::array<MapPoint, 3>& corners);
 
-/// The same over the triangles a b c and d c b of a micro-cell.
+/// The same over the triangles a b c and d c b of a micro-cell; or, where that is no more than `enough`, any number up to that:
+/// most cells can be told from their gradients not to be the worst of their grid.
 double cellDeviation(const HeightMap& map, const MapPoint& a, const MapPoint& b, const MapPoint& c,
-                     const MapPoint& d);
+                     const MapPoint& d, double enough = 0);
 
 } // namespace plumbline

@@ -73,7 +73,8 @@ class TileMeasure {
                 const double least = std::min({a.height, b.height, c.height, d.height});
                 const double most = std::max({a.height, b.height, c.height, d.height});
                 heightRange = std::max(heightRange, most - least);
-                if (relief_) map = std::max(map, cellDeviation(*relief_->map, a.map, b.map, c.map, d.map));
+                if (relief_)
+                    map = std::max(map, cellDeviation(*relief_->map, a.map, b.map, c.map, d.map, map));
                 tear = std::max({tear, tear_(column, row), tear_(column + 1, row), tear_(column, row + 1),
                                  tear_(column + 1, row + 1)});
             }

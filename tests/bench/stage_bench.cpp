@@ -112,36 +112,61 @@ void forEachFlushed(size_t count, Body body) {
     });
 }
 
-/// The whole frame: rays, hits in double, normals by second derivatives, colour. Bare: the same rays with nothing around them.
-void traceStage(benchmark::State& state) {
+/// The torus at a rate, traced once: the rays of its frame.
+struct TracedTorus {
     std::vector<MicroMesh> meshes;
-    meshes.push_back(tessellate(*torus().surface, torus().relief,
-                                uniformRates(*torus().surface, static_cast<int>(state.range(0))), false));
-    const EmbreeScene embree(meshes);
-    const std::vector<TracedObject> objects{
-        {&torus().scene.objects[0], torus().relief, torus().surface.get(), &meshes[0]}};
-    const auto render = [&] {
-        RayCounts rays;
+    EmbreeScene embree, bare;
+    std::vector<TracedObject> objects;
+    Frame frame;
+    std::vector<Vec3f> shadowOrigins;
+    CameraRays rays;
+
+    explicit TracedTorus(int rate)
+        : meshes(makeMeshes(rate)), embree(meshes),
+          bare(meshes, LeakGuard::Off), objects{{&torus().scene.objects[0], torus().relief,
+                                                 torus().surface.get(), &meshes[0]}},
+          frame(render()), shadowOrigins(shadowRayOrigins(frame, toLight())), rays(torus().scene.camera) {}
+
+    static std::vector<MicroMesh> makeMeshes(int rate) {
+        std::vector<MicroMesh> meshes;
+        meshes.push_back(
+            tessellate(*torus().surface, torus().relief, uniformRates(*torus().surface, rate), false));
+        return meshes;
+    }
+    static Vec3 toLight() { return torus().scene.lights[0].toLightWorld; }
+    Frame render() const {
+        RayCounts counts;
         FrameEvidence evidence;
-        return traceFrame(torus().scene, objects, embree, rays, evidence);
-    };
-    const Frame frame = render();
-    const auto width = static_cast<size_t>(frame.width());
-    const CameraRays rays(torus().scene.camera);
-    const Vec3 toLight = torus().scene.lights[0].toLightWorld;
-    const std::vector<Vec3f> shadowOrigins = shadowRayOrigins(frame, toLight);
-    runPaired(
-        state, static_cast<double>(frame.pixelCount() + shadowOrigins.size()),
-        [&] { benchmark::DoNotOptimize(render()); },
-        [&] {
-            forEachFlushed(frame.pixelCount(), [&](size_t i) {
-                const Ray ray = rays.ray(double(i % width) + 0.5, double(i / width) + 0.5);
-                benchmark::DoNotOptimize(embree.intersect(ray.origin, ray.direction));
-            });
-            forEachFlushed(shadowOrigins.size(), [&](size_t i) {
-                benchmark::DoNotOptimize(embree.occluded(shadowOrigins[i], toLight, kInfinityF));
-            });
+        return traceFrame(torus().scene, objects, embree, counts, evidence);
+    }
+    /// The frame's rays with nothing around them.
+    void traceRays(const EmbreeScene& scene) const {
+        const auto width = static_cast<size_t>(frame.width());
+        forEachFlushed(frame.pixelCount(), [&](size_t i) {
+            const Ray ray = rays.ray(double(i % width) + 0.5, double(i / width) + 0.5);
+            benchmark::DoNotOptimize(scene.intersect(ray.origin, ray.direction));
         });
+        forEachFlushed(shadowOrigins.size(), [&](size_t i) {
+            benchmark::DoNotOptimize(scene.occluded(shadowOrigins[i], toLight(), kInfinityF));
+        });
+    }
+    double rayCount() const { return static_cast<double>(frame.pixelCount() + shadowOrigins.size()); }
+};
+
+/// The frame's rays, none of which slips through at a vertex. Bare: Embree alone.
+void raysStage(benchmark::State& state) {
+    const TracedTorus traced(static_cast<int>(state.range(0)));
+    runPaired(
+        state, traced.rayCount(), [&] { traced.traceRays(traced.embree); },
+        [&] { traced.traceRays(traced.bare); });
+}
+
+/// The whole frame: rays, hits in double, moved onto the surface, normals by second derivatives, colour. Bare: Embree's rays alone.
+void traceStage(benchmark::State& state) {
+    const TracedTorus traced(static_cast<int>(state.range(0)));
+    runPaired(
+        state, traced.rayCount(), [&] { benchmark::DoNotOptimize(traced.render()); },
+        [&] { traced.traceRays(traced.bare); });
 }
 
 /// Prints and keeps the medians.
@@ -167,8 +192,10 @@ class KeepingReporter : public benchmark::ConsoleReporter {
 } // namespace
 
 void registerStageBenchmarks() {
-    const std::pair<const char*, benchmark::internal::Function*> stages[] = {
-        {"tessellate", tessellateStage}, {"embree_build", buildStage}, {"trace", traceStage}};
+    const std::pair<const char*, benchmark::internal::Function*> stages[] = {{"tessellate", tessellateStage},
+                                                                             {"embree_build", buildStage},
+                                                                             {"rays", raysStage},
+                                                                             {"trace", traceStage}};
     for (const auto& [name, function] : stages)
         for (const int rate : kRates)
             benchmark::RegisterBenchmark(name, function)

@@ -69,5 +69,27 @@ TEST(MapDeviation, NoSampleIsAboveTheBoundAndTheBoundIsNear) {
     EXPECT_GT(tightest, 0.99);
 }
 
+TEST(MapDeviation, WhatIsEnoughHidesNothingThatIsMore) {
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> unit(0, 1);
+    int hidden = 0, exact = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<float> depths(48);
+        for (float& depth : depths)
+            depth = static_cast<float>(0.5 + 0.5 * unit(random) * (trial % 2 ? 0.1 : 1));
+        const HeightMap map("random", 8, 6, depths);
+        const Vec2 origin(20 * unit(random) - 10, 20 * unit(random) - 10);
+        const Vec2 u(1.2 * unit(random), 0.3 * unit(random)), v(-0.3 * unit(random), 1.2 * unit(random));
+        const MapPoint a = on(map, origin), b = on(map, origin + u), c = on(map, origin + v),
+                       d = on(map, origin + u + v);
+        const double whole = cellDeviation(map, a, b, c, d), enough = 0.2 * unit(random);
+        const double cut = cellDeviation(map, a, b, c, d, enough);
+        EXPECT_EQ(std::max(cut, enough), std::max(whole, enough)) << "trial " << trial;
+        (cut == whole ? exact : hidden) += 1;
+    }
+    EXPECT_GT(hidden, 100);
+    EXPECT_GT(exact, 100);
+}
+
 } // namespace
 } // namespace plumbline
