@@ -1,5 +1,6 @@
 #include "certify.h"
 
+#include "../scenes/nearest_rank.h"
 #include "edge_screen.h"
 #include "uncertain.h"
 
@@ -12,43 +13,26 @@ namespace plumbline {
 
 namespace {
 
-/// Nearest rank: the smallest value that at least `percent` % don't exceed. Reorders; 0 of none.
+/// By nearest rank. Reorders; 0 of none.
 double percentile(std::vector<float>& values, unsigned percent) {
     if (values.empty()) return 0;
-    const size_t rank = (values.size() * percent + 99) / 100;
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(rank - 1);
+    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
     std::nth_element(values.begin(), nth, values.end());
     return *nth;
 }
 
-/// Errors in pixels where the frame shows something; 0 elsewhere.
-std::vector<float> errorsPx(const Scene& scene, const FrameEvidence& evidence, const Frame& frame) {
-    const Screen screen = Screen::ofCamera(scene.camera);
-    const auto x = frame.channel("P.X"), y = frame.channel("P.Y"), z = frame.channel("P.Z"),
-               id = frame.channel("id");
-    std::vector<float> errors(frame.pixelCount(), 0);
-    for (size_t pixel = 0; pixel < errors.size(); ++pixel)
-        if (id[pixel] != 0)
-            errors[pixel] =
-                static_cast<float>(evidence.errorWorld[pixel] *
-                                   screen.pixelsPerWorld(screen.project({x[pixel], y[pixel], z[pixel]})));
-    return errors;
-}
-
-class FrameCertifier {
+class UncertainMarker {
   public:
-    FrameCertifier(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
-                   const FrameEvidence& evidence, Frame& frame, Certificate& certificate)
-        : scene_(scene), embree_(embree), evidence_(evidence), frame_(frame),
-          certificate_(certificate), positions_{frame.channel("P.X"), frame.channel("P.Y"),
-                                                frame.channel("P.Z")} {
+    UncertainMarker(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                    const FrameEvidence& evidence, Frame& frame)
+        : scene_(scene), embree_(embree), evidence_(evidence),
+          frame_(frame), positions_{frame.channel("P.X"), frame.channel("P.Y"), frame.channel("P.Z")} {
         contours_.reserve(objects.size());
         for (const TracedObject& object : objects)
             contours_.emplace_back(*object.mesh);
     }
 
-    void certify() {
-        measure();
+    void mark() {
         markCoverage();
         for (size_t i = 0; i < scene_.lights.size(); ++i)
             markShadow(i);
@@ -59,23 +43,6 @@ class FrameCertifier {
         return {positions_[0][pixel], positions_[1][pixel], positions_[2][pixel]};
     }
 
-    void measure() {
-        const auto id = frame_.channel("id");
-        const std::vector<float> all = errorsPx(scene_, evidence_, frame_);
-        std::vector<float> world, px;
-        for (size_t pixel = 0; pixel < frame_.pixelCount(); ++pixel) {
-            if (id[pixel] == 0) continue;
-            world.push_back(evidence_.errorWorld[pixel]);
-            px.push_back(all[pixel]);
-        }
-        certificate_.worldP50 = percentile(world, 50);
-        certificate_.worldP99 = percentile(world, 99);
-        certificate_.worldMax = percentile(world, 100);
-        certificate_.pxP50 = percentile(px, 50);
-        certificate_.pxP99 = percentile(px, 99);
-        certificate_.pxMax = percentile(px, 100);
-    }
-
     void markCoverage() {
         const std::span<float> uncertain = frame_.add("uncertain");
         otherSheet_.assign(frame_.pixelCount(), 0);
@@ -83,8 +50,6 @@ class FrameCertifier {
             if (evidence_.otherObject[pixel]) uncertain[pixel] = otherSheet_[pixel] = 1;
         markUncertainCoverage(scene_.camera, contours_, embree_, frame_.channel("id"), uncertain,
                               otherSheet_);
-        certificate_.uncertainPixels =
-            static_cast<uint64_t>(std::count(uncertain.begin(), uncertain.end(), 1.0f));
     }
 
     void markShadow(size_t light) {
@@ -103,15 +68,12 @@ class FrameCertifier {
                                   evidence_.errorWorld[pixel], shadow[pixel] != 0});
         }
         markUncertainShadow(scene_.lights[light], contours_, embree_, points, uncertain);
-        certificate_.uncertainShadowPixels[name] =
-            static_cast<uint64_t>(std::count(uncertain.begin(), uncertain.end(), 1.0f));
     }
 
     const Scene& scene_;
     const EmbreeScene& embree_;
     const FrameEvidence& evidence_;
     Frame& frame_;
-    Certificate& certificate_;
     std::array<std::span<const float>, 3> positions_;
     std::vector<ContourFinder> contours_; // per object
     std::vector<float> otherSheet_;
@@ -119,16 +81,45 @@ class FrameCertifier {
 
 } // namespace
 
-FaceErrorsPx measureFaces(const Scene& scene, const std::vector<TracedObject>& objects,
-                          const FrameEvidence& evidence, const Frame& frame) {
+std::vector<float> errorsPx(const Camera& camera, const FrameEvidence& evidence, const Frame& frame) {
+    const Screen screen = Screen::ofCamera(camera);
+    const auto x = frame.channel("P.X"), y = frame.channel("P.Y"), z = frame.channel("P.Z"),
+               id = frame.channel("id");
+    std::vector<float> errors(frame.pixelCount(), 0);
+    for (size_t pixel = 0; pixel < errors.size(); ++pixel)
+        if (id[pixel] != 0)
+            errors[pixel] =
+                static_cast<float>(evidence.errorWorld[pixel] *
+                                   screen.pixelsPerWorld(screen.project({x[pixel], y[pixel], z[pixel]})));
+    return errors;
+}
+
+void measureCertificate(const Frame& frame, const FrameEvidence& evidence, const std::vector<float>& errorsPx,
+                        Certificate& certificate) {
+    const auto id = frame.channel("id");
+    std::vector<float> world, px;
+    for (size_t pixel = 0; pixel < frame.pixelCount(); ++pixel) {
+        if (id[pixel] == 0) continue;
+        world.push_back(evidence.errorWorld[pixel]);
+        px.push_back(errorsPx[pixel]);
+    }
+    certificate.worldP50 = percentile(world, 50);
+    certificate.worldP99 = percentile(world, 99);
+    certificate.worldMax = percentile(world, 100);
+    certificate.pxP50 = percentile(px, 50);
+    certificate.pxP99 = percentile(px, 99);
+    certificate.pxMax = percentile(px, 100);
+}
+
+FaceErrorsPx measureFaces(const std::vector<TracedObject>& objects, const Frame& frame,
+                          const FrameEvidence& evidence, const std::vector<float>& errorsPx) {
     std::vector<std::vector<std::vector<float>>> errors; // per object, per face
     for (const TracedObject& object : objects)
         errors.emplace_back(static_cast<size_t>(object.surface->mesh().faceCount()));
     const auto id = frame.channel("id");
-    const std::vector<float> all = errorsPx(scene, evidence, frame);
-    for (size_t pixel = 0; pixel < all.size(); ++pixel)
+    for (size_t pixel = 0; pixel < errorsPx.size(); ++pixel)
         if (id[pixel] != 0)
-            errors[static_cast<size_t>(id[pixel]) - 1][evidence.face[pixel]].push_back(all[pixel]);
+            errors[static_cast<size_t>(id[pixel]) - 1][evidence.face[pixel]].push_back(errorsPx[pixel]);
     FaceErrorsPx result;
     for (auto& ofObject : errors) {
         result.emplace_back();
@@ -138,9 +129,9 @@ FaceErrorsPx measureFaces(const Scene& scene, const std::vector<TracedObject>& o
     return result;
 }
 
-void certifyFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
-                  const FrameEvidence& evidence, Frame& frame, Certificate& certificate) {
-    FrameCertifier(scene, objects, embree, evidence, frame, certificate).certify();
+void markUncertain(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                   const FrameEvidence& evidence, Frame& frame) {
+    UncertainMarker(scene, objects, embree, evidence, frame).mark();
 }
 
 } // namespace plumbline

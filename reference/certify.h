@@ -10,12 +10,19 @@
 
 namespace plumbline {
 
-/// The error seen of each face, px: what 99 % of its pixels don't exceed; 0 for a face that isn't seen. Per object, per face.
-FaceErrorsPx measureFaces(const Scene& scene, const std::vector<TracedObject>& objects,
-                          const FrameEvidence& evidence, const Frame& frame);
+/// The error of each pixel in pixels, as seen by the camera; 0 where the frame shows nothing.
+std::vector<float> errorsPx(const Camera& camera, const FrameEvidence& evidence, const Frame& frame);
 
-/// Adds `uncertain` and `uncertain.shadow.<light>` to the frame. The certificate's aim and limit are left as they are.
-void certifyFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
-                  const FrameEvidence& evidence, Frame& frame, Certificate& certificate);
+/// The certificate's figures; its aim and limit are left as they are.
+void measureCertificate(const Frame& frame, const FrameEvidence& evidence, const std::vector<float>& errorsPx,
+                        Certificate& certificate);
+
+/// The error seen of each face, px: what 99 % of its pixels don't exceed; 0 for a face that isn't seen. Per object, per face.
+FaceErrorsPx measureFaces(const std::vector<TracedObject>& objects, const Frame& frame,
+                          const FrameEvidence& evidence, const std::vector<float>& errorsPx);
+
+/// Adds `uncertain` and `uncertain.shadow.<light>` to the frame.
+void markUncertain(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                   const FrameEvidence& evidence, Frame& frame);
 
 } // namespace plumbline

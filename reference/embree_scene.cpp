@@ -151,6 +151,10 @@ EmbreeScene::EmbreeScene(const std::vector<MicroMesh>& meshes, LeakGuard guard)
     : impl_(std::make_unique<Impl>(meshes, guard)) {}
 EmbreeScene::~EmbreeScene() = default;
 
+float EmbreeScene::largestCoordinate() const {
+    return impl_->largestCoordinate;
+}
+
 std::optional<EmbreeScene::Hit> EmbreeScene::intersect(const Vec3f& origin, const Vec3f& direction) const {
     const Impl::Trace straight = impl_->trace(origin, direction);
     const auto result = [](const Impl::Trace& trace) {

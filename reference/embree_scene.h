@@ -26,6 +26,9 @@ class EmbreeScene {
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
+    /// Largest coordinate of a vertex, either sign; world units.
+    float largestCoordinate() const;
+
     struct Hit {
         uint32_t object; // index into the meshes
         uint32_t grid;   // of that mesh

@@ -1,5 +1,6 @@
 #include "face_error.h"
 
+#include "../scenes/nearest_rank.h"
 #include "tile.h"
 
 #include <algorithm>
@@ -8,16 +9,7 @@
 namespace plumbline {
 
 FaceErrorProbe::FaceErrorProbe(const BaseSurface& surface, const Relief* relief)
-    : surface_(surface), relief_(relief), firstPatch_(static_cast<size_t>(surface.mesh().faceCount()), -1) {
-    size_t corner = 0;
-    for (const int size : surface.mesh().faceSizes) {
-        firstCorner_.push_back(corner);
-        corner += static_cast<size_t>(size);
-    }
-    for (size_t p = 0; p < surface.patches().size(); ++p)
-        if (surface.patches()[p].corner == 0)
-            firstPatch_[static_cast<size_t>(surface.patches()[p].face)] = static_cast<int>(p);
-}
+    : surface_(surface), relief_(relief), firstCorner_(surface.mesh().firstCorners()) {}
 
 Vec2 FaceErrorProbe::texelsAcross(size_t face) const {
     if (!relief_) return Vec2(0);
@@ -34,14 +26,6 @@ Vec2 FaceErrorProbe::texelsAcross(size_t face) const {
     }
     if (!isSquare(face)) texels.y = texels.x;
     return texels;
-}
-
-PatchLattice FaceErrorProbe::latticeAt(size_t face, const Vec2i& rate) const {
-    const BaseSurface::Patch& patch = first(face);
-    const Vec2i cells = patch.subFace ? rate / 2 : rate;
-    const auto columns = static_cast<uint16_t>(cells.x), rows = static_cast<uint16_t>(cells.y);
-    if (patch.triangular) return {columns, columns, {columns, columns, columns, columns}, true};
-    return {columns, rows, {columns, rows, columns, rows}, false};
 }
 
 MeasuredError FaceErrorProbe::measure(int patch, const PatchLattice& lattice, int blockColumn, int blockRow,
@@ -62,14 +46,15 @@ MeasuredError FaceErrorProbe::measure(int patch, const PatchLattice& lattice, in
 
 MeasuredError FaceErrorProbe::typicalWorst(size_t face, const Vec2i& rate,
                                            BaseSurface::Evaluator& evaluator) const {
-    const PatchLattice lattice = latticeAt(face, rate);
+    const PatchLattice lattice = latticeOf(first(face), rate);
     const int patches = first(face).subFace ? surface_.mesh().faceSizes[face] : 1;
+    const int firstPatch = surface_.firstPatch(static_cast<int>(face));
     std::vector<MeasuredError> errors;
-    for (int patch = firstPatch_[face]; patch < firstPatch_[face] + patches; ++patch)
+    for (int patch = firstPatch; patch < firstPatch + patches; ++patch)
         for (int row = 0; row < blocksAlong(lattice.rows); ++row)
             for (int column = 0; column < blocksInRow(lattice, row); ++column)
                 errors.push_back(measure(patch, lattice, column, row, evaluator));
-    const auto nth = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() * 98 + 99) / 100 - 1);
+    const auto nth = errors.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(errors.size(), 98));
     std::nth_element(errors.begin(), nth, errors.end(),
                      [](const MeasuredError& a, const MeasuredError& b) { return a.world < b.world; });
     return *nth;
@@ -77,7 +62,7 @@ MeasuredError FaceErrorProbe::typicalWorst(size_t face, const Vec2i& rate,
 
 MeasuredError FaceErrorProbe::worstWithin(const PatchRegion& region, size_t face, const Vec2i& rate,
                                           BaseSurface::Evaluator& evaluator) const {
-    const PatchLattice lattice = latticeAt(face, rate);
+    const PatchLattice lattice = latticeOf(first(face), rate);
     const Vec2 blocks = Vec2(lattice.columns, lattice.rows) / double(kGridCells);
     const auto firstBlock = [](double at) { return static_cast<int>(std::floor(at)); };
     const auto lastBlock = [](double at) { return std::max(static_cast<int>(std::ceil(at)) - 1, 0); };

@@ -20,12 +20,11 @@ struct MeasuredError {
     PatchRegion region; // the grid that has it
 };
 
-/// Of one object. Safe to use from many threads.
+/// Of one object; only for faces that have a limit. Safe to use from many threads.
 class FaceErrorProbe {
   public:
     FaceErrorProbe(const BaseSurface& surface, const Relief* relief);
 
-    bool hasSurface(size_t face) const { return firstPatch_[face] >= 0; }
     /// One square patch, which may have other rates along u than along v.
     bool isSquare(size_t face) const { return !first(face).triangular && !first(face).subFace; }
     int smallestRate(size_t face) const { return first(face).subFace ? 2 : 1; }
@@ -40,15 +39,13 @@ class FaceErrorProbe {
 
   private:
     const BaseSurface::Patch& first(size_t face) const {
-        return surface_.patches()[static_cast<size_t>(firstPatch_[face])];
+        return surface_.patches()[static_cast<size_t>(surface_.firstPatch(static_cast<int>(face)))];
     }
-    PatchLattice latticeAt(size_t face, const Vec2i& rate) const;
     MeasuredError measure(int patch, const PatchLattice& lattice, int blockColumn, int blockRow,
                           BaseSurface::Evaluator& evaluator) const;
 
     const BaseSurface& surface_;
     const Relief* relief_;
-    std::vector<int> firstPatch_;     // per face; -1 if it has no surface
     std::vector<size_t> firstCorner_; // per face, into the mesh's faceUvs
 };
 

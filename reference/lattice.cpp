@@ -22,26 +22,32 @@ void forEachFace(const BaseSurface& surface, Visit visit) {
         if (patch.corner == 0) visit(patch.face, patch);
 }
 
-PatchLattice latticeOf(const BaseSurface& surface, const Rates& rates, const BaseSurface::Patch& patch) {
-    const Vec2i faceRate = rates.faces[static_cast<size_t>(patch.face)];
+/// With the sides its edges have. A sub-face has half of two edges, and two spokes that only its own face sees.
+PatchLattice latticeBetween(const BaseSurface& surface, const Rates& rates, const BaseSurface::Patch& patch) {
+    PatchLattice lattice = latticeOf(patch, rates.faces[static_cast<size_t>(patch.face)]);
     const std::span<const int> edges = surface.faceEdges(patch.face);
     const auto edgeRate = [&](size_t k) {
         return static_cast<uint16_t>(rates.edges[static_cast<size_t>(edges[k])]);
     };
-    const auto columns = static_cast<uint16_t>(faceRate.x), rows = static_cast<uint16_t>(faceRate.y);
-    if (patch.triangular) return {columns, columns, {edgeRate(0), edgeRate(1), edgeRate(2), columns}, true};
-    if (!patch.subFace) return {columns, rows, {edgeRate(0), edgeRate(1), edgeRate(2), edgeRate(3)}, false};
-    // A sub-face has half of two edges, and two spokes that only its own face sees.
-    const size_t k = static_cast<size_t>(patch.corner), previous = (k + edges.size() - 1) % edges.size();
-    const auto half = static_cast<uint16_t>(columns / 2);
-    return {
-        half,
-        half,
-        {static_cast<uint16_t>(edgeRate(k) / 2), half, half, static_cast<uint16_t>(edgeRate(previous) / 2)},
-        false};
+    if (patch.subFace) {
+        const size_t k = static_cast<size_t>(patch.corner), previous = (k + edges.size() - 1) % edges.size();
+        lattice.sides[0] = static_cast<uint16_t>(edgeRate(k) / 2);
+        lattice.sides[3] = static_cast<uint16_t>(edgeRate(previous) / 2);
+    } else {
+        for (size_t k = 0; k < edges.size(); ++k)
+            lattice.sides[k] = edgeRate(k);
+    }
+    return lattice;
 }
 
 } // namespace
+
+PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate) {
+    const Vec2i cells = patch.subFace ? faceRate / 2 : faceRate;
+    const auto columns = static_cast<uint16_t>(cells.x);
+    const auto rows = static_cast<uint16_t>(patch.triangular ? cells.x : cells.y);
+    return {columns, rows, {columns, rows, columns, rows}, patch.triangular};
+}
 
 MicroMeshSize sizeOf(const PatchLattice& lattice) {
     MicroMeshSize size;
@@ -103,14 +109,14 @@ std::vector<PatchLattice> patchLattices(const BaseSurface& surface, const Rates&
     std::vector<PatchLattice> lattices;
     lattices.reserve(surface.patches().size());
     for (const BaseSurface::Patch& patch : surface.patches())
-        lattices.push_back(latticeOf(surface, rates, patch));
+        lattices.push_back(latticeBetween(surface, rates, patch));
     return lattices;
 }
 
 MicroMeshSize microMeshSize(const BaseSurface& surface, const Rates& rates) {
     MicroMeshSize total;
     for (const BaseSurface::Patch& patch : surface.patches()) {
-        const MicroMeshSize size = sizeOf(latticeOf(surface, rates, patch));
+        const MicroMeshSize size = sizeOf(latticeBetween(surface, rates, patch));
         total.microTriangles += size.microTriangles;
         total.vertices += size.vertices;
         total.grids += size.grids;

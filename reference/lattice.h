@@ -90,6 +90,9 @@ int smallestRate(const BaseSurface& surface);
 
 /// `faceRates` as Rates::faces; fills in the edges.
 Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates);
+/// The lattice of a patch at its face's rates (Rates::faces), no side of it coarser.
+PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate);
+
 /// The same rate everywhere, but for faces that need more.
 Rates uniformRates(const BaseSurface& surface, int rate);
 

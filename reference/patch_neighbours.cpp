@@ -6,43 +6,15 @@ namespace plumbline {
 
 PatchNeighbours::PatchNeighbours(const BaseSurface& surface)
     : surface_(surface), sides_(static_cast<size_t>(surface.edgeCount())),
-      crowded_(static_cast<size_t>(surface.edgeCount()), false),
-      firstPatch_(static_cast<size_t>(surface.mesh().faceCount()), -1) {
-    const auto& patches = surface.patches();
-    for (int p = 0; p < static_cast<int>(patches.size()); ++p) {
-        const BaseSurface::Patch& patch = patches[static_cast<size_t>(p)];
-        if (patch.corner != 0) continue;
-        firstPatch_[static_cast<size_t>(patch.face)] = p;
+      crowded_(static_cast<size_t>(surface.edgeCount()), false) {
+    for (int face = 0; face < surface.mesh().faceCount(); ++face) {
+        if (!surface.hasLimit(face)) continue;
         int k = 0;
-        for (const int edge : surface.faceEdges(patch.face)) {
+        for (const int edge : surface.faceEdges(face)) {
             auto& [first, second] = sides_[static_cast<size_t>(edge)];
             if (second.face >= 0) crowded_[static_cast<size_t>(edge)] = true;
-            (first.face < 0 ? first : second) = {patch.face, k++};
+            (first.face < 0 ? first : second) = {face, k++};
         }
-    }
-}
-
-PatchPlace PatchNeighbours::placeAt(int face, int k, double along, double inside) const {
-    const int first = firstPatch_[static_cast<size_t>(face)];
-    const BaseSurface::Patch& patch = surface_.patches()[static_cast<size_t>(first)];
-    if (patch.subFace) {
-        const int size = static_cast<int>(surface_.faceVertices(face).size());
-        return along <= 0.5 ? PatchPlace{first + k, {2 * along, 2 * inside}}
-                            : PatchPlace{first + (k + 1) % size, {2 * inside, 2 * (1 - along)}};
-    }
-    if (patch.triangular)
-        return {first, k == 0   ? Vec2(along, inside)
-                       : k == 1 ? Vec2(1 - along - inside, along)
-                                : Vec2(inside, 1 - along)};
-    switch (k) {
-    case 0:
-        return {first, {along, inside}};
-    case 1:
-        return {first, {1 - inside, along}};
-    case 2:
-        return {first, {1 - along, 1 - inside}};
-    default:
-        return {first, {inside, 1 - along}};
     }
 }
 
@@ -54,7 +26,7 @@ std::optional<PatchPlace> PatchNeighbours::acrossEdge(int face, int k, double al
     if (other.face < 0) return std::nullopt;
     const bool sameWay = surface_.faceVertices(other.face)[static_cast<size_t>(other.k)] ==
                          surface_.faceVertices(face)[static_cast<size_t>(k)];
-    return placeAt(other.face, other.k, sameWay ? along : 1 - along, inside);
+    return placeOnEdge(surface_, other.face, other.k, sameWay ? along : 1 - along, inside);
 }
 
 std::optional<PatchPlace> PatchNeighbours::beyond(int patchIndex, const Vec2& uv) const {
@@ -76,7 +48,7 @@ std::optional<PatchPlace> PatchNeighbours::beyond(int patchIndex, const Vec2& uv
         return acrossEdge(patch.face, side, along[side], inside);
     }
     const int size = static_cast<int>(surface_.faceVertices(patch.face).size());
-    const int first = firstPatch_[static_cast<size_t>(patch.face)];
+    const int first = surface_.firstPatch(patch.face);
     const int next = first + (patch.corner + 1) % size, previous = (patch.corner + size - 1) % size;
     switch (side) {
     case 0:

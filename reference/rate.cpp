@@ -70,7 +70,8 @@ class LadderBuilder {
         tbb::parallel_for(tbb::blocked_range<size_t>(0, places_.size()), [&](const auto& faces) {
             BaseSurface::Evaluator evaluator(surface_);
             for (size_t face = faces.begin(); face < faces.end(); ++face)
-                if (probe_.hasSurface(face)) extend(ladders[face], face, errorPx, evaluator);
+                if (surface_.hasLimit(static_cast<int>(face)))
+                    extend(ladders[face], face, errorPx, evaluator);
         });
     }
 

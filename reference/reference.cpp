@@ -56,7 +56,6 @@ struct ReferenceScene::Impl {
     std::vector<MicroMesh> meshes;
     std::unique_ptr<EmbreeScene> embree;
     std::unique_ptr<RatePlanner> planner; // null: one rate for all
-    FaceErrorsPx faceErrorsPx;            // of the last run
 
     Impl(const Scene& sceneGiven, const ReferenceOptions& optionsGiven)
         : scene(sceneGiven), options(optionsGiven) {
@@ -113,12 +112,11 @@ struct ReferenceScene::Impl {
     }
 
     Frame render() {
-        Frame frame = traceOnce();
+        TracedFrame traced = trace();
         int run = 1;
-        while (run < kMostRuns && isAboveAim() && stats.certificate.limit.empty() &&
-               planner->refine(faceErrorsPx)) {
+        while (run < kMostRuns && isAboveAim() && stats.certificate.limit.empty() && refinePlan(traced)) {
             build();
-            frame = traceOnce();
+            traced = trace();
             ++run;
         }
         if (!isAboveAim())
@@ -127,29 +125,47 @@ struct ReferenceScene::Impl {
             stats.certificate.limit = run == kMostRuns
                                           ? fmt::format("{} runs, each finer than the last", kMostRuns)
                                           : "places that finer micro-triangles come no closer to";
-        describe(frame);
-        return frame;
+        const Stopwatch watch;
+        markUncertain(scene, tracedObjects(), *embree, traced.evidence, traced.frame);
+        stats.certifyMs += watch.elapsedMs();
+        describe(traced.frame);
+        return std::move(traced.frame);
     }
 
     bool isAboveAim() const { return stats.certificate.pxP99 > options.errorPx; }
 
-    Frame traceOnce() {
-        const Stopwatch watch;
-        std::vector<TracedObject> objects;
-        for (size_t i = 0; i < meshes.size(); ++i)
-            objects.push_back({&scene.objects[i], reliefOf(i), surfaces[i].get(), &meshes[i]});
-        RayCounts counts;
+    struct TracedFrame {
+        Frame frame;
         FrameEvidence evidence;
-        Frame frame = traceFrame(scene, objects, *embree, counts, evidence);
+        std::vector<float> errorsPx;
+    };
+
+    /// The frame but for what is uncertain, and its certificate.
+    TracedFrame trace() {
+        const Stopwatch watch;
+        TracedFrame traced;
+        RayCounts counts;
+        traced.frame = traceFrame(scene, tracedObjects(), *embree, counts, traced.evidence);
         stats.traceMs += watch.elapsedMs();
         const Stopwatch certifyWatch;
-        if (planner) faceErrorsPx = measureFaces(scene, objects, evidence, frame);
-        certifyFrame(scene, objects, *embree, evidence, frame, stats.certificate);
+        traced.errorsPx = errorsPx(scene.camera, traced.evidence, traced.frame);
+        measureCertificate(traced.frame, traced.evidence, traced.errorsPx, stats.certificate);
         stats.certifyMs += certifyWatch.elapsedMs();
         stats.cameraRays = counts.camera;
         stats.shadowRays = counts.shadow;
-        stats.unpolishedHits = counts.unpolished;
-        return frame;
+        return traced;
+    }
+
+    /// Whether the next run can be finer where this one was above the aim.
+    bool refinePlan(const TracedFrame& traced) {
+        return planner->refine(measureFaces(tracedObjects(), traced.frame, traced.evidence, traced.errorsPx));
+    }
+
+    std::vector<TracedObject> tracedObjects() const {
+        std::vector<TracedObject> objects;
+        for (size_t i = 0; i < meshes.size(); ++i)
+            objects.push_back({&scene.objects[i], reliefOf(i), surfaces[i].get(), &meshes[i]});
+        return objects;
     }
 
     void describe(Frame& frame) const {

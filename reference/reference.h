@@ -37,9 +37,7 @@ struct Certificate {
     double worldP50 = 0, worldP99 = 0, worldMax = 0; // world units
     double pxP50 = 0, pxP99 = 0, pxMax = 0; // pixels: seen from the camera, as if across the line of sight
     double aimPx = 0;                       // what pxP99 was to be
-    std::string limit;            // why pxP99 is above the aim ("--memory 256 MB"); empty if it isn't
-    uint64_t uncertainPixels = 0; // pixels of the channel `uncertain`
-    std::map<std::string, uint64_t> uncertainShadowPixels; // by light, of `uncertain.shadow.<light>`
+    std::string limit; // why pxP99 is above the aim ("--memory 256 MB"); empty if it isn't
 };
 
 struct ReferenceStats {
@@ -47,8 +45,7 @@ struct ReferenceStats {
     uint64_t microTriangles = 0;
     double tessellateMs = 0, buildMs = 0, traceMs = 0, certifyMs = 0;
     uint64_t cameraRays = 0, shadowRays = 0;
-    uint64_t unpolishedHits = 0; // stayed on their micro-triangle: no point of the surface was found near it
-    uint64_t geometryBytes = 0;  // micro-triangles, estimated acceleration structure included
+    uint64_t geometryBytes = 0; // micro-triangles, estimated acceleration structure included
     struct Object {
         std::string name;
         int rate;       // segments per control edge, the most of a face

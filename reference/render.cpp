@@ -55,7 +55,7 @@ class FrameTracer {
   public:
     FrameTracer(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree)
         : scene_(scene), objects_(objects), embree_(embree), rays_(scene.camera),
-          frame_(scene.camera.width, scene.camera.height) {
+          frame_(scene.camera.width, scene.camera.height), largestCoordinate_(embree.largestCoordinate()) {
         for (const char* name :
              {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S", "st.T", "id"})
             channels_.push_back(frame_.add(name).data());
@@ -65,9 +65,6 @@ class FrameTracer {
             neighbours_.emplace_back(*object.surface);
             for (const MicroGrid& grid : object.mesh->grids)
                 largestError_ = std::max(largestError_, grid.errorWorld);
-            for (const Vec3f& position : object.mesh->positionsWorld)
-                largestCoordinate_ = std::max(
-                    {largestCoordinate_, std::abs(position.x), std::abs(position.y), std::abs(position.z)});
         }
         evidence_.errorWorld.assign(frame_.pixelCount(), 0);
         evidence_.face.assign(frame_.pixelCount(), 0);
@@ -143,7 +140,7 @@ class FrameTracer {
 
     /// Writes the pixels of all hits.
     void shadeBand(const std::vector<PixelHit>& hits, RayCounts& counts) {
-        std::atomic<uint64_t> shadowRays = 0, unpolished = 0;
+        std::atomic<uint64_t> shadowRays = 0;
         tbb::parallel_for(tbb::blocked_range<size_t>(0, hits.size(), 1024),
                           [&](const tbb::blocked_range<size_t>& range) {
                               const FlushDenormals flush;
@@ -159,10 +156,8 @@ class FrameTracer {
                                   shade(hit, *polisher, here);
                               }
                               shadowRays += here.shadow;
-                              unpolished += here.unpolished;
                           });
         counts.shadow += shadowRays;
-        counts.unpolished += unpolished;
     }
 
     double errorOf(const PixelHit& hit) const {
@@ -170,7 +165,7 @@ class FrameTracer {
     }
 
     /// The surface at a hit; the micro-triangle's place where it can't be moved onto the surface.
-    SurfaceSample surfaceAt(const PixelHit& hit, Polisher& polisher, double side, RayCounts& counts) {
+    SurfaceSample surfaceAt(const PixelHit& hit, Polisher& polisher, double side) {
         const Ray ray = rayOf(hit.pixel);
         const double cosine = std::max(std::abs(glm::dot(hit.facetNormal, ray.direction)), kGrazingCosine);
         const double reach = kPolishReach * errorOf(hit) / cosine;
@@ -179,7 +174,6 @@ class FrameTracer {
             evidence_.unsettled[hit.pixel] = 1;
             return polisher.first(ray, *polished, reach).sample;
         }
-        ++counts.unpolished;
         evidence_.unsettled[hit.pixel] = 1;
         SurfaceSample sample = polisher.sampleAt(hit.place);
         sample.displaced.position = hit.position;
@@ -249,7 +243,7 @@ class FrameTracer {
         const SceneObject& object = *objects_[hit.object].object;
         // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the facet faces.
         const double side = glm::dot(hit.facetNormal, rays_.towardsCamera(hit.position)) < 0 ? -1 : 1;
-        const SurfaceSample sampled = surfaceAt(hit, polisher, side, counts);
+        const SurfaceSample sampled = surfaceAt(hit, polisher, side);
         const DisplacedSample& surface = sampled.displaced;
         const Vec3 facing = side * surface.normal;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
@@ -322,7 +316,7 @@ class FrameTracer {
     FrameEvidence evidence_;
     std::vector<PatchNeighbours> neighbours_; // per object
     std::vector<float*> channels_, shadows_;
-    float largestCoordinate_ = 0, largestError_ = 0;
+    float largestCoordinate_, largestError_ = 0;
 };
 
 } // namespace

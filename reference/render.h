@@ -19,7 +19,6 @@ struct TracedObject {
 
 struct RayCounts {
     uint64_t camera = 0, shadow = 0;
-    uint64_t unpolished = 0; // hits that stayed on their micro-triangle
 };
 
 /// What is known of a frame's pixels beyond its channels.

@@ -1,6 +1,7 @@
 #include "shared_vertices.h"
 
 #include "../scenes/displaced_surface.h"
+#include "../scenes/patch_place.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -14,34 +15,6 @@ namespace {
 // Under Seams::Open faces agree about a place when they put it less than this apart, as a fraction of its coordinates: far above
 // the rounding of two evaluations (2^-50) and below what a float tells apart.
 constexpr double kSamePlace = 0x1p-30;
-
-struct PatchPoint {
-    int patch;
-    double u, v;
-};
-
-/// The point `step` of `rate` segments along edge k of a face.
-PatchPoint edgePoint(const BaseSurface::Patch& first, int firstPatch, int faceSize, int k, int step,
-                     int rate) {
-    const double t = static_cast<double>(step) / rate;
-    if (first.subFace)
-        return t <= 0.5 ? PatchPoint{firstPatch + k, 2 * t, 0}
-                        : PatchPoint{firstPatch + (k + 1) % faceSize, 0, 2 * (1 - t)};
-    if (first.triangular) {
-        if (k == 0) return {firstPatch, t, 0};
-        return k == 1 ? PatchPoint{firstPatch, 1 - t, t} : PatchPoint{firstPatch, 0, 1 - t};
-    }
-    switch (k) {
-    case 0:
-        return {firstPatch, t, 0};
-    case 1:
-        return {firstPatch, 1, t};
-    case 2:
-        return {firstPatch, 1 - t, 1};
-    default:
-        return {firstPatch, 0, 1 - t};
-    }
-}
 
 /// What one face says of a shared place.
 struct Opinion {
@@ -89,7 +62,7 @@ class SharedVertexBuilder {
 
   private:
     struct Face {
-        int face, firstPatch, size;
+        int face, size;
     };
     struct FaceEdge {
         int faceIndex, k; // into faces_; edge (or corner) of that face
@@ -105,19 +78,16 @@ class SharedVertexBuilder {
     };
 
     void listFaces() {
-        const auto& patches = surface_.patches();
-        for (int p = 0; p < static_cast<int>(patches.size()); ++p) {
-            const BaseSurface::Patch& patch = patches[static_cast<size_t>(p)];
-            if (patch.corner == 0)
-                faces_.push_back({patch.face, p, static_cast<int>(surface_.faceVertices(patch.face).size())});
-        }
+        for (int face = 0; face < surface_.mesh().faceCount(); ++face)
+            if (surface_.hasLimit(face))
+                faces_.push_back({face, static_cast<int>(surface_.faceVertices(face).size())});
         if (!open_) return;
-        size_t corners = 0;
-        for (int face = 0; face < surface_.mesh().faceCount(); ++face) {
-            shared_.firstCorner_.push_back(corners);
-            corners += surface_.faceVertices(face).size();
-        }
-        shared_.ownVertices_.resize(corners);
+        shared_.firstCorner_ = surface_.mesh().firstCorners();
+        shared_.ownVertices_.resize(surface_.mesh().faceVertices.size());
+    }
+
+    bool isCut(const Face& face) const {
+        return surface_.patches()[static_cast<size_t>(surface_.firstPatch(face.face))].subFace;
     }
 
     /// Numbers the vertices of all spokes after those of the mesh; returns how many there are.
@@ -127,7 +97,7 @@ class SharedVertexBuilder {
         shared_.spokes_.assign(faceCount, {0, 0});
         size_t count = 0;
         for (const Face& face : faces_) {
-            if (!surface_.patches()[static_cast<size_t>(face.firstPatch)].subFace) continue;
+            if (!isCut(face)) continue;
             const auto f = static_cast<size_t>(face.face);
             const int rate = rates_.faces[f].x;
             const size_t first = shared_.samples_.count() + count;
@@ -199,7 +169,7 @@ class SharedVertexBuilder {
         opinions.reserve(faces.size());
         MicroVertex vertex;
         for (const FaceEdge& side : faces) {
-            const PatchPoint at = pointOf(side, stepOf(side));
+            const PatchPlace at = pointOf(side, stepOf(side));
             opinions.push_back(opinionAt(at));
             if (opinions.size() == 1) vertex = makeVertex(at, opinions[0]);
         }
@@ -208,26 +178,26 @@ class SharedVertexBuilder {
         if (open_) openPlace(number, faces, opinions, stepOf);
     }
 
-    PatchPoint pointOf(const FaceEdge& side, int step) const {
+    PatchPlace pointOf(const FaceEdge& side, int step) const {
         const Face& face = faces_[static_cast<size_t>(side.faceIndex)];
         const int edge = surface_.faceEdges(face.face)[static_cast<size_t>(side.k)];
-        return edgePoint(surface_.patches()[static_cast<size_t>(face.firstPatch)], face.firstPatch, face.size,
-                         side.k, step, rates_.edges[static_cast<size_t>(edge)]);
+        const int rate = rates_.edges[static_cast<size_t>(edge)];
+        return placeOnEdge(surface_, face.face, side.k, static_cast<double>(step) / rate);
     }
 
-    Opinion opinionAt(const PatchPoint& at) {
+    Opinion opinionAt(const PatchPlace& at) {
         BaseSurface::Evaluator& evaluator = *evaluators_.local();
         evaluator.setPatch(at.patch);
-        const BasePoint base = evaluator.point(at.u, at.v);
+        const BasePoint base = evaluator.point(at.uv.x, at.uv.y);
         const Vec2 st = textureCoordinates(base, relief_);
         return {base.position, base.normal, displacement(st, relief_), st};
     }
 
     /// `at` was the last patch set.
-    MicroVertex makeVertex(const PatchPoint& at, const Opinion& opinion) {
+    MicroVertex makeVertex(const PatchPlace& at, const Opinion& opinion) {
         MicroVertex vertex;
         if (!attributes_) return vertex;
-        vertex.normal = displace(evaluators_.local()->sample(at.u, at.v), relief_).normal;
+        vertex.normal = displace(evaluators_.local()->sample(at.uv.x, at.uv.y), relief_).normal;
         vertex.st = opinion.st;
         return vertex;
     }
@@ -248,7 +218,7 @@ class SharedVertexBuilder {
                 group.push_back(opinions[j]);
                 vertexOf[j] = target;
             }
-            const PatchPoint at = pointOf(faces[i], stepOf(faces[i]));
+            const PatchPlace at = pointOf(faces[i], stepOf(faces[i]));
             evaluators_.local()->setPatch(at.patch);
             MicroVertex vertex = makeVertex(at, opinions[i]);
             vertex.position = Vec3f(meanPosition(group));
@@ -267,15 +237,16 @@ class SharedVertexBuilder {
     void sampleSpokes(const Face& face) {
         const int cells = shared_.faceRates_[static_cast<size_t>(face.face)] / 2;
         if (cells == 0) return;
+        const int first = surface_.firstPatch(face.face);
         const SharedVertices::Spokes spokes = shared_.spokes_[static_cast<size_t>(face.face)];
         for (int k = 0; k < face.size; ++k)
             for (int step = 1; step < cells; ++step)
                 shared_.vertices_[spokes.first + static_cast<size_t>(k * cells + step)] =
-                    vertexInside({face.firstPatch + k, 1, static_cast<double>(step) / cells});
-        shared_.vertices_[spokes.centre] = vertexInside({face.firstPatch, 1, 1});
+                    vertexInside({first + k, {1, static_cast<double>(step) / cells}});
+        shared_.vertices_[spokes.centre] = vertexInside({first, {1, 1}});
     }
 
-    MicroVertex vertexInside(const PatchPoint& at) {
+    MicroVertex vertexInside(const PatchPlace& at) {
         const Opinion opinion = opinionAt(at);
         MicroVertex vertex = makeVertex(at, opinion);
         vertex.position = Vec3f(opinion.displaced());

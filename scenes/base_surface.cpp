@@ -145,6 +145,10 @@ bool BaseSurface::hasLimit(int face) const {
     return end > static_cast<size_t>(impl_->firstPatch[static_cast<size_t>(face)]);
 }
 
+int BaseSurface::firstPatch(int face) const {
+    return impl_->firstPatch[static_cast<size_t>(face)];
+}
+
 BaseSurface::FaceTessellation BaseSurface::tessellateFace(int face, int rate) const {
     const Bfr::Parameterization parameterization = impl_->parameterization(face);
     const Bfr::Tessellation tessellation(parameterization, rate,

@@ -62,6 +62,8 @@ class BaseSurface {
 
     /// False for a face that only supports its neighbours: a hole, or one of ControlMesh::boundaryFacesSupportOnly.
     bool hasLimit(int face) const;
+    /// Index of a face's first patch; its others follow. Only for a face that has a limit.
+    int firstPatch(int face) const;
 
     /// A face cut into facets at `rate` segments an edge. The first `boundaryCount` samples run round the
     /// face from corner 0: sample k * rate is corner k. Facets are quads, or triangles with -1 last;

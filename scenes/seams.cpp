@@ -1,6 +1,7 @@
 #include "seams.h"
 
 #include "displaced_surface.h"
+#include "patch_place.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -37,11 +38,7 @@ class TearFinder {
   public:
     TearFinder(const BaseSurface& surface, const Relief& relief)
         : surface_(surface), mesh_(surface.mesh()), relief_(relief),
-          sides_(static_cast<size_t>(surface.edgeCount())),
-          firstPatch_(static_cast<size_t>(mesh_.faceCount()), -1), firstCorner_(mesh_.firstCorners()) {
-        const auto& patches = surface.patches();
-        for (size_t i = patches.size(); i-- > 0;)
-            firstPatch_[static_cast<size_t>(patches[i].face)] = static_cast<int>(i);
+          sides_(static_cast<size_t>(surface.edgeCount())), firstCorner_(mesh_.firstCorners()) {
         for (int face = 0; face < mesh_.faceCount(); ++face)
             if (surface.hasLimit(face)) listSides(face);
     }
@@ -122,30 +119,6 @@ class TearFinder {
         return true;
     }
 
-    /// Where on its patches a face has the place t along its edge k, 0 at corner k.
-    struct PatchPlace {
-        int patch;
-        double u, v;
-    };
-    PatchPlace placeOnEdge(int face, int k, double t) const {
-        const int patch = firstPatch_[static_cast<size_t>(face)];
-        const BaseSurface::Patch& first = surface_.patches()[static_cast<size_t>(patch)];
-        if (first
-                .subFace) { // patch k has the edge's first half along u, the next one the second half along v
-            const int size = mesh_.faceSizes[static_cast<size_t>(face)];
-            return t <= 0.5 ? PatchPlace{patch + k, 2 * t, 0}
-                            : PatchPlace{patch + (k + 1) % size, 0, 2 - 2 * t};
-        }
-        constexpr std::array<Vec2, 3> kTriangle{Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
-        constexpr std::array<Vec2, 4> kQuad{Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)};
-        const auto corner = [&](int i) {
-            return first.triangular ? kTriangle[static_cast<size_t>(i % 3)]
-                                    : kQuad[static_cast<size_t>(i % 4)];
-        };
-        const Vec2 uv = glm::mix(corner(k), corner(k + 1), t);
-        return {patch, uv.x, uv.y};
-    }
-
     /// A face's patches are set up once for all its edges: the set-up costs more than the samples.
     void evaluateNormals() {
         normals_.resize(mesh_.faceVertices.size());
@@ -161,10 +134,11 @@ class TearFinder {
         const int size = mesh_.faceSizes[static_cast<size_t>(face)];
         for (int k = 0; k < size; ++k)
             for (int i = 0; i < kNormalSegments; ++i) {
-                const PatchPlace place = placeOnEdge(face, k, static_cast<double>(i) / kNormalSegments);
+                const PatchPlace place =
+                    placeOnEdge(surface_, face, k, static_cast<double>(i) / kNormalSegments);
                 evaluator.setPatch(place.patch);
                 const size_t corner = cornerOf(face, k);
-                normals_[corner][static_cast<size_t>(i)] = evaluator.point(place.u, place.v).normal;
+                normals_[corner][static_cast<size_t>(i)] = evaluator.point(place.uv.x, place.uv.y).normal;
             }
     }
 
@@ -191,7 +165,6 @@ class TearFinder {
     const ControlMesh& mesh_;
     const Relief& relief_;
     std::vector<std::vector<Side>> sides_; // of each edge
-    std::vector<int> firstPatch_;          // of each face; -1: no patch
     std::vector<size_t> firstCorner_;      // of each face, into ControlMesh::faceVertices
     std::vector<EdgeNormals>
         normals_; // of the edge that starts in each corner of a face, from that corner on

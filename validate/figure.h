@@ -3,6 +3,8 @@
 // A metric that can't be computed is absent with its reason, never 0 and never NaN.
 #pragma once
 
+#include "../scenes/nearest_rank.h"
+
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -59,13 +61,9 @@ inline std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
     return figure;
 }
 
-/// Nearest-rank percentile: the smallest of n values that at least `percent` % of them don't exceed, i.e. the
-/// value of rank ceil(percent/100 * n), counted from 1. Always one of the values; percent in [1, 100]. The
-/// rank is computed in integers, so that it can't be off by one through rounding. `sorted`: ascending, not
-/// empty.
+/// Nearest-rank percentile (scenes/nearest_rank.h). `sorted`: ascending, not empty.
 inline double nearestRank(const std::vector<double>& sorted, unsigned percent) {
-    const size_t rank = (sorted.size() * percent + 99) / 100;
-    return sorted[rank - 1];
+    return sorted[nearestRankIndex(sorted.size(), percent)];
 }
 
 } // namespace plumbline

@@ -128,13 +128,19 @@ TEST(Leaks, NoRayGetsThroughAClosedSurface) {
                    total[k].occlusion[1], total[k].occlusion[0]);
 }
 
-// The square [-1, 1]^2 at z = 0. Rays straight down just past its rim pass it, however near: within a few floats of it, within
+/// The square [-1, 1]^2 at z = 0.
+std::vector<MicroMesh> squareMeshes() {
+    const Scene scene = squareScene(nullptr, 0, 4);
+    const auto surface = makeBaseSurface(scene.objects[0]);
+    std::vector<MicroMesh> meshes;
+    meshes.push_back(tessellate(*surface, nullptr, uniformRates(*surface, 8), false));
+    return meshes;
+}
+
+// Rays straight down just past its rim pass it, however near: within a few floats of it, within
 // the distance to the rays beside (2^-20 of 5 is 2^-18), and further away.
 TEST(Leaks, OutlinesStayWhereTheyAre) {
-    const Scene scene = squareScene(nullptr, 0, 4);
-    std::vector<MicroMesh> meshes;
-    const auto surface = makeBaseSurface(scene.objects[0]);
-    meshes.push_back(tessellate(*surface, nullptr, uniformRates(*surface, 8), false));
+    const std::vector<MicroMesh> meshes = squareMeshes();
     const EmbreeScene embree(meshes);
     const FlushDenormals flush;
     const Vec3f down(0, 0, -1);
@@ -152,10 +158,7 @@ TEST(Leaks, OutlinesStayWhereTheyAre) {
 
 // A ray at 45 degrees to the square, which it meets at distance 5 sqrt 2. A light a hair before it isn't occluded.
 TEST(Leaks, LightsBeforeASurfaceAreNotOccluded) {
-    const Scene scene = squareScene(nullptr, 0, 4);
-    std::vector<MicroMesh> meshes;
-    const auto surface = makeBaseSurface(scene.objects[0]);
-    meshes.push_back(tessellate(*surface, nullptr, uniformRates(*surface, 8), false));
+    const std::vector<MicroMesh> meshes = squareMeshes();
     const EmbreeScene embree(meshes);
     const FlushDenormals flush;
     std::mt19937 random(7);

@@ -100,11 +100,9 @@ TEST(Tessellate, InteriorVerticesLieOnTheSurface) {
     }
 }
 
-// Two unit squares side by side in the plane z = 0, sharing the edge x = 0. Along it s = 1/4 and t = y on the
-// left, s = 3/4 and t = 1 - y on the right: the two read different texels, in opposite directions. The left
-// column of the map is d = t, so the left says y; the right says whatever the right column has at 1 - y.
-// Welded, the edge lies at the mean of both.
-TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
+/// Two unit squares side by side in the plane z = 0, sharing the edge x = 0. Along it s = 1/4 and t = y on the left,
+/// s = 3/4 and t = 1 - y on the right: the two read different texels, in opposite directions.
+ControlMesh tornPair() {
     ControlMesh mesh;
     mesh.name = "pair";
     mesh.points = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}};
@@ -112,7 +110,13 @@ TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
     mesh.faceVertices = {0, 1, 2, 3, 1, 4, 5, 2};
     mesh.uvs = {{0.25, 0}, {0.25, 1}, {0.75, 0}, {0.75, 1}};
     mesh.faceUvs = {0, 0, 1, 1, 3, 3, 2, 2};
-    const BaseSurface surface(mesh, Scheme::None);
+    return mesh;
+}
+
+// The left column of the map is d = t, so the left says y; the right says whatever the right column has at 1 - y.
+// Welded, the edge lies at the mean of both.
+TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
+    const BaseSurface surface(tornPair(), Scheme::None);
     // Texel centres in t: 1/8, 3/8, 5/8, 7/8.
     const std::vector<float> depths{0.125f, 1, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0};
     const Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
@@ -129,17 +133,10 @@ TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
     EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * 6 * 8); // the pair's rim alone, both ways
 }
 
-// The same pair left open: each face keeps its own displacement along the shared edge, so that the edge is there twice, and only
+// The pair left open: each face keeps its own displacement along the shared edge, so that the edge is there twice, and only
 // where the two disagree. At y = 1/2 both texels' rows say 1/2 on the left; the right's 0.5 there agrees.
 TEST(Tessellate, TornEdgesGapeWhereSeamsAreOpen) {
-    ControlMesh mesh;
-    mesh.name = "pair";
-    mesh.points = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}};
-    mesh.faceSizes = {4, 4};
-    mesh.faceVertices = {0, 1, 2, 3, 1, 4, 5, 2};
-    mesh.uvs = {{0.25, 0}, {0.25, 1}, {0.75, 0}, {0.75, 1}};
-    mesh.faceUvs = {0, 0, 1, 1, 3, 3, 2, 2};
-    const BaseSurface surface(mesh, Scheme::None);
+    const BaseSurface surface(tornPair(), Scheme::None);
     const std::vector<float> depths{0.125f, 0.5f, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0.5f};
     Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
                   Vec2(1), Vec2(0)};
