@@ -1,5 +1,5 @@
-// ./plumbline bench [Google Benchmark's options]: stages of the reference, then whole processes, then what
-// follows from both.
+// ./plumbline bench [Google Benchmark's options]: whole processes, then stages of the reference and their ratios to bare
+// libraries.
 #include "../../scenes/scene_file.h"
 #include "process_bench.h"
 #include "stage_bench.h"
@@ -151,9 +151,10 @@ int main(int argc, char** argv) {
     try {
         benchmark::Initialize(&argc, argv);
         if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+        // A child's peak memory begins at what its parent holds when it is started: while that is little.
+        printProcesses();
         plumbline::registerStageBenchmarks();
         printRatios(plumbline::runStageBenchmarks());
-        printProcesses();
         return 0;
     } catch (const std::exception& error) {
         fmt::print(stderr, "bench: {}\n", error.what());
