@@ -1,6 +1,7 @@
 // Frames of the reference against answers derived by hand.
 #include "../../reference/reference.h"
 #include "../../scenes/error.h"
+#include "../../scenes/generate_map.h"
 #include "../../scenes/shapes.h"
 #include "test_scenes.h"
 
@@ -246,6 +247,23 @@ TEST(Reference, RatesRiseUntilTheErrorAimedAtIsMet) {
         EXPECT_EQ(certificate.aimPx, aimPx);
         EXPECT_GT(reference.stats().microTriangles, coarser);
         coarser = reference.stats().microTriangles;
+    }
+}
+
+// Plans look at some of a face's grids only. For these aims the first plan of a torus under bricks isn't fine enough, and what its run measured
+// makes the second one so.
+TEST(Reference, RunsThatMissTheAimAreFollowedByFinerOnes) {
+    Scene scene = squareScene(
+        std::make_shared<HeightMap>(generateMap("bricks", 64, 3, Wrap::Repeat, Wrap::Repeat)), 0.1, 1);
+    scene.objects[0].mesh = makeTorus(0.8, 0.4, 12, 6);
+    scene.objects[0].scheme = Scheme::CatmullClark;
+    scene.objects[0].relief->tile = {3.7, 2.3};
+    for (const double aimPx : {0.4, 0.1, 0.05}) {
+        ReferenceOptions options;
+        options.errorPx = aimPx;
+        ReferenceScene reference(scene, options);
+        reference.render();
+        EXPECT_LE(reference.stats().certificate.pxP99, aimPx) << reference.stats().certificate.limit;
     }
 }
 
