@@ -1,6 +1,7 @@
 #include "frame_target.h"
 
 #include "../scenes/error.h"
+#include "../scenes/free_memory.h"
 
 #include <fmt/format.h>
 
@@ -54,8 +55,8 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
     const std::string what =
         fmt::format("a frame of {} x {} pixels and {} lights", width_, height_, scene.lights.size());
     if (context.softwareRasteriser())
-        checkMemory(what, (targets_ * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
-                              static_cast<double>(height_));
+        requireMemory(what, (targets_ * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
+                                static_cast<double>(height_));
     clearGlErrors();
     framebuffer_ = GlFramebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
@@ -109,14 +110,18 @@ Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrig
         return wanted(name) ? frame.add(name) : std::span<float>(unwanted);
     };
 
-    const std::vector<float> color = readTarget(0);
-    {
-        const auto r = plane("R"), g = plane("G"), b = plane("B"), a = plane("A");
-        forEachPixel(width_, height_, color,
-                     [&](size_t i, const float* p) { r[i] = p[0], g[i] = p[1], b[i] = p[2], a[i] = p[3]; });
-    }
+    const std::vector<float> texture = readTarget(3);
     std::vector<float> coverage(frame.pixelCount());
-    forEachPixel(width_, height_, color, [&](size_t i, const float* p) { coverage[i] = p[3]; });
+    forEachPixel(width_, height_, texture,
+                 [&](size_t i, const float* p) { coverage[i] = p[2] > 0 ? 1.0f : 0.0f; });
+    std::vector<float> lookups(frame.pixelCount());
+    {
+        const auto r = plane("R"), g = plane("G"), b = plane("B"), a = plane("A"),
+                   iterations = plane("cost.iterations");
+        forEachPixel(width_, height_, readTarget(0), [&](size_t i, const float* p) {
+            r[i] = p[0], g[i] = p[1], b[i] = p[2], a[i] = coverage[i], iterations[i] = p[3];
+        });
+    }
     const auto forEachHit = [&](const std::vector<float>& target, const auto& store) {
         forEachPixel(width_, height_, target, [&](size_t i, const float* p) {
             if (coverage[i] > 0) store(i, p);
@@ -132,18 +137,23 @@ Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrig
         });
     }
     {
-        const auto x = plane("N.X"), y = plane("N.Y"), z = plane("N.Z"), fetches = plane("cost.fetches");
+        const auto x = plane("N.X"), y = plane("N.Y"), z = plane("N.Z"),
+                   heights = plane("cost.fetches.height");
         forEachHit(readTarget(2), [&](size_t i, const float* p) {
-            x[i] = p[0], y[i] = p[1], z[i] = p[2], fetches[i] = p[3];
+            x[i] = p[0], y[i] = p[1], z[i] = p[2], heights[i] = p[3];
+            lookups[i] = p[3];
         });
     }
     {
-        const auto s = plane("st.S"), t = plane("st.T"), id = plane("id");
-        forEachHit(readTarget(3), [&](size_t i, const float* p) {
+        const auto s = plane("st.S"), t = plane("st.T"), id = plane("id"),
+                   baked = plane("cost.fetches.baked"), all = plane("cost.fetches");
+        forEachHit(texture, [&](size_t i, const float* p) {
             const Vec2 origin = stOrigins[static_cast<size_t>(p[2]) - 1];
             s[i] = static_cast<float>(p[0] + origin.x);
             t[i] = static_cast<float>(p[1] + origin.y);
             id[i] = p[2];
+            baked[i] = p[3];
+            all[i] = lookups[i] + p[3];
         });
     }
     if (wanted("shadow.<light>")) readShadows(frame, coverage);

@@ -60,8 +60,4 @@ void checkGl(const std::string& doing);
 /// Drops errors left over from before.
 void clearGlErrors();
 
-/// Throws MachineError when `bytes` exceed what this machine has free. For software rasterisers, whose "video
-/// memory" is the machine's own: the system would promise it and end the program later.
-void checkMemory(const std::string& doing, double bytes);
-
 } // namespace plumbline

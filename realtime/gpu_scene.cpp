@@ -1,6 +1,7 @@
 #include "gpu_scene.h"
 
 #include "../scenes/error.h"
+#include "../scenes/free_memory.h"
 
 #include <fmt/format.h>
 
@@ -40,7 +41,7 @@ void checkTextureSize(const std::string& name, int width, int height, double byt
     if (width > largest || height > largest)
         throw MachineError(name, fmt::format("a map of {} x {} texels", width, height),
                            fmt::format("at most {} a side on this OpenGL", largest));
-    if (context.softwareRasteriser()) checkMemory(name, bytes);
+    if (context.softwareRasteriser()) requireMemory(name, bytes);
 }
 
 GLint wrapMode(Wrap wrap) {

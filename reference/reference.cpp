@@ -2,11 +2,11 @@
 
 #include "../scenes/displaced_surface.h"
 #include "../scenes/error.h"
+#include "../scenes/free_memory.h"
 #include "../scenes/scene_metadata.h"
 #include "../scenes/seams.h"
 #include "certify.h"
 #include "embree_scene.h"
-#include "free_memory.h"
 #include "lattice.h"
 #include "rate.h"
 #include "render.h"

@@ -16,7 +16,7 @@ constexpr std::string_view kLightPlaceholder = "<light>";
 
 // On a miss there is no point, normal, coordinate or shadow to speak of: NaN says so, and can't be averaged
 // by mistake. R G B hold the scene's background there; the renderer writes it over the 0 of this table.
-constexpr std::array<ChannelInfo, 18> kChannels{{
+constexpr std::array<ChannelInfo, 21> kChannels{{
     {"R", "", "linear", 0, "red of the shaded colour; the background's on a miss"},
     {"G", "", "linear", 0, "green of the shaded colour; the background's on a miss"},
     {"B", "", "linear", 0, "blue of the shaded colour; the background's on a miss"},
@@ -32,7 +32,13 @@ constexpr std::array<ChannelInfo, 18> kChannels{{
     {"st.T", "map heights", "texture", kNanF, "texture coordinate t, tiled, unwrapped"},
     {"id", "", "", 0, "object index + 1"},
     {"shadow.<light>", "", "", kNanF, "1 in shadow of the light, cast or attached (N.L <= 0); 0 lit"},
-    {"cost.fetches", "look-ups", "", 0, "height, cone and distance look-ups spent (real time only)"},
+    {"cost.fetches", "look-ups", "", 0,
+     "look-ups of height and baked maps, view and shadow rays (real time only)"},
+    {"cost.fetches.height", "look-ups", "", 0, "those of the height map (real time only)"},
+    {"cost.fetches.baked", "look-ups", "", 0,
+     "those of a baked map: cone ratios, distances, normals, bounds (real time only)"},
+    {"cost.iterations", "iterations", "", 0,
+     "rounds of the view ray's search until it stopped (real time only)"},
     {"uncertain", "", "", 0, "1 where the reference's own error could change coverage (reference only)"},
     {"uncertain.shadow.<light>", "", "", 0,
      "1 where the reference's own error could change that shadow (reference only)"},

@@ -3,8 +3,13 @@
 uniform sampler2D uHeightMap;   // R32F depths, row 0 = bottom
 uniform ivec2 uHeightMapClamps; // along s, t: 1 clamp, 0 repeat
 
-// Look-ups spent on this pixel: view ray and shadow rays. The gradient for the normal isn't one of them.
-int gLookups = 0;
+// Spent on this pixel: look-ups of the height map and of baked maps, view ray and shadow rays together; the gradient for the
+// normal isn't one of them. Iterations of the view ray's search.
+int gHeightLookups = 0;
+int gBakedLookups = 0;
+int gIterations = 0;
+
+void countIteration() { ++gIterations; }
 
 // Texel position of a coordinate: integers at texel centres.
 float texelCoordinate(float s, int size, int clamps) {
@@ -41,7 +46,7 @@ TexelPatch texelPatch(vec2 st) {
 
 // Relief depth at st, counted.
 float reliefDepth(vec2 st) {
-    ++gLookups;
+    ++gHeightLookups;
     if (kHardwareFilter) return textureLod(uHeightMap, st, 0.0).r;
     TexelPatch p = texelPatch(st);
     float lower = p.depths.x + (p.depths.y - p.depths.x) * p.weight.x;

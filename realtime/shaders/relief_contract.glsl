@@ -6,14 +6,16 @@
 // relief, and dividing by its descent would leave float's range. 1e-4 is 0.006 degrees.
 const float kGrazingCosine = 1e-4;
 
-// A ray's way through the relief, t from 0 at its entry to 1 at the end of the search interval. Made by the surface; a
-// search reads it through reliefPosition alone.
+// A ray's way through the relief, t from 0 at its entry to 1 at the end of the search interval. Made by the surface.
 struct ReliefRay {
     vec2 st;           // at t = 0
-    vec2 stTravel;     // st at t = 1 minus st at t = 0
+    vec2 stTravel;     // st at t = 1 minus st at t = 0; st is linear in t on every surface
     float endDepth;    // d at t = 1: 1, or 0 where the ray has left the relief again
     float bend;        // d(t) = endDepth t + bend t (1 - t); 0 on a flat base
     float lengthWorld; // from t = 0 to t = 1, world units
+    float cosine;      // between the ray and the base's normal at its entry, > 0
+    vec2 scaleWorld;   // sx, sy: world units per unit of s and t
+    float depthWorld;  // sz: world units per unit of d
 };
 
 struct ReliefHit {
@@ -24,7 +26,9 @@ struct ReliefHit {
 
 // --- given to a search --------------------------------------------------------------------------------------------
 vec3 reliefPosition(ReliefRay ray, float t); // (s, t, d)
+float steepestDescent(ReliefRay ray, float t); // largest dd/dt from t on to 1, 0 if d only falls: no step is too long by it
 float reliefDepth(vec2 st);                  // the map's depth; one counted look-up
+void countIteration();                       // one more round of the search, for cost.iterations; shadow rays don't count
 ReliefHit hitAt(ReliefRay ray, float t) { return ReliefHit(true, t, reliefPosition(ray, t).xy); }
 ReliefHit missed() { return ReliefHit(false, 1.0, vec2(0.0)); }
 
@@ -41,6 +45,9 @@ struct ReliefFrame {
     vec2 curvature;   // A, B of the quadric z = -(A x^2 + B y^2), world units^-1
     float depthWorld; // relief depth, world units, > 0
 };
+
+// sx, sy: world units per unit of s and t.
+vec2 reliefScale(ReliefFrame frame) { return vec2(length(frame.positionS), length(frame.positionT)); }
 
 // `direction`: (s, t, d) per world unit of the ray. Returns false where there is nothing to search: the fragment is
 // discarded.

@@ -68,6 +68,7 @@ void main() {
     if (!enterRelief(frame, frame.st, reliefDirection(frame, -toCamera), ray)) discard;
     ReliefHit hit = traceRelief(ray);
     if (!hit.hit) discard;
+    int iterations = gIterations;
 
     SurfacePoint point;
     point.position = vPosition - toCamera * (hit.t * ray.lengthWorld);
@@ -81,5 +82,5 @@ void main() {
         if (dot(point.normal, toLight) > 0.0)
             shadow[i] = kCastShadows ? castShadow(frame, positionRelief, toLight) : 0.0;
     }
-    writePoint(point, point.normal, shadow, float(gLookups));
+    writePoint(point, point.normal, shadow, vec3(gHeightLookups, gBakedLookups, iterations));
 }

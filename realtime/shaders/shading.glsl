@@ -1,9 +1,9 @@
 // What the harness writes for a surface point, and the one shading formula (C++ twin: kAmbient in scenes/scene.h).
 
-layout(location = 0) out vec4 outColor;    // linear R G B, A = coverage
+layout(location = 0) out vec4 outColor;    // linear R G B; iterations
 layout(location = 1) out vec4 outPosition; // position (relative), planar depth Z
-layout(location = 2) out vec4 outNormal;   // unit normal, world; look-ups spent
-layout(location = 3) out vec4 outTexture;  // s, t, id, unused
+layout(location = 2) out vec4 outNormal;   // unit normal, world; look-ups of the height map
+layout(location = 3) out vec4 outTexture;  // s, t; id, 0 where nothing is drawn; look-ups of baked maps
 
 uniform vec3 uColor;
 uniform bool uHasColorMap;
@@ -41,16 +41,16 @@ vec3 colorAt(vec2 st) {
     return mix(lower, upper, weight.y);
 }
 
-// `shadow`: 1 in shadow, 0 lit, one per light.
-void writePoint(SurfacePoint point, vec3 normal, float shadow[kLightSlots], float lookups) {
+// `shadow`: 1 in shadow, 0 lit, one per light. `cost`: look-ups of the height map, of baked maps; iterations.
+void writePoint(SurfacePoint point, vec3 normal, float shadow[kLightSlots], vec3 cost) {
     float light = kAmbient;
     for (int i = 0; i < kLightCount; ++i)
         light += max(dot(point.normal, directionToLight(i, point.position)), 0.0) * (1.0 - shadow[i]);
     float depth = planarDepth(point.position);
-    outColor = vec4(colorAt(point.st) * light, 1.0);
+    outColor = vec4(colorAt(point.st) * light, cost.z);
     outPosition = vec4(point.position, depth);
-    outNormal = vec4(normal, lookups);
-    outTexture = vec4(point.st, uObjectId, 0.0);
+    outNormal = vec4(normal, cost.x);
+    outTexture = vec4(point.st, uObjectId, cost.y);
     writeShadows(shadow);
     gl_FragDepth = clamp((depth - uDepthRange.x) * uDepthRange.y, 0.0, 1.0);
 }

@@ -46,7 +46,7 @@ std::vector<glm::vec4> lookUp(const HeightMap& map, const std::vector<glm::vec4>
     source.addFile(dataFolder() / "realtime" / "shaders" / "height_map.glsl");
     source.addText("(test)",
                    "vec4 evaluate(vec4 a) { return vec4(reliefDepth(a.xy), reliefDepthGradient(a.xy), "
-                   "float(gLookups)); }");
+                   "float(gHeightLookups)); }");
     GlTexture texture = GlTexture::make();
     return evaluateGlsl(source, points, [&](const GlProgram& program) {
         glActiveTexture(GL_TEXTURE0);
@@ -147,7 +147,8 @@ std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
     source.addText("(test)",
                    "vec4 evaluate(vec4 a) {\n"
                    "  vec2 end = searchEnd(a.x, a.y);\n"
-                   "  ReliefRay ray = ReliefRay(vec2(0.0), vec2(0.0), end.y, a.y * end.x * end.x, end.x);\n"
+                   "  ReliefRay ray = ReliefRay(vec2(0.0), vec2(0.0), end.y, a.y * end.x * end.x, end.x, "
+                   "1.0, vec2(1.0), 1.0);\n"
                    "  return vec4(end, reliefPosition(ray, 1.0).z, reliefPosition(ray, 0.5).z);\n}");
     return evaluateGlsl(source, descentAndF);
 }

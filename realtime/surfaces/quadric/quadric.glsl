@@ -14,18 +14,24 @@ vec2 searchEnd(float descent, float f) {
 }
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
-    vec2 scale = vec2(length(frame.positionS), length(frame.positionT));
+    vec2 scale = reliefScale(frame);
     vec2 bend = frame.curvature * scale * scale / frame.depthWorld;
     float f = dot(bend, direction.xy * direction.xy);
     bool descends = direction.z * frame.depthWorld > kGrazingCosine;
     vec2 end = descends ? searchEnd(direction.z, f) : vec2(0.0);
-    ray = ReliefRay(st, direction.xy * end.x, end.y, f * end.x * end.x, end.x);
+    ray = ReliefRay(st, direction.xy * end.x, end.y, f * end.x * end.x, end.x, direction.z * frame.depthWorld, scale,
+                    frame.depthWorld);
     return descends;
 }
 
 // Written so that d is exactly endDepth at t = 1: a floor at depth 1 isn't missed by rounding.
 vec3 reliefPosition(ReliefRay ray, float t) {
     return vec3(ray.st + ray.stTravel * t, t * ray.endDepth + ray.bend * t * (1.0 - t));
+}
+
+// d' = endDepth + bend (1 - 2 t) is linear in t: largest at one of the ends.
+float steepestDescent(ReliefRay ray, float t) {
+    return max(max(ray.endDepth + ray.bend * (1.0 - 2.0 * t), ray.endDepth - ray.bend), 0.0);
 }
 
 // dz/ds of the quadric, x = sx s: the frame of the hit isn't that of the fragment.

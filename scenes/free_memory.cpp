@@ -1,5 +1,9 @@
 #include "free_memory.h"
 
+#include "error.h"
+
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <optional>
@@ -44,6 +48,13 @@ uint64_t freeMemoryBytes() {
         if (left) free = std::min(free.value_or(*left), *left);
     constexpr uint64_t kUnknown = uint64_t(1) << 30;
     return free.value_or(kUnknown);
+}
+
+void requireMemory(std::string_view what, double bytes) {
+    const auto free = static_cast<double>(freeMemoryBytes());
+    if (bytes > free)
+        throw MachineError(
+            "memory", fmt::format("{} needs {:.1f} GB, {:.1f} GB are free", what, bytes / 1e9, free / 1e9));
 }
 
 } // namespace plumbline

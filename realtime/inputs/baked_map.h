@@ -1,0 +1,43 @@
+// A map worked out from a height map before drawing: cone ratios, distances, normals, bounds.
+//
+// Texture space: s, t in map widths and heights, row 0 = bottom, as the height map it was made from; relief depth d,
+// 0 on top and 1 deepest.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+struct BakedMap {
+    /// One level: slices x height x width x channels values, row 0 of each slice = bottom, channels innermost.
+    struct Level {
+        int width = 0, height = 0;
+        std::vector<float> values;
+    };
+
+    std::string kind; // name in bakeKinds()
+    int slices = 1;   // what they are: BakeKind::slices
+    int channels = 1; // 1 to 4
+    std::vector<Level>
+        levels; // level k + 1 has max(1, size / 2) of level k's texels a side; at least one level
+
+    /// First channel of a texel.
+    const float* at(int level, int slice, int column, int row) const {
+        const Level& l = levels[static_cast<size_t>(level)];
+        const size_t texel =
+            (static_cast<size_t>(slice) * static_cast<size_t>(l.height) + static_cast<size_t>(row)) *
+                static_cast<size_t>(l.width) +
+            static_cast<size_t>(column);
+        return &l.values[texel * static_cast<size_t>(channels)];
+    }
+    size_t bytes() const {
+        size_t count = 0;
+        for (const Level& level : levels)
+            count += level.values.size();
+        return count * sizeof(float);
+    }
+};
+
+} // namespace plumbline
