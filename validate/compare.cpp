@@ -26,6 +26,7 @@ MetricSet computeMetrics(const FramePair& pair, ObjectSelection selection, const
     metrics.normal = computeNormalAngle(pair, selection);
     metrics.st = computeStError(pair, selection);
     metrics.cost = computeFetchCost(pair, selection);
+    metrics.iterations = computeSearchIterations(pair, selection);
     return metrics;
 }
 

@@ -5,6 +5,7 @@
 #include "depth_error.h"
 #include "fetch_cost.h"
 #include "normal_angle.h"
+#include "search_iterations.h"
 #include "shadow_agreement.h"
 #include "silhouette_iou.h"
 #include "st_error.h"
@@ -22,6 +23,7 @@ struct MetricSet {
     NormalAngle normal;
     StError st;
     FetchCost cost;
+    SearchIterations iterations;
 };
 
 struct ObjectComparison {

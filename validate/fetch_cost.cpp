@@ -4,31 +4,40 @@
 #include <numeric>
 
 namespace plumbline {
+namespace {
+
+double meanOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+Figure meanOfChannel(const FramePair& pair, ObjectSelection selection, const char* channel) {
+    const std::vector<double> values = valuesOnCoveredPixels(pair, selection, channel);
+    if (!values.empty()) return meanOf(values);
+    return Figure::absent(pair.test().has(channel) ? std::string("the test frame covers no pixel with it")
+                                                   : std::string("the test frame has no channel ") + channel);
+}
+
+} // namespace
 
 FetchCost computeFetchCost(const FramePair& pair, ObjectSelection selection) {
     FetchCost result;
-    result.mean = result.p99 = Figure::absent("the test frame has no channel cost.fetches");
-    if (!pair.test().has("cost.fetches")) return result;
-
-    const auto fetches = pair.test().channel("cost.fetches");
-    std::vector<double> costs;
-    for (const size_t index : selection)
-        for (const uint32_t pixel : pair.pixelsOf(index))
-            if (pair.testIds()[pixel] == pair.objects()[index].id && std::isfinite(fetches[pixel]))
-                costs.push_back(fetches[pixel]);
+    result.mean = result.p99 = meanOfChannel(pair, selection, "cost.fetches");
+    result.heightMean = meanOfChannel(pair, selection, "cost.fetches.height");
+    result.bakedMean = meanOfChannel(pair, selection, "cost.fetches.baked");
+    std::vector<double> costs = valuesOnCoveredPixels(pair, selection, "cost.fetches");
     result.domainPx = costs.size();
-    if (costs.empty()) {
-        result.mean = result.p99 = Figure::absent("the test frame covers no pixel with it");
-        return result;
-    }
+    if (costs.empty()) return result;
     std::sort(costs.begin(), costs.end());
-    result.mean = std::accumulate(costs.begin(), costs.end(), 0.0) / static_cast<double>(costs.size());
     result.p99 = nearestRank(costs, 99);
     return result;
 }
 
 MetricValues valuesOf(const FetchCost& result) {
-    return {{"fetches_mean", result.mean}, {"fetches_p99", result.p99}, {"fetches_px", result.domainPx}};
+    return {{"fetches_mean", result.mean},
+            {"fetches_p99", result.p99},
+            {"fetches_px", result.domainPx},
+            {"fetches_height_mean", result.heightMean},
+            {"fetches_baked_mean", result.bakedMean}};
 }
 
 } // namespace plumbline

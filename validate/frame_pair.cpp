@@ -120,4 +120,16 @@ std::string FramePair::missingInReference(std::string_view name) const {
     return reference_->has(name) ? std::string() : fmt::format("the reference frame has no channel {}", name);
 }
 
+std::vector<double> valuesOnCoveredPixels(const FramePair& pair, ObjectSelection selection,
+                                          const char* channel) {
+    std::vector<double> values;
+    if (!pair.test().has(channel)) return values;
+    const auto plane = pair.test().channel(channel);
+    for (const size_t index : selection)
+        for (const uint32_t pixel : pair.pixelsOf(index))
+            if (pair.testIds()[pixel] == pair.objects()[index].id && std::isfinite(plane[pixel]))
+                values.push_back(plane[pixel]);
+    return values;
+}
+
 } // namespace plumbline

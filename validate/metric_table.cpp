@@ -69,9 +69,17 @@ constexpr auto kMetrics = std::to_array<MetricInfo>({
     {"st.mean_texels", "texels", "0", "mean distance in the height map between the places seen"},
     {"st.p95_texels", "texels", "0", "95th percentile of it, nearest rank"},
     {"st.invalid_px", "px", "0", "shared pixels without a finite st in both: not in the domain"},
-    {"cost.fetches_mean", "look-ups", "", "height, cone or distance look-ups a covered pixel"},
+    {"cost.fetches_mean", "look-ups", "", "look-ups of height and baked maps a covered pixel"},
     {"cost.fetches_p99", "look-ups", "", "99th percentile of it, nearest rank"},
     {"cost.fetches_px", "px", "", "covered pixels counted"},
+    {"cost.fetches_height_mean", "look-ups", "", "those of the height map"},
+    {"cost.fetches_baked_mean", "look-ups", "",
+     "those of baked maps: cone ratios, distances, normals, bounds"},
+    {"cost.iterations_mean", "rounds", "", "rounds of the search of a covered pixel's view ray"},
+    {"cost.iterations_p99", "rounds", "", "99th percentile of it, nearest rank"},
+    {"cost.iterations_max", "rounds", "", "the most; iterations_histogram counts pixels by rounds"},
+    {"cost.bake_ms", "ms", "", "time its baked maps took to make, now or when they came into the cache"},
+    {"cost.bake_bytes", "bytes", "", "size of its baked maps as held for drawing"},
     {"cost.ms_median", "ms", "", "median time of one frame, warm"},
 });
 

@@ -88,6 +88,21 @@ Picture depthErrorPicture(const FramePair& pair, std::span<const float> referenc
     });
 }
 
+Rgb sequentialColor(double x) {
+    // Luminance falls evenly from pale yellow to dark brown.
+    constexpr Rgb kPale{255, 247, 205}, kMiddle{225, 130, 35}, kDark{70, 25, 5};
+    const double t = std::clamp(x, 0.0, 1.0);
+    return t < 0.5 ? mix(kPale, kMiddle, 2 * t) : mix(kMiddle, kDark, 2 * t - 1);
+}
+
+Picture iterationsPicture(const Frame& test, double most) {
+    const auto rounds = test.channel("cost.iterations"), id = test.channel("id");
+    return paint(test, [&](size_t i) {
+        if (!(id[i] > 0)) return palette::kNothing;
+        return std::isfinite(rounds[i]) ? sequentialColor(rounds[i] / most) : palette::kInvalid;
+    });
+}
+
 Picture shadowPicture(const FramePair& pair, const std::string& light) {
     const auto reference = pair.reference().channel(shadowChannel(light));
     const auto test = pair.test().channel(shadowChannel(light));

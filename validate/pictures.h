@@ -52,6 +52,12 @@ Picture depthErrorPicture(const FramePair& pair, std::span<const float> referenc
 /// Colour of that map at x in [-1, 1], clamped.
 Rgb divergingColor(double x);
 
+/// cost.iterations over the test's covered pixels: pale = 0, dark = `most` and beyond; `most` > 0.
+Picture iterationsPicture(const Frame& test, double most);
+
+/// Colour of that map at x in [0, 1], clamped.
+Rgb sequentialColor(double x);
+
 /// Both lit, both dark, false shadow (kExtra), false lit (kMissing) over shared pixels.
 Picture shadowPicture(const FramePair& pair, const std::string& light);
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -87,6 +88,10 @@ data paletteData() {
     for (int i = -4; i <= 4; ++i)
         gradient += (i > -4 ? "," : "") + cssColor(divergingColor(i / 4.0));
     colors.set("gradient", gradient);
+    std::string sequential;
+    for (int i = 0; i <= 4; ++i)
+        sequential += (i > 0 ? "," : "") + cssColor(sequentialColor(i / 4.0));
+    colors.set("sequential", sequential);
     return colors;
 }
 
@@ -95,6 +100,27 @@ std::string parametersText(const std::map<std::string, std::string>& parameters)
     for (const auto& [key, value] : parameters)
         text += (text.empty() ? "" : ", ") + key + " = " + value;
     return text;
+}
+
+/// Bars of an SVG 100 wide and 30 high: the share of pixels by rounds, the tallest at full height.
+data histogramBars(const std::vector<uint64_t>& histogram) {
+    data bars{data::type::list};
+    uint64_t tallest = 1;
+    for (const uint64_t count : histogram)
+        tallest = std::max(tallest, count);
+    const double width = 100.0 / static_cast<double>(std::max<size_t>(histogram.size(), 1));
+    for (size_t rounds = 0; rounds < histogram.size(); ++rounds) {
+        const double height = 30.0 * static_cast<double>(histogram[rounds]) / static_cast<double>(tallest);
+        const bool open = rounds == SearchIterations::kHistogramEnd;
+        data bar{data::type::object};
+        bar.set("x", fmt::format("{:.3f}", width * static_cast<double>(rounds)));
+        bar.set("y", fmt::format("{:.3f}", 30.0 - height));
+        bar.set("width", fmt::format("{:.3f}", 0.9 * width));
+        bar.set("height", fmt::format("{:.3f}", height));
+        bar.set("bar_title", fmt::format("{}{}: {} px", rounds, open ? " or more" : "", histogram[rounds]));
+        bars << bar;
+    }
+    return bars;
 }
 
 data pictureList(const std::vector<ReportPicture>& entries) {
@@ -106,6 +132,8 @@ data pictureList(const std::vector<ReportPicture>& entries) {
         picture.set("is_silhouette", entry.kind == ReportPicture::Kind::Silhouette);
         picture.set("is_depth", entry.kind == ReportPicture::Kind::DepthError);
         picture.set("is_shadow", entry.kind == ReportPicture::Kind::Shadow);
+        picture.set("is_iterations", entry.kind == ReportPicture::Kind::Iterations);
+        picture.set("bars", histogramBars(entry.histogram));
         picture.set("range", entry.range);
         picture.set("range_note", entry.rangeNote);
         pictures << picture;

@@ -11,10 +11,12 @@ namespace plumbline {
 
 /// A picture of the page; `file` is relative to it.
 struct ReportPicture {
-    enum class Kind { Color, Silhouette, DepthError, Shadow }; // decides the legend
+    enum class Kind { Color, Silhouette, DepthError, Shadow, Iterations }; // decides the legend
     std::string file, caption;
     Kind kind = Kind::Color;
-    std::string range, rangeNote; // depth error only: full colour is at +-range world units, and why there
+    std::string range,
+        rangeNote; // depth error: full colour is at +-range world units, and why there; iterations: the most
+    std::vector<uint64_t> histogram; // iterations only: pixels by rounds
 };
 
 struct ReportPictures {

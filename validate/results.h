@@ -43,6 +43,8 @@ struct TechniqueOutcome {
     Figure msMedian;
     int msRuns = 0;
     std::string timer;
+    Figure bakeMs,
+        bakeBytes; // of its baked maps: made, now or when they came into the cache; held on the GPU
     std::vector<std::string> limits;  // known ones, from its manifest
     std::optional<std::string> error; // set: no metrics
     Comparison comparison;

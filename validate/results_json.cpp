@@ -53,17 +53,20 @@ void addMetrics(Json& json, const MetricSet& metrics) {
     json["st"] = toGroup(valuesOf(metrics.st));
 }
 
-void addCost(Json& json, const FetchCost& cost, const MetricValues& more) {
-    MetricValues values = valuesOf(cost);
-    values.insert(values.end(), more.begin(), more.end());
+void addCost(Json& json, const MetricSet& metrics, const MetricValues& more) {
+    MetricValues values = valuesOf(metrics.cost);
+    for (const MetricValues& further : {valuesOf(metrics.iterations), more})
+        values.insert(values.end(), further.begin(), further.end());
     json["cost"] = toGroup(values);
+    if (!metrics.iterations.histogram.empty())
+        json["cost"]["iterations_histogram"] = metrics.iterations.histogram;
 }
 
 Json toJson(const ObjectComparison& object, bool withCost) {
     Json json{{"name", object.object.name}, {"id", object.object.id}};
     if (object.object.reliefDepth) json["relief_depth"] = *object.object.reliefDepth;
     addMetrics(json, object.metrics);
-    if (withCost) addCost(json, object.metrics.cost, {});
+    if (withCost) addCost(json, object.metrics, {});
     return json;
 }
 
@@ -87,7 +90,10 @@ Json toJson(const TechniqueOutcome& technique) {
     }
     json["pooled_objects"] = technique.comparison.pooledObjects;
     addMetrics(json, technique.comparison.pooled);
-    addCost(json, technique.comparison.pooled.cost, {{"ms_median", technique.msMedian}});
+    addCost(json, technique.comparison.pooled,
+            {{"ms_median", technique.msMedian},
+             {"bake_ms", technique.bakeMs},
+             {"bake_bytes", wholeNumber(technique.bakeBytes)}});
     if (technique.msMedian) {
         json["cost"]["ms_runs"] = technique.msRuns;
         json["cost"]["timer"] = technique.timer;

@@ -1,5 +1,6 @@
 #include "../../validate/fetch_cost.h"
 #include "../../validate/normal_angle.h"
+#include "../../validate/search_iterations.h"
 #include "../../validate/st_error.h"
 #include "random_frames.h"
 
@@ -141,6 +142,66 @@ TEST(FetchCost, MeanAndPercentileOverCoveredPixels) {
     EXPECT_EQ(result.domainPx, 10u);
     EXPECT_DOUBLE_EQ(*result.mean, 11);
     EXPECT_EQ(*result.p99, 20);
+}
+
+// Ten covered pixels spend 3 of the height map and 2 of a baked one, the last 13 and 12.
+TEST(FetchCost, ByKindOfMap) {
+    const Frame reference = emptyFrame(11, 1);
+    Frame test = emptyFrame(11, 1);
+    paintRectangle(test, 0, 0, 10, 1);
+    const auto height = test.add("cost.fetches.height"), baked = test.add("cost.fetches.baked");
+    std::fill(height.begin(), height.end(), 3.0f);
+    std::fill(baked.begin(), baked.end(), 2.0f);
+    height[9] = 13, baked[9] = 12;
+    const FramePair pair(reference, test, {});
+    const FetchCost result = computeFetchCost(pair, allOf(pair));
+    EXPECT_DOUBLE_EQ(*result.heightMean, 4);
+    EXPECT_DOUBLE_EQ(*result.bakedMean, 3);
+    EXPECT_THAT(result.mean.reason(), HasSubstr("no channel cost.fetches"));
+}
+
+// Rounds 0 1 1 4 on four covered pixels; 99 on a missed one.
+TEST(SearchIterations, MeanMostAndHistogramOverCoveredPixels) {
+    const Frame reference = emptyFrame(5, 1);
+    Frame test = emptyFrame(5, 1);
+    paintRectangle(test, 0, 0, 4, 1);
+    const auto rounds = test.add("cost.iterations");
+    rounds[1] = rounds[2] = 1;
+    rounds[3] = 4;
+    rounds[4] = 99;
+    const FramePair pair(reference, test, {});
+    const SearchIterations result = computeSearchIterations(pair, allOf(pair));
+    EXPECT_EQ(result.domainPx, 4u);
+    EXPECT_DOUBLE_EQ(*result.mean, 1.5);
+    EXPECT_EQ(*result.p99, 4);
+    EXPECT_EQ(*result.most, 4);
+    EXPECT_EQ(result.histogram, (std::vector<uint64_t>{1, 2, 0, 0, 1}));
+}
+
+TEST(SearchIterations, TheLastBinIsOpen) {
+    const Frame reference = emptyFrame(3, 1);
+    Frame test = emptyFrame(3, 1);
+    paintRectangle(test, 0, 0, 3, 1);
+    const auto rounds = test.add("cost.iterations");
+    rounds[0] = 63, rounds[1] = 64, rounds[2] = 4000;
+    const FramePair pair(reference, test, {});
+    const SearchIterations result = computeSearchIterations(pair, allOf(pair));
+    ASSERT_EQ(result.histogram.size(), SearchIterations::kHistogramEnd + 1);
+    EXPECT_EQ(result.histogram[63], 1u);
+    EXPECT_EQ(result.histogram[64], 2u);
+    EXPECT_EQ(*result.most, 4000);
+}
+
+TEST(SearchIterations, AbsentWithItsReason) {
+    const Frame frame = covered(2);
+    const FramePair pair(frame, frame, {});
+    EXPECT_THAT(computeSearchIterations(pair, allOf(pair)).mean.reason(),
+                HasSubstr("no channel cost.iterations"));
+    EXPECT_TRUE(computeSearchIterations(pair, allOf(pair)).histogram.empty());
+    Frame nothing = emptyFrame(2, 1);
+    nothing.add("cost.iterations");
+    const FramePair missed(frame, nothing, {});
+    EXPECT_THAT(computeSearchIterations(missed, allOf(missed)).most.reason(), HasSubstr("covers no pixel"));
 }
 
 TEST(FetchCost, AbsentWithItsReason) {
