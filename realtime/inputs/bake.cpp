@@ -13,7 +13,15 @@ namespace {
 constexpr int kMostSlices = 1024;
 
 const std::vector<BakeKind>& table() {
-    static const std::vector<BakeKind> kinds{};
+    static const std::vector<BakeKind> kinds{
+        {"max_mipmap", "Bounds of the relief over blocks of 2^k x 2^k bilinear patches, level k of a pyramid",
+         "Tevs, Ihrke, Seidel, Maximum mipmaps for fast, accurate, and scalable dynamic height field "
+         "rendering, I3D 2008",
+         "one", "least depth, most depth", false, bakeMaxMipmap},
+        {"normal", "Unit normal of the relief at the centres of texels, and its depth",
+         "Premecz, Iterative parallax mapping with slope information, 2006, section 3", "one",
+         "normal along s, along t and out of the surface; relief depth", true, bakeNormalMap},
+    };
     return kinds;
 }
 
