@@ -21,6 +21,11 @@ const std::vector<BakeKind>& table() {
         {"normal", "Unit normal of the relief at the centres of texels, and its depth",
          "Premecz, Iterative parallax mapping with slope information, 2006, section 3", "one",
          "normal along s, along t and out of the surface; relief depth", true, bakeNormalMap},
+        {"distance_field", "Distance to the relief from boxes of st and depth, in relief depths",
+         "Premecz 2006, section 2.4; exact by Felzenszwalb and Huttenlocher, 2012",
+         "depths k / slices to (k + 1) / slices",
+         "least distance between the box and one the relief reaches, a lower bound; distance between centres",
+         true, bakeDistanceField},
     };
     return kinds;
 }
