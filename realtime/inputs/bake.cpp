@@ -25,7 +25,7 @@ const std::vector<BakeKind>& table() {
          "Premecz 2006, section 2.4; exact by Felzenszwalb and Huttenlocher, 2012",
          "depths k / slices to (k + 1) / slices",
          "least distance between the box and one the relief reaches, a lower bound; distance between centres",
-         true, bakeDistanceField},
+         true, bakeDistanceField, true},
     };
     return kinds;
 }

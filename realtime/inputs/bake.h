@@ -36,6 +36,8 @@ struct BakeKind {
     std::string_view channels;        // what channel k holds, with units
     bool needsScale;
     BakedMap (*make)(const HeightMap&, const BakeRequest&); // arguments checked by bakeMap
+    bool takesSlices = false;                               // BakeRequest::slices matters
+    int version = 1; // of the builder: goes up when it gives other values than before, so that caches let go
 };
 std::span<const BakeKind> bakeKinds();
 /// Throws InputError that lists the kinds.

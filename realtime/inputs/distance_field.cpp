@@ -17,7 +17,7 @@
 // below the texel's depth. What is below the last slice counts as solid, so that a floor of depth 1 is a floor. It is no
 // bound: the surface may be nearer by half a voxel's diagonal at either end, and anywhere between two texels.
 //
-// Both are exact, axis by axis (Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, 2012, section 3): in a
+// Both are exact, axis by axis (Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, 2012): in a
 // column the nearest solid voxel is known, then squares are minimised along s and along t. A sum is always (depth + s) + t;
 // rounding is monotonic, so the minimum over s may be taken before t is added, and the result has the bits of the minimum
 // over all solid voxels, however the work is cut.
