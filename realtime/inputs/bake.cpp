@@ -11,6 +11,9 @@ namespace plumbline {
 namespace {
 
 constexpr int kMostSlices = 1024;
+constexpr std::string_view kConeSlices =
+    "0: cones of texel centres, as published; 1: cones right for every point of the cell between texels "
+    "(i, j) and (i + 1, j + 1)";
 
 const std::vector<BakeKind>& table() {
     static const std::vector<BakeKind> kinds{
@@ -26,6 +29,20 @@ const std::vector<BakeKind>& table() {
          "depths k / slices to (k + 1) / slices",
          "least distance between the box and one the relief reaches, a lower bound; distance between centres",
          true, bakeDistanceField, true},
+        {"cone_step", "Conservative cones: no point of the relief lies inside",
+         "Policarpo, Oliveira, GPU Gems 3, section 18.3, 2007", kConeSlices,
+         "ratio: st length per relief depth, at most 1", false, bakeConeMap},
+        {"cone_step_quad", "Conservative cones by quadrant of the ray's direction in st",
+         "Policarpo, Oliveira, GPU Gems 3, section 18.3, 2007", kConeSlices,
+         "ratios towards +s, -s, +t, -t: st length per relief depth, at most 1", false, bakeQuadConeMap},
+        {"cone_step_relaxed",
+         "Relaxed cones: a ray that starts outside, at any depth, never leaves the relief inside",
+         "Policarpo, Oliveira, GPU Gems 3, section 18.4, 2007; the criterion is ours "
+         "(realtime/inputs/cone_map.h)",
+         kConeSlices, "ratio: st length per relief depth, at most 1", false, bakeRelaxedConeMap},
+        {"cone_step_relaxed_2007", "Relaxed cones as published: right for rays that start at depth 0 alone",
+         "Policarpo, Oliveira, GPU Gems 3, listing 18-2, 2007", kConeSlices,
+         "ratio: st length per relief depth, at most 1", false, bakeRelaxedConeMap2007},
     };
     return kinds;
 }
