@@ -139,6 +139,34 @@ TEST(ConeMap, NoPointOfTheSurfaceIsInACellsCone) {
         }
 }
 
+/// The lemma under slice 1: phi, interpolated between whole offsets, is nowhere above the length, beyond the squares that touch 0. Nor is it
+/// far below: at least cos 45 degrees of it, and from four texels on 3 %.
+TEST(ConeMap, PhiIsBelowTheDistanceEverywhere) {
+    for (const Vec2i size :
+         {Vec2i(8, 8), Vec2i(1, 64), Vec2i(16, 40), Vec2i(5, 3), Vec2i(300, 2), Vec2i(1, 1)}) {
+        const HeightMap map(
+            "flat", size.x, size.y,
+            std::vector<float>(static_cast<size_t>(size.x) * static_cast<size_t>(size.y), 0.5f));
+        const ConePairs pairs(map, ConeSlice::Cells, {});
+        const auto phi = [&](int ks, int kt) { return std::sqrt(pairs.distanceSquared(ks, kt)); };
+        for (int n = 0; n < 200000; ++n) {
+            const double reach = std::exp(6 * randomAt(1, 2, n));
+            const Vec2 delta = reach * (2.0 * Vec2(randomAt(1, 0, n), randomAt(1, 1, n)) - 1.0);
+            if (std::max(std::abs(delta.x), std::abs(delta.y)) <= 1) continue;
+            const Vec2i k(glm::floor(delta));
+            const Vec2 w = delta - Vec2(k);
+            const double interpolated = (1 - w.y) * ((1 - w.x) * phi(k.x, k.y) + w.x * phi(k.x + 1, k.y)) +
+                                        w.y * ((1 - w.x) * phi(k.x, k.y + 1) + w.x * phi(k.x + 1, k.y + 1));
+            const double length = glm::length(delta / Vec2(size));
+            ASSERT_LE(interpolated, length)
+                << delta.x << ", " << delta.y << " of " << size.x << " x " << size.y;
+            ASSERT_GE(phi(k.x, k.y), std::sqrt(0.5) * (1 - 1e-9) * glm::length(Vec2(k) / Vec2(size)));
+            if (size.x == size.y && glm::length(Vec2(k)) >= 4)
+                ASSERT_GE(phi(k.x, k.y), 0.97 * glm::length(Vec2(k) / Vec2(size)));
+        }
+    }
+}
+
 /// A wall of depth 0 on a floor of depth 1, at texel 2 of 8: floor texels k away have k / 8; the wall itself has 1.
 TEST(ConeMap, RatiosOfAWallAreDistances) {
     const HeightMap map("wall", 8, 1, {1, 1, 0, 1, 1, 1, 1, 1});
