@@ -2,11 +2,13 @@
 
 #include "../scenes/error.h"
 #include "../scenes/free_memory.h"
+#include "inputs/bake_cache.h"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <cstddef>
+#include <set>
 
 namespace plumbline {
 namespace {
@@ -17,11 +19,26 @@ constexpr double kShallowestRelief = 1e-9;
 // Texture units.
 constexpr GLint kHeightMapUnit = 0, kColorMapUnit = 1;
 
-/// As the vertex shaders' attributes 0 to 5 have it.
+/// As the vertex shaders' attributes 0 to 7 have it. Triangles share no vertices: each knows the st of its own corners.
 struct VertexData {
     Vec3f position, normal, positionS, positionT;
-    Vec2f st, curvature;
+    Vec2f st, curvature, cornerA, cornerB, cornerC;
 };
+
+std::vector<VertexData> vertexData(const ProxyMesh& proxy, const Vec3& originWorld, const Vec2& stOrigin) {
+    std::vector<VertexData> data;
+    data.reserve(proxy.triangles.size());
+    for (size_t i = 0; i < proxy.triangles.size(); ++i) {
+        const auto corner = [&](size_t k) {
+            return Vec2f(proxy.vertices[proxy.triangles[i / 3 * 3 + k]].st - stOrigin);
+        };
+        const ProxyVertex& vertex = proxy.vertices[proxy.triangles[i]];
+        data.push_back({Vec3f(vertex.position - originWorld), Vec3f(vertex.normal), Vec3f(vertex.positionS),
+                        Vec3f(vertex.positionT), Vec2f(vertex.st - stOrigin),
+                        Vec2f(vertex.quadricA, vertex.quadricB), corner(0), corner(1), corner(2)});
+    }
+    return data;
+}
 
 /// Whole tiles to take off st. Clamped maps keep theirs: there st isn't periodic.
 Vec2 wholeTiles(const ProxyMesh& proxy, const SceneObject& object) {
@@ -89,6 +106,7 @@ void GpuScene::addObject(const SceneObject& object, const GlContext& context) {
     }
     gpu.hasRelief = object.relief && object.relief->depth > kShallowestRelief * bounds.diagonal();
     gpu.stOrigin = wholeTiles(proxy, object);
+    gpu.extents = reliefExtents(proxy);
     if (gpu.hasRelief) gpu.heightMap = heightMapTexture(*object.relief->map, context);
     if (object.colorMap) gpu.colorMap = colorMapTexture(*object.colorMap, context);
     proxies_.push_back(std::move(proxy));
@@ -116,35 +134,63 @@ GLuint GpuScene::colorMapTexture(const ColorMap& map, const GlContext& context) 
     return texture.get();
 }
 
+const GpuScene::BakedTexture& GpuScene::bakedTexture(const HeightMap& map, const BakeRequest& request,
+                                                     BakeCost& cost) {
+    for (const auto& known : baked_)
+        if (known->map == &map && known->request == request) return *known;
+    BakeOutcome outcome = bakeCached(map, request);
+    if (!outcome.warning.empty()) cost.warnings.push_back(outcome.warning);
+    auto texture = std::make_unique<BakedTexture>();
+    texture->map = &map;
+    texture->request = request;
+    texture->texture = makeBakedTexture(outcome.map, map.wrapS(), map.wrapT());
+    texture->ms = outcome.ms;
+    texture->bytes = outcome.map.bytes();
+    return *baked_.emplace_back(std::move(texture));
+}
+
+BakeCost GpuScene::prepareBaked(const std::vector<std::string>& kinds) {
+    BakeCost cost;
+    std::set<const BakedTexture*> counted;
+    bindings_.assign(objects_.size(), {});
+    for (size_t i = 0; i < objects_.size(); ++i) {
+        if (!objects_[i].hasRelief) continue;
+        const SceneObject& object = *objects_[i].object;
+        for (const std::string& kind : kinds) {
+            BakeRequest request;
+            request.kind = kind;
+            if (bakeKind(kind).needsScale) request.scale = bakeScale(objects_[i].extents, object, kind);
+            const BakedTexture& texture = bakedTexture(*object.relief->map, request, cost);
+            bindings_[i].push_back({&bakedFamily(kind), &texture});
+            if (!counted.insert(&texture).second) continue;
+            cost.ms += texture.ms;
+            cost.bytes += texture.bytes;
+        }
+    }
+    return cost;
+}
+
 void GpuScene::upload(const Vec3& originWorld) {
     clearGlErrors();
     for (size_t i = 0; i < objects_.size(); ++i) {
         GpuObject& gpu = objects_[i];
         const ProxyMesh& proxy = proxies_[i];
-        std::vector<VertexData> data;
-        data.reserve(proxy.vertices.size());
-        for (const ProxyVertex& vertex : proxy.vertices)
-            data.push_back({Vec3f(vertex.position - originWorld), Vec3f(vertex.normal),
-                            Vec3f(vertex.positionS), Vec3f(vertex.positionT), Vec2f(vertex.st - gpu.stOrigin),
-                            Vec2f(vertex.quadricA, vertex.quadricB)});
+        const std::vector<VertexData> data = vertexData(proxy, originWorld, gpu.stOrigin);
         gpu.vertexArray = GlVertexArray::make();
         gpu.vertices = GlBuffer::make();
-        gpu.indices = GlBuffer::make();
         glBindVertexArray(gpu.vertexArray.get());
         glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.get());
         glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(data.size() * sizeof(VertexData)), data.data(),
                      GL_STATIC_DRAW);
-        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, gpu.indices.get());
-        glBufferData(GL_ELEMENT_ARRAY_BUFFER,
-                     static_cast<GLsizeiptr>(proxy.triangles.size() * sizeof(unsigned)),
-                     proxy.triangles.data(), GL_STATIC_DRAW);
         describeAttribute(0, 3, offsetof(VertexData, position));
         describeAttribute(1, 3, offsetof(VertexData, normal));
         describeAttribute(2, 3, offsetof(VertexData, positionS));
         describeAttribute(3, 3, offsetof(VertexData, positionT));
         describeAttribute(4, 2, offsetof(VertexData, st));
         describeAttribute(5, 2, offsetof(VertexData, curvature));
-        gpu.indexCount = static_cast<GLsizei>(proxy.triangles.size());
+        describeAttribute(6, 4, offsetof(VertexData, cornerA)); // A and B
+        describeAttribute(7, 2, offsetof(VertexData, cornerC));
+        gpu.vertexCount = static_cast<GLsizei>(data.size());
         checkGl("sending the proxy mesh of " + gpu.object->name);
     }
     glBindVertexArray(0);
@@ -168,12 +214,22 @@ void GpuScene::setUniforms(size_t index, const GlProgram& program) const {
     glUniform2i(program.uniform("uHeightMapClamps"), relief.map->wrapS() == Wrap::Clamp,
                 relief.map->wrapT() == Wrap::Clamp);
     glUniform1f(program.uniform("uReliefDepthWorld"), static_cast<float>(relief.depth));
+    if (bindings_.empty()) return;
+    for (const auto& [family, baked] : bindings_[index]) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(family->unit));
+        glBindTexture(GL_TEXTURE_2D_ARRAY, baked->texture.get());
+        glUniform1i(program.uniform(family->sampler), family->unit);
+        const BakeScale& scale = baked->request.scale;
+        if (family->scaleUniform)
+            glUniform3f(program.uniform(family->scaleUniform), static_cast<float>(scale.s),
+                        static_cast<float>(scale.t), static_cast<float>(scale.depth));
+    }
 }
 
 void GpuScene::draw(size_t index, const GlProgram& program) const {
     setUniforms(index, program);
     glBindVertexArray(objects_[index].vertexArray.get());
-    glDrawElements(GL_TRIANGLES, objects_[index].indexCount, GL_UNSIGNED_INT, nullptr);
+    glDrawArrays(GL_TRIANGLES, 0, objects_[index].vertexCount);
 }
 
 std::vector<Vec2> GpuScene::stOrigins() const {

@@ -3,11 +3,13 @@
 
 #include "../scenes/proxy_mesh.h"
 #include "../scenes/scene.h"
+#include "baked_input.h"
 #include "gl_context.h"
 #include "gl_objects.h"
 #include "gl_program.h"
 
 #include <map>
+#include <memory>
 #include <vector>
 
 namespace plumbline {
@@ -16,11 +18,19 @@ namespace plumbline {
 struct GpuObject {
     const SceneObject* object = nullptr;
     GlVertexArray vertexArray;
-    GlBuffer vertices, indices;
-    GLsizei indexCount = 0;
+    GlBuffer vertices;
+    GLsizei vertexCount = 0;
     Vec2 stOrigin{0, 0};    // whole tiles taken off st, so that float keeps its digits
     bool hasRelief = false; // a relief too shallow to be told from none counts as none
     GLuint heightMap = 0, colorMap = 0;
+    ReliefExtents extents;
+};
+
+/// What the baked maps of a technique cost.
+struct BakeCost {
+    double ms = 0;      // of making them, now or when they came into the cache
+    uint64_t bytes = 0; // on the GPU
+    std::vector<std::string> warnings;
 };
 
 class GpuScene {
@@ -29,6 +39,10 @@ class GpuScene {
     /// it doesn't fit. A context must be current.
     GpuScene(const Scene& scene, const GlContext& context);
 
+    /// Gives every relief its map of each kind, from this renderer, the cache or by baking; draw() binds these until the next
+    /// call. Throws InputError
+    /// for an object that can't have one, MachineError for one that doesn't fit.
+    BakeCost prepareBaked(const std::vector<std::string>& kinds);
     const Bounds& boundsWorld() const { return bounds_; }
     const std::vector<GpuObject>& objects() const { return objects_; }
     /// Sets the uniforms of one object and draws its proxy with the program in use.
@@ -49,6 +63,22 @@ class GpuScene {
     std::vector<ProxyMesh> proxies_; // until upload()
     std::vector<GpuObject> objects_;
     std::map<const void*, GlTexture> textures_; // by map
+
+    struct BakedTexture {
+        const HeightMap* map;
+        BakeRequest request;
+        GlTexture texture;
+        double ms;
+        uint64_t bytes;
+    };
+    const BakedTexture& bakedTexture(const HeightMap& map, const BakeRequest& request, BakeCost& cost);
+    std::vector<std::unique_ptr<BakedTexture>> baked_;
+    /// By object: what draw() binds.
+    struct Binding {
+        const BakedFamily* family;
+        const BakedTexture* texture;
+    };
+    std::vector<std::vector<Binding>> bindings_;
 };
 
 } // namespace plumbline

@@ -5,6 +5,7 @@
 #include "../scenes/frame.h"
 #include "gl_program.h"
 #include "glsl_words.h"
+#include "inputs/bake.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
@@ -18,9 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kTechniqueInputs{"height"}, kSurfaceInputs{"quadric"},
-    kShadows{"relief", "none"}, kGeometries{"proxy", "micro_triangles"},
-    kTypes{"int", "float", "bool", "choice"};
+const std::vector<std::string> kSurfaceInputs{"quadric"}, kShadows{"relief", "none"},
+    kGeometries{"proxy", "micro_triangles"}, kTypes{"int", "float", "bool", "choice"};
 // Ints are injected as GLSL ints.
 constexpr double kLargestInt = 2147483647.0;
 
@@ -209,13 +209,51 @@ void readParameters(const fs::path& file, Fields& fields, Manifest& manifest) {
 }
 
 /// The parts a technique and a surface have in common; the caller asks for the rest before rejectUnknown().
-void readCommon(const fs::path& file, Fields& fields, Manifest& manifest,
-                const std::vector<std::string>& knownInputs) {
+void readCommon(const fs::path& file, Fields& fields, Manifest& manifest) {
     manifest.title = fields.text("title");
     manifest.citation = fields.text("citation");
-    manifest.inputs = fields.texts("inputs", knownInputs, true);
+    manifest.inputs = fields.texts("inputs", {}, true);
     manifest.limits = fields.texts("limits", {}, true);
     readParameters(file, fields, manifest);
+}
+
+/// Each input is one of `known`, or in a technique the name of a choice between kinds of baked maps.
+void checkInputs(const Fields& fields, const toml::table& table, const Manifest& manifest,
+                 std::vector<std::string> known) {
+    for (const Parameter& parameter : manifest.parameters)
+        if (parameter.type == ParameterValue::Type::Choice &&
+            std::all_of(parameter.choices.begin(), parameter.choices.end(), isBakeKind))
+            known.push_back(parameter.name);
+    for (const toml::node& element : *table["inputs"].as_array())
+        fields.checkChoice(element, "inputs", *element.value<std::string>(), known);
+}
+
+std::vector<std::string> techniqueInputs() {
+    std::vector<std::string> names{"height"};
+    for (const BakeKind& kind : bakeKinds())
+        names.emplace_back(kind.name);
+    return names;
+}
+
+/// [refused_surfaces]: name = "reason".
+void readRefusals(const fs::path& file, Fields& fields, Manifest& manifest) {
+    const toml::node* node = fields.find("refused_surfaces");
+    if (!node) return;
+    const toml::table* table = node->as_table();
+    if (!table)
+        fields.fail(node, "refused_surfaces is not a table", "[refused_surfaces] with SURFACE = \"reason\"");
+    Fields reasons(file, *table, "refused_surfaces.");
+    for (const std::string& surface : surfaceNames()) {
+        if (!table->contains(surface)) {
+            (void)reasons.find(surface); // known all the same
+            continue;
+        }
+        if (std::find(manifest.surfaces.begin(), manifest.surfaces.end(), surface) != manifest.surfaces.end())
+            fields.fail(table->get(surface), fmt::format("surface '{}' is both taken and refused", surface),
+                        "one of them");
+        manifest.refusals[surface] = reasons.text(surface);
+    }
+    reasons.rejectUnknown();
 }
 
 std::vector<std::string> channelNames() {
@@ -228,7 +266,7 @@ std::vector<std::string> channelNames() {
 void checkShader(const Manifest& manifest) {
     const std::string glsl = readText(manifest.shaderFile());
     for (const Parameter& parameter : manifest.parameters)
-        if (!namesIdentifier(glsl, parameter.name))
+        if (!manifest.hasInput(parameter.name) && !namesIdentifier(glsl, parameter.name))
             throw InputError(manifest.file.string(),
                              fmt::format("parameter '{}' doesn't occur in {}", parameter.name,
                                          manifest.shaderFile().filename().string()),
@@ -266,7 +304,8 @@ Manifest readTechniqueManifest(const fs::path& folder) {
     Manifest manifest = emptyManifest(folder, "technique.toml");
     const toml::table table = parseFile(manifest.file);
     Fields fields(manifest.file, table, "");
-    readCommon(manifest.file, fields, manifest, kTechniqueInputs);
+    readCommon(manifest.file, fields, manifest);
+    checkInputs(fields, table, manifest, techniqueInputs());
     manifest.channels = fields.texts("channels", channelNames(), false);
     if (const toml::node* node = fields.find("geometry")) {
         const auto value = node->value_exact<std::string>();
@@ -276,6 +315,7 @@ Manifest readTechniqueManifest(const fs::path& folder) {
     }
     if (manifest.geometry == Geometry::Proxy) {
         manifest.surfaces = fields.texts("surfaces", surfaceNames(), true);
+        readRefusals(manifest.file, fields, manifest);
         manifest.shadows = fields.texts("shadows", kShadows, false);
         if (!table.contains("shadows")) manifest.shadows = kShadows;
         if (manifest.surfaces.empty())
@@ -295,7 +335,8 @@ Manifest readSurfaceManifest(const fs::path& folder) {
     Manifest manifest = emptyManifest(folder, "surface.toml");
     const toml::table table = parseFile(manifest.file);
     Fields fields(manifest.file, table, "");
-    readCommon(manifest.file, fields, manifest, kSurfaceInputs);
+    readCommon(manifest.file, fields, manifest);
+    checkInputs(fields, table, manifest, kSurfaceInputs);
     manifest.shadows = fields.texts("shadows", kShadows, true);
     if (manifest.shadows.empty()) fields.fail(table.get("shadows"), "shadows is empty", listOf(kShadows));
     fields.rejectUnknown();

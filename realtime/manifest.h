@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -44,9 +45,11 @@ struct Manifest {
     std::filesystem::path folder, file;
     std::string title, citation;
     Geometry geometry = Geometry::Proxy;
-    std::vector<std::string> inputs;   // known ones only
-    std::vector<std::string> surfaces; // of a technique: those it composes with
-    std::vector<std::string> shadows;  // "none", "relief": what the harness may do with it
+    std::vector<std::string>
+        inputs; // "height", kinds of baked maps, parameters that choose between such kinds
+    std::vector<std::string> surfaces;           // of a technique: those it composes with
+    std::map<std::string, std::string> refusals; // of a technique: why not, by surface
+    std::vector<std::string> shadows;            // "none", "relief": what the harness may do with it
     std::vector<std::string> channels; // of a technique: what its frames hold; empty = every channel
     std::vector<std::string> limits;
     std::vector<Parameter> parameters;

@@ -124,7 +124,8 @@ TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
         checkMicroMeshes(technique, microMeshes, impl_->scene.objects.size());
 
     const CurrentContext current(*impl_->context);
-    const GpuState& gpu = *impl_->gpu;
+    GpuState& gpu = *impl_->gpu;
+    const BakeCost bakes = gpu.objects.prepareBaked(technique.bakedKinds());
     const FrameTime time = impl_->drawTechnique(technique, microMeshes);
 
     TechniqueResult result;
@@ -147,6 +148,9 @@ TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
     result.msMedian = time.msMedian;
     result.msRuns = time.runs;
     result.timer = time.timer;
+    result.bakeMs = bakes.ms;
+    result.bakeBytes = bakes.bytes;
+    result.warnings = bakes.warnings;
     return result;
 }
 

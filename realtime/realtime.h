@@ -43,8 +43,10 @@ TechniqueRequest parseTechnique(const std::string& text);
 
 struct TechniqueInfo {
     std::string name, title, citation, folder;
-    std::vector<std::string> inputs;   // "height", …
-    std::vector<std::string> surfaces; // it composes with; empty: none
+    std::vector<std::string> inputs;             // "height", …
+    std::vector<std::string> surfaces;           // it composes with; empty: none
+    std::map<std::string, std::string> refusals; // why not with others, by surface
+    std::vector<std::string> shadows;            // "relief": its search also serves as a shadow ray; "none"
     struct Parameter {
         std::string name, type, unit, meaning, defaultValue, range;
     };
@@ -63,6 +65,9 @@ struct TechniqueResult {
     double msMedian = 0;           // of one frame, warm
     int msRuns = 0;
     std::string timer; // "gpu timer query", "wall clock around glFinish[, one cold run]"
+    double bakeMs = 0; // of making its baked maps, now or when they came into the cache
+    uint64_t bakeBytes = 0;
+    std::vector<std::string> warnings;
 };
 
 /// Owns a GL context and what techniques share: proxy meshes, height maps.

@@ -1,6 +1,7 @@
 #include "technique.h"
 
 #include "../scenes/error.h"
+#include "baked_input.h"
 
 #include <fmt/format.h>
 
@@ -68,6 +69,13 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
         bias.meaning = "a shadow ray must be stopped this much above the point to shadow it";
         parameters.push_back(bias);
     }
+    Parameter bounds;
+    bounds.name = "triangle_bounds";
+    bounds.type = ParameterValue::Type::Bool;
+    bounds.defaultValue = {ParameterValue::Type::Bool, 0};
+    bounds.meaning =
+        "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)";
+    parameters.push_back(bounds);
     return parameters;
 }
 
@@ -129,11 +137,14 @@ Pieces findPieces(const TechniqueRequest& request) {
         return pieces;
     }
     pieces.surface = readSurfaceManifest(surfaceFolder(request.surface));
-    if (!contains(pieces.search.surfaces, request.surface))
-        throw InputError(
-            "technique",
-            fmt::format("'{}' doesn't compose with surface '{}'", pieces.search.name, request.surface),
-            "@" + listOf(pieces.search.surfaces));
+    if (!contains(pieces.search.surfaces, request.surface)) {
+        const auto reason = pieces.search.refusals.find(request.surface);
+        throw InputError("technique",
+                         fmt::format("'{}' doesn't compose with surface '{}'{}", pieces.search.name,
+                                     request.surface,
+                                     reason == pieces.search.refusals.end() ? "" : ": " + reason->second),
+                         "@" + listOf(pieces.search.surfaces));
+    }
     pieces.shader = pieces.search.parameters;
     for (const Parameter& parameter : pieces.surface->parameters) {
         if (contains(namesOf(pieces.shader), parameter.name))
@@ -153,6 +164,17 @@ std::vector<std::string> settingNames(const Pieces& pieces) {
     return namesOf(all);
 }
 
+/// A shader has one sampler a family.
+void checkFamilies(const Technique& technique) {
+    std::map<std::string, std::string> kinds;
+    for (const std::string& kind : technique.bakedKinds())
+        if (const auto [first, isNew] = kinds.emplace(bakedFamily(kind).sampler, kind); !isNew)
+            throw InputError(
+                technique.search.file.string(),
+                fmt::format("takes both '{}' and '{}', which are read in the same way", first->second, kind),
+                "one of them");
+}
+
 /// "linear_binary@quadric", for messages.
 std::string displayName(const Pieces& pieces) {
     const bool flat = !pieces.surface || pieces.surface->name == kFlat;
@@ -169,6 +191,16 @@ fs::path techniqueFolder(const std::string& search) {
     throw InputError("technique", fmt::format("'{}' is {}", search, isPath ? "no folder" : "not known"),
                      isPath ? "a folder with technique.toml" : listOf(names) + ", or a folder",
                      didYouMean(search, names));
+}
+
+std::vector<std::string> Technique::bakedKinds() const {
+    std::vector<std::string> kinds;
+    for (const std::string& input : search.inputs) {
+        if (isBakeKind(input)) kinds.push_back(input);
+        for (const auto& [parameter, value] : shaderSettings)
+            if (parameter.name == input) kinds.push_back(parameter.format(value));
+    }
+    return kinds;
 }
 
 const Technique::Setting* Technique::harness(const std::string& settingName) const {
@@ -228,6 +260,7 @@ Technique resolveTechnique(const TechniqueRequest& request,
     technique.harnessSettings = chooseValues(pieces.harness, where, request.settings, shared);
     technique.search = std::move(pieces.search);
     technique.surface = std::move(pieces.surface);
+    checkFamilies(technique);
     technique.name = resultName(technique);
     return technique;
 }

@@ -19,17 +19,21 @@ struct Technique {
     };
 
     Manifest search;
-    std::optional<Manifest> surface;      // none for micro_triangles
-    std::vector<Setting> shaderSettings;  // of search and surface: become constants of the shader
-    std::vector<Setting> harnessSettings; // filter, shadow, shadow_bias, as far as they apply
-    std::string name;                     // as in every result
+    std::optional<Manifest> surface;     // none for micro_triangles
+    std::vector<Setting> shaderSettings; // of search and surface: become constants of the shader
+    std::vector<Setting>
+        harnessSettings; // filter, shadow, shadow_bias, triangle_bounds, as far as they apply
+    std::string name;    // as in every result
 
     const Setting* harness(const std::string& settingName) const;
-    /// Text of a harness setting of type choice; empty if it doesn't apply.
+    /// Text of a harness setting; empty if it doesn't apply.
     std::string choice(const std::string& settingName) const;
     bool drawsMicroTriangles() const { return search.geometry == Geometry::MicroTriangles; }
     bool castsShadows() const { return choice("shadow") == "relief"; }
+    bool discardsOutsideTriangle() const { return choice("triangle_bounds") == "true"; }
     bool hardwareFilter() const { return choice("filter") == "hardware"; }
+    /// Kinds of the baked maps it reads, with choices made.
+    std::vector<std::string> bakedKinds() const;
     /// Every setting as text.
     std::map<std::string, std::string> parameters() const;
     /// The GLSL constants of shaderSettings, one a line.

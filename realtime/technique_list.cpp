@@ -49,6 +49,8 @@ TechniqueInfo infoOf(const Manifest& manifest) {
     info.folder = manifest.folder.string();
     info.inputs = manifest.inputs;
     info.surfaces = manifest.surfaces;
+    info.refusals = manifest.refusals;
+    info.shadows = manifest.shadows;
     info.limits = manifest.limits;
     info.drawsMicroTriangles = manifest.geometry == Geometry::MicroTriangles;
     for (const Parameter& parameter : manifest.parameters)

@@ -2,11 +2,13 @@
 
 #include "../scenes/data_folder.h"
 #include "../scenes/error.h"
+#include "baked_input.h"
 #include "frame_target.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 namespace plumbline {
 namespace {
@@ -38,6 +40,21 @@ std::string lightDeclarations(size_t lightCount) {
     return text + "}\n";
 }
 
+const std::set<std::string>& harnessUniforms() {
+    static const std::set<std::string> names = [] {
+        std::set<std::string> all{"uClipFromRelative", "uEye",       "uDepthPlane",      "uDepthRange",
+                                  "uLights",           "uColor",     "uHasColorMap",     "uColorMap",
+                                  "uObjectId",         "uHeightMap", "uHeightMapClamps", "uReliefDepthWorld",
+                                  "uShadowBias"};
+        for (const BakedFamily& family : bakedFamilies()) {
+            all.insert(family.sampler);
+            if (family.scaleUniform) all.insert(family.scaleUniform);
+        }
+        return all;
+    }();
+    return names;
+}
+
 void addHarness(ShaderSource& fragment, size_t lightCount) {
     fragment.addText("(lights)", lightDeclarations(lightCount));
     fragment.addFile(shaderFile("camera.glsl"));
@@ -58,11 +75,15 @@ StageSources reliefSources(const Technique& technique, size_t lightCount) {
     StageSources sources;
     sources.vertex.addFile(shaderFile("proxy_vertex.glsl"));
     sources.fragment.addText("(settings)",
-                             fmt::format("const bool kHardwareFilter = {};\nconst bool kCastShadows = {};\n",
-                                         technique.hardwareFilter(), technique.castsShadows()));
+                             fmt::format("const bool kHardwareFilter = {};\nconst bool kCastShadows = {};\n"
+                                         "const bool kTriangleBounds = {};\n",
+                                         technique.hardwareFilter(), technique.castsShadows(),
+                                         technique.discardsOutsideTriangle()));
     addHarness(sources.fragment, lightCount);
     sources.fragment.addFile(shaderFile("height_map.glsl"));
     sources.fragment.addFile(shaderFile("relief_contract.glsl"));
+    for (const std::string& kind : technique.bakedKinds())
+        sources.fragment.addFile(shaderFile(bakedFamily(kind).shader));
     sources.fragment.addFile(shaderFile("relief_main.glsl"));
     sources.fragment.addText("(parameters)", technique.glslConstants());
     sources.fragment.addFile(technique.surface->shaderFile());
@@ -76,14 +97,17 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
         throw InputError(author, "doesn't define traceRelief", "ReliefHit traceRelief(ReliefRay ray) { … }");
     const StageSources sources = reliefSources(technique, lightCount);
     auto program = std::make_unique<GlProgram>(sources.vertex, sources.fragment);
-    for (const std::string& name : program->activeUniforms())
-        if (name != "uClipFromRelative" && name != "uEye" && name != "uDepthPlane" && name != "uDepthRange" &&
-            name != "uLights" && name != "uColor" && name != "uHasColorMap" && name != "uColorMap" &&
-            name != "uObjectId" && name != "uHeightMap" && name != "uHeightMapClamps" &&
-            name != "uReliefDepthWorld" && name != "uShadowBias")
+    const std::set<std::string> active = program->activeUniforms();
+    for (const std::string& name : active)
+        if (!harnessUniforms().contains(name))
             throw InputError(author,
                              fmt::format("declares uniform '{}', which the harness doesn't set", name),
                              "parameters in technique.toml");
+    for (const std::string& kind : technique.bakedKinds())
+        if (!active.contains(bakedFamily(kind).sampler))
+            throw InputError(technique.search.file.string(),
+                             fmt::format("asks for input '{}', which the shader never reads", kind),
+                             fmt::format("a shader that calls a function of {}", bakedFamily(kind).shader));
     return program;
 }
 

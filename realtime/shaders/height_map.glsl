@@ -22,26 +22,43 @@ int wrapTexel(int i, int size, int clamps) {
     return clamp(i, 0, size - 1); // under repeat only for coordinates that aren't numbers
 }
 
-// The four texels around st (00, 10, 01, 11) and the weights of the second ones.
+ivec2 reliefMapSize() { return textureSize(uHeightMap, 0); }
+
+// The two texels around st along each axis, wrapped, and the weights of the second ones.
+struct TexelCorners {
+    ivec2 low, high;
+    vec2 weight;
+};
+
+TexelCorners texelCorners(vec2 st) {
+    ivec2 size = reliefMapSize();
+    vec2 texels = vec2(texelCoordinate(st.x, size.x, uHeightMapClamps.x),
+                       texelCoordinate(st.y, size.y, uHeightMapClamps.y));
+    ivec2 low = ivec2(floor(texels));
+    TexelCorners corners;
+    corners.low = ivec2(wrapTexel(low.x, size.x, uHeightMapClamps.x), wrapTexel(low.y, size.y, uHeightMapClamps.y));
+    corners.high =
+        ivec2(wrapTexel(low.x + 1, size.x, uHeightMapClamps.x), wrapTexel(low.y + 1, size.y, uHeightMapClamps.y));
+    corners.weight = texels - floor(texels);
+    return corners;
+}
+
+// The cell st lies in, wrapped: cell (i, j) is the bilinear patch between texels (i, j) and (i + 1, j + 1).
+ivec2 cellOf(vec2 st) { return texelCorners(st).low; }
+
+// Depths of the texels around st (00, 10, 01, 11) and the weights of the second ones.
 struct TexelPatch {
     vec4 depths;
     vec2 weight;
 };
 
+float texelDepth(int i, int j) { return texelFetch(uHeightMap, ivec2(i, j), 0).r; }
+
 TexelPatch texelPatch(vec2 st) {
-    ivec2 size = textureSize(uHeightMap, 0);
-    vec2 texels = vec2(texelCoordinate(st.x, size.x, uHeightMapClamps.x),
-                       texelCoordinate(st.y, size.y, uHeightMapClamps.y));
-    vec2 low = floor(texels);
-    int i0 = wrapTexel(int(low.x), size.x, uHeightMapClamps.x);
-    int i1 = wrapTexel(int(low.x) + 1, size.x, uHeightMapClamps.x);
-    int j0 = wrapTexel(int(low.y), size.y, uHeightMapClamps.y);
-    int j1 = wrapTexel(int(low.y) + 1, size.y, uHeightMapClamps.y);
-    TexelPatch patch_;
-    patch_.depths = vec4(texelFetch(uHeightMap, ivec2(i0, j0), 0).r, texelFetch(uHeightMap, ivec2(i1, j0), 0).r,
-                         texelFetch(uHeightMap, ivec2(i0, j1), 0).r, texelFetch(uHeightMap, ivec2(i1, j1), 0).r);
-    patch_.weight = texels - low;
-    return patch_;
+    TexelCorners c = texelCorners(st);
+    return TexelPatch(vec4(texelDepth(c.low.x, c.low.y), texelDepth(c.high.x, c.low.y), texelDepth(c.low.x, c.high.y),
+                           texelDepth(c.high.x, c.high.y)),
+                      c.weight);
 }
 
 // Relief depth at st, counted.

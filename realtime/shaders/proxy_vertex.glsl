@@ -6,6 +6,8 @@ layout(location = 2) in vec3 inPositionS; // dS/ds, world units per unit of s
 layout(location = 3) in vec3 inPositionT;
 layout(location = 4) in vec2 inSt;
 layout(location = 5) in vec2 inCurvature; // quadric coefficients A, B
+layout(location = 6) in vec4 inTriangleStAB; // st of the triangle's corners, the same at all three
+layout(location = 7) in vec2 inTriangleStC;
 
 uniform mat4 uClipFromRelative;
 
@@ -15,6 +17,8 @@ out vec3 vPositionS;
 out vec3 vPositionT;
 out vec2 vSt;
 out vec2 vCurvature;
+flat out vec4 vTriangleStAB;
+flat out vec2 vTriangleStC;
 
 void main() {
     vPosition = inPosition;
@@ -23,5 +27,7 @@ void main() {
     vPositionT = inPositionT;
     vSt = inSt;
     vCurvature = inCurvature;
+    vTriangleStAB = inTriangleStAB;
+    vTriangleStC = inTriangleStC;
     gl_Position = uClipFromRelative * vec4(inPosition, 1.0);
 }

@@ -6,6 +6,8 @@ in vec3 vPositionS;
 in vec3 vPositionT;
 in vec2 vSt;
 in vec2 vCurvature;
+flat in vec4 vTriangleStAB;
+flat in vec2 vTriangleStC;
 
 uniform float uReliefDepthWorld;
 uniform float uShadowBias; // relief depth
@@ -61,13 +63,23 @@ float castShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
     return hit.hit && reliefPosition(ray, hit.t).z < positionRelief.z - uShadowBias ? 1.0 : 0.0;
 }
 
+float doubledArea(vec2 a, vec2 b, vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+// Whether st belongs to the triangle drawn (Premecz 2006, section 1.1). One without area holds everything.
+bool insideTriangle(vec2 st) {
+    vec2 a = vTriangleStAB.xy, b = vTriangleStAB.zw, c = vTriangleStC;
+    float whole = doubledArea(a, b, c);
+    return doubledArea(a, b, st) * whole >= 0.0 && doubledArea(b, c, st) * whole >= 0.0 &&
+           doubledArea(c, a, st) * whole >= 0.0;
+}
+
 void main() {
     ReliefFrame frame = fragmentFrame();
     vec3 toCamera = directionToCamera(vPosition);
     ReliefRay ray;
     if (!enterRelief(frame, frame.st, reliefDirection(frame, -toCamera), ray)) discard;
     ReliefHit hit = traceRelief(ray);
-    if (!hit.hit) discard;
+    if (!hit.hit || (kTriangleBounds && !insideTriangle(hit.st))) discard;
     int iterations = gIterations;
 
     SurfacePoint point;

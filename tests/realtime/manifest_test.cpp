@@ -11,8 +11,11 @@
 namespace plumbline {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 TEST(TechniqueText, SearchSurfaceAndSettings) {
     const TechniqueRequest request = parseTechnique("linear_binary@quadric:linear_steps=64,binary_steps=0");
@@ -83,11 +86,12 @@ TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
 }
 
 TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
-    EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
-                ElementsAre("binary_steps", "filter", "linear_steps", "shadow", "shadow_bias"));
+    EXPECT_THAT(
+        knownSettings(parseTechnique("linear_binary")),
+        ElementsAre("binary_steps", "filter", "linear_steps", "shadow", "shadow_bias", "triangle_bounds"));
     // No cast shadows on a quadric: nothing for a bias to act on.
     EXPECT_THAT(knownSettings(parseTechnique("linear_binary@quadric")),
-                ElementsAre("binary_steps", "filter", "linear_steps", "shadow"));
+                ElementsAre("binary_steps", "filter", "linear_steps", "shadow", "triangle_bounds"));
     EXPECT_TRUE(knownSettings(parseTechnique("micro_triangles")).empty());
 }
 
@@ -95,8 +99,7 @@ TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
     const auto message = [](const std::string& text) { return messageOf<InputError>([&] { nameOf(text); }); };
     EXPECT_EQ(message("linear_binary:linear_stepz=3"),
               "linear_binary: has no parameter 'linear_stepz'; expected binary_steps, filter, linear_steps, "
-              "shadow or "
-              "shadow_bias; did you mean 'linear_steps'?");
+              "shadow, shadow_bias or triangle_bounds; did you mean 'linear_steps'?");
     EXPECT_EQ(message("linear_binary:linear_steps=0"),
               "linear_binary: linear_steps = '0'; expected a whole number from 1 to 4096");
     EXPECT_THAT(message("linear_binary:linear_steps=2.5"), HasSubstr("expected a whole number"));
@@ -158,9 +161,10 @@ TEST(Manifest, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(manifestMessage(with("limits = []", "limits = []\nlimit = []")),
               "technique.toml:6: limit is not a field of it; expected channels, citation, geometry, inputs, "
               "limits, "
-              "parameter, shadows, surfaces or title; did you mean 'limits'?");
-    EXPECT_EQ(manifestMessage(with("['height']", "['hight']")),
-              "technique.toml:3: inputs: 'hight' is not known; expected height; did you mean 'height'?");
+              "parameter, refused_surfaces, shadows, surfaces or title; did you mean 'limits'?");
+    EXPECT_THAT(manifestMessage(with("['height']", "['hight']")),
+                AllOf(StartsWith("technique.toml:3: inputs: 'hight' is not known; expected height"),
+                      EndsWith("did you mean 'height'?")));
     EXPECT_EQ(manifestMessage(with("['flat']", "'flat'")),
               "technique.toml:4: surfaces is not a list; expected [\"…\", \"…\"]");
     EXPECT_EQ(manifestMessage(with("['flat']", "[]")),
@@ -190,6 +194,43 @@ TEST(Manifest, MistakesAreNamedWithTheirLine) {
     EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Q']"), HasSubstr("'Q' is not known"));
     EXPECT_THAT(manifestMessage("title = "), HasSubstr("technique.toml:1: "));
     EXPECT_THAT(manifestMessage("\xff\xfe"), HasSubstr("technique.toml:1: "));
+}
+
+TEST(Manifest, ASurfaceCanBeRefusedWithAReason) {
+    const auto message = [](const std::string& refusals) {
+        const TemporaryFolder folder;
+        folder.write("mine/technique.toml", std::string(kGood) + "[refused_surfaces]\n" + refusals);
+        folder.write("mine/mine.glsl", kShader);
+        return messageOf<InputError>([&] { nameOf((folder.path() / "mine@quadric").string()); });
+    };
+    EXPECT_EQ(message("quadric = 'too round'\n"),
+              "technique: 'mine' doesn't compose with surface 'quadric': too round; expected @flat");
+    EXPECT_EQ(message(""), "technique: 'mine' doesn't compose with surface 'quadric'; expected @flat");
+    EXPECT_THAT(message("flat = 'no'\n"),
+                HasSubstr("technique.toml:7: surface 'flat' is both taken and refused"));
+    EXPECT_THAT(message("quadrik = 'no'\n"), HasSubstr("did you mean 'quadric'?"));
+    EXPECT_THAT(message("quadric = 3\n"),
+                HasSubstr("technique.toml:7: refused_surfaces.quadric is not a text"));
+}
+
+TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {
+    const std::string choice = "[[parameter]]\nname = 'which'\ntype = 'choice'\ndefault = 'normal'\n"
+                               "choices = ['normal', 'max_mipmap']\nunit = ''\nmeaning = 'm'\n";
+    const TemporaryFolder folder;
+    folder.write("mine/technique.toml", with("['height']", "['height', 'which']") + choice);
+    folder.write("mine/mine.glsl", std::string(kShader) + "int x() { return which; }\n");
+    const auto kinds = [&](const char* settings) {
+        return resolveTechnique(parseTechnique((folder.path() / "mine").string() + settings), {})
+            .bakedKinds();
+    };
+    EXPECT_THAT(kinds(""), ElementsAre("normal"));
+    EXPECT_THAT(kinds(":which=max_mipmap"), ElementsAre("max_mipmap"));
+    EXPECT_THAT(manifestMessage(with("['height']", "['steps']")), HasSubstr("inputs: 'steps' is not known"));
+}
+
+TEST(Manifest, TwoMapsThatAreReadInOneWayAreRefused) {
+    EXPECT_THAT(manifestMessage(with("['height']", "['height', 'cone_step', 'cone_step_relaxed']")),
+                HasSubstr("takes both 'cone_step' and 'cone_step_relaxed', which are read in the same way"));
 }
 
 TEST(Manifest, AParameterTheShaderDoesNotUseIsAnError) {

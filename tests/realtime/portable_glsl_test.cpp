@@ -16,7 +16,8 @@ bool haveValidator() {
 
 /// Output of the validator, empty if it is content.
 std::string validate(const TemporaryFolder& folder, const ShaderSource& source, const char* stage, bool es) {
-    const char* preamble = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;";
+    const char* preamble = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+                           "precision highp sampler2DArray;";
     const std::string text = es ? source.assemble("300 es", preamble) : source.assemble();
     const std::string name = std::string("shader.") + stage;
     folder.write(name, text);

@@ -372,6 +372,35 @@ TEST(ReliefFrame, ScenesFarAwayTinyOrHugeLookTheSame) {
     }
 }
 
+TEST(ReliefFrame, TriangleBoundsDiscardHitsBeyondTheTriangle) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A floor of constant depth 1 below a square, seen at 45 degrees: the hit lies 0.3 further along s than the fragment, in
+    // world units 0.3 of the 2 the square is wide. What is left is where it still lies over the fragment's own triangle.
+    const Scene scene =
+        sceneOf(squareObject(2, std::make_shared<HeightMap>(HeightMap::constant("floor", 1)), 0.3),
+                fromTheSide(45, 3));
+    const Frame whole = draw(scene, "linear_binary"),
+                bounded = draw(scene, "linear_binary:triangle_bounds=true");
+    size_t kept = 0, dropped = 0;
+    for (size_t i = 0; i < whole.pixelCount(); ++i) {
+        if (whole.channel("A")[i] == 0) continue;
+        const Vec2 st = stAt(whole, i);
+        const bool inSquare = st.x >= 0 && st.x <= 1 && st.y >= 0 && st.y <= 1;
+        if (bounded.channel("A")[i] == 1) {
+            ++kept;
+            ASSERT_TRUE(inSquare) << st.x << " " << st.y;
+        } else {
+            ++dropped;
+        }
+    }
+    // Each triangle, legs 1 in st, loses what a shift by 0.15 moves out of it: the one whose leg faces the shift 0.15 - 0.15^2/2
+    // of 1/2, the other one the same. Hits in the neighbour are dropped, too: together 2 (0.15 - 0.01125) = 0.2775.
+    const double share = static_cast<double>(dropped) / static_cast<double>(kept + dropped);
+    EXPECT_NEAR(share, 0.2775, 0.02); // pixels along edges: 64 a side
+    const Frame off = draw(scene, "linear_binary:triangle_bounds=false");
+    EXPECT_EQ(coveredPixels(off), coveredPixels(whole));
+}
+
 TEST(ReliefFrame, TwoSquaresHideEachOtherByDepth) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The relief's floor is at y = -0.2, a plain square at -0.1: the plain one is seen where the relief is deepest.

@@ -32,6 +32,9 @@ void listAllTechniques() {
         if (!technique.citation.empty()) fmt::print("    source: {}\n", technique.citation);
         if (!technique.surfaces.empty())
             fmt::print("    surfaces: {}\n", fmt::join(technique.surfaces, ", "));
+        for (const auto& [surface, reason] : technique.refusals)
+            fmt::print("    not on {}: {}\n", surface, reason);
+        if (!technique.shadows.empty()) fmt::print("    shadows: {}\n", fmt::join(technique.shadows, ", "));
         if (!technique.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(technique.inputs, ", "));
         for (const TechniqueInfo::Parameter& parameter : technique.parameters)
             fmt::print("    {} = {}  {}{}{}: {}\n", parameter.name, parameter.defaultValue, parameter.type,

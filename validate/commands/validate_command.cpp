@@ -142,6 +142,8 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
         trial.outcome.msMedian = result.msMedian;
         trial.outcome.msRuns = result.msRuns;
         trial.outcome.timer = result.timer;
+        trial.outcome.bakeMs = result.bakeMs;
+        trial.outcome.bakeBytes = static_cast<double>(result.bakeBytes);
         trial.frame = std::move(result.frame);
         const auto against = [&](const Frame& reference) {
             return compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);

@@ -161,8 +161,9 @@ TEST(ConeMap, PhiIsBelowTheDistanceEverywhere) {
             ASSERT_LE(interpolated, length)
                 << delta.x << ", " << delta.y << " of " << size.x << " x " << size.y;
             ASSERT_GE(phi(k.x, k.y), std::sqrt(0.5) * (1 - 1e-9) * glm::length(Vec2(k) / Vec2(size)));
-            if (size.x == size.y && glm::length(Vec2(k)) >= 4)
+            if (size.x == size.y && glm::length(Vec2(k)) >= 4) {
                 ASSERT_GE(phi(k.x, k.y), 0.97 * glm::length(Vec2(k) / Vec2(size)));
+            }
         }
     }
 }

@@ -1,0 +1,41 @@
+// Baked maps as a shader sees them: the GLSL that reads a kind, its sampler, its texture.
+#pragma once
+
+#include "../scenes/proxy_mesh.h"
+#include "gl_objects.h"
+#include "inputs/bake.h"
+
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+/// What the kinds that are read in one way have in common. A technique takes one kind of a family at most.
+struct BakedFamily {
+    const char* shader;       // in shaders/
+    const char* sampler;      // sampler2DArray; slices are the array's layers
+    const char* scaleUniform; // vec3, the BakeScale it was baked at; null: it has none
+    int unit;                 // texture unit
+    std::vector<const char*> kinds;
+};
+const std::vector<BakedFamily>& bakedFamilies();
+/// Throws InputError for a name that is no kind of baked map.
+const BakedFamily& bakedFamily(const std::string& kind);
+
+/// Mapping scales over an object's proxy, world units per unit of s and t.
+struct ReliefExtents {
+    Vec2 mean{0}; // 0 where the texture coordinates have no extent anywhere
+    /// No way on the proxy is shorter than with these as orthogonal scales; 0 where the coordinates have no extent somewhere.
+    Vec2 least{0};
+};
+ReliefExtents reliefExtents(const ProxyMesh& proxy);
+
+/// The metric an object's relief is baked in. Normals are turned from scale to scale in the shader: any will do, the mean
+/// one is taken. Distances must not be longer than they are anywhere: the least. Throws InputError where the texture
+/// coordinates have no extent.
+BakeScale bakeScale(const ReliefExtents& extents, const SceneObject& object, const std::string& kind);
+
+/// Sends every level. Throws MachineError if the map doesn't fit this OpenGL.
+GlTexture makeBakedTexture(const BakedMap& map, Wrap wrapS, Wrap wrapT);
+
+} // namespace plumbline
