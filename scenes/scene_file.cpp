@@ -54,6 +54,16 @@ class SceneReader {
         return std::move(scene_);
     }
 
+    /// Of a scene that was read.
+    std::shared_ptr<const HeightMap> mapNamed(const std::string& name) const {
+        const auto found = maps_.find(name);
+        if (found != maps_.end()) return found->second;
+        const std::vector<std::string> names(mapNames_.begin(), mapNames_.end());
+        throw InputError(file_.string(), fmt::format("no height map of it is called \"{}\"", name),
+                         names.empty() ? "a scene with a [[height_map]]" : listOf(names),
+                         didYouMean(name, names));
+    }
+
   private:
     std::string readPurpose() const {
         std::string purpose = root_.text("purpose");
@@ -310,6 +320,12 @@ class SceneReader {
 
 Scene readScene(const std::filesystem::path& file) {
     return SceneReader(file).read();
+}
+
+std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name) {
+    SceneReader reader(file);
+    reader.read(); // all of it: a scene with a mistake anywhere is refused
+    return reader.mapNamed(name);
 }
 
 } // namespace plumbline

@@ -10,6 +10,10 @@ namespace plumbline {
 /// Reads a scene, its meshes and its maps. Throws InputError: "file:line: field: what; expected …".
 Scene readScene(const std::filesystem::path& file);
 
+/// One height map of a scene, by the name it has there. Throws InputError: what readScene refuses, or a name that lists those
+/// there are.
+std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name);
+
 /// A path as it is, or the name of a scene in scenes/library/. Throws InputError that lists the names.
 std::filesystem::path findScene(const std::string& nameOrPath);
 

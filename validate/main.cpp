@@ -1,4 +1,5 @@
 // The command line: arguments to structs, errors to one line and an exit code. What is done is in commands/.
+#include "../realtime/inputs/bake.h"
 #include "../reference/reference.h"
 #include "../scenes/error.h"
 #include "../scenes/scene_metadata.h"
@@ -22,12 +23,13 @@ struct Arguments {
     RealtimeArguments realtime;
     ValidateArguments validate;
     CompareArguments compare;
+    BakeArguments bake;
     std::string listed;
     int threads = 0; // 0: as many as the machine has
 };
 
 void addThreads(CLI::App& command, Arguments& arguments) {
-    command.add_option("--threads", arguments.threads, "Threads of reference and llvmpipe (default: all)")
+    command.add_option("--threads", arguments.threads, "Threads of reference, bakes and llvmpipe (default: all)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
 }
@@ -69,6 +71,31 @@ void addRealtimeOptions(CLI::App& command, RealtimeArguments& arguments) {
         ->type_name("N");
 }
 
+void addBake(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
+    BakeArguments& bake = arguments.bake;
+    CLI::App* command = app.add_subcommand("bake", "Work out a map that techniques look up; kept by content");
+    command->add_option("MAP", bake.map, "A picture, or SCENE#NAME: a height map of a scene")->required();
+    command->add_option("--kind", bake.kind, "What to work out; 'plumbline list bakes' says what each holds")
+        ->required()
+        ->type_name("K");
+    command->add_option("-o", bake.output, "Also a picture of it")->type_name("FILE.exr");
+    command->add_option("--stores", bake.stores, "What the picture's values are")->type_name("depth|height");
+    command->add_option("--wrap", bake.wrap, "Along s and t, repeat or clamp each (default: repeat,repeat)")
+        ->type_name("S,T");
+    command
+        ->add_option("--depth", bake.depth, "World units of relief depth 1, for kinds that ask for a scale")
+        ->type_name("D");
+    command->add_option("--tile-size", bake.tileSize, "World units of one map width and height, likewise")
+        ->type_name("SX,SY");
+    command
+        ->add_option("--slices", bake.slices,
+                     fmt::format("Of a distance field (default: {})", BakeRequest().slices))
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    addThreads(*command, arguments);
+    command->callback([&] { run = [&] { return runBake(arguments.bake); }; });
+}
+
 /// Adds the commands to `app`; the one chosen stores what is to be run in `run`.
 void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     CLI::App* validate =
@@ -106,8 +133,10 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     compare->add_flag("--json", arguments.compare.json, "Print results.json instead of the table");
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
-    CLI::App* list = app.add_subcommand("list", "List scenes, techniques or metrics");
-    list->add_option("WHAT", arguments.listed, "scenes, techniques or metrics")->required();
+    addBake(app, arguments, run);
+
+    CLI::App* list = app.add_subcommand("list", "List scenes, techniques, metrics or kinds of baked maps");
+    list->add_option("WHAT", arguments.listed, "scenes, techniques, metrics or bakes")->required();
     list->callback([&] { run = [&] { return runList(arguments.listed); }; });
 
     app.add_subcommand("doctor", "Say what this machine can do")->callback([&] {

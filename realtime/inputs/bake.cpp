@@ -17,10 +17,6 @@ constexpr std::string_view kConeSlices =
 
 const std::vector<BakeKind>& table() {
     static const std::vector<BakeKind> kinds{
-        {"max_mipmap", "Bounds of the relief over blocks of 2^k x 2^k bilinear patches, level k of a pyramid",
-         "Tevs, Ihrke, Seidel, Maximum mipmaps for fast, accurate, and scalable dynamic height field "
-         "rendering, I3D 2008",
-         "one", "least depth, most depth", false, bakeMaxMipmap},
         {"normal", "Unit normal of the relief at the centres of texels, and its depth",
          "Premecz, Iterative parallax mapping with slope information, 2006, section 3", "one",
          "normal along s, along t and out of the surface; relief depth", true, bakeNormalMap},
@@ -43,6 +39,10 @@ const std::vector<BakeKind>& table() {
         {"cone_step_relaxed_2007", "Relaxed cones as published: right for rays that start at depth 0 alone",
          "Policarpo, Oliveira, GPU Gems 3, listing 18-2, 2007", kConeSlices,
          "ratio: st length per relief depth, at most 1", false, bakeRelaxedConeMap2007},
+        {"max_mipmap", "Bounds of the relief over blocks of 2^k x 2^k bilinear patches, level k of a pyramid",
+         "Tevs, Ihrke, Seidel, Maximum mipmaps for fast, accurate, and scalable dynamic height field "
+         "rendering, I3D 2008",
+         "one", "least depth, most depth", false, bakeMaxMipmap},
     };
     return kinds;
 }

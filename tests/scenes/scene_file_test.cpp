@@ -58,6 +58,17 @@ TEST_F(SceneFile, EveryFieldArrives) {
     EXPECT_EQ(torus.color, Vec3(0.8, 0.75, 0.7));
 }
 
+TEST_F(SceneFile, OneMapByItsName) {
+    read(kWholeScene); // writes it
+    const auto stone = readSceneMap(folder_ / "scene.toml", "stone");
+    EXPECT_THAT(stone->depths(), ElementsAre(1, 0.8f));
+    EXPECT_EQ(stone->wrapT(), Wrap::Clamp);
+    EXPECT_EQ(readSceneMap(folder_ / "scene.toml", "made")->width(), 16); // no object wears it
+    EXPECT_THAT(inputErrorOf([&] { readSceneMap(folder_ / "scene.toml", "stoen"); }),
+                HasSubstr("scene.toml: no height map of it is called \"stoen\"; expected made or stone; did "
+                          "you mean 'stone'?"));
+}
+
 TEST_F(SceneFile, TheShortestSceneTakesItsDefaults) {
     const Scene scene = read("purpose = 'p'\n[camera]\nposition = [0, 0, 3]\n[[object]]\nname = 'o'\n"
                              "shape = { kind = 'sphere' }\n");

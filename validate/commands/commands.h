@@ -49,11 +49,22 @@ struct CompareArguments {
     bool json = false;
 };
 
+struct BakeArguments {
+    std::string map;  // a picture's path, or SCENE#NAME: a map of a scene
+    std::string kind; // name in bakeKinds()
+    std::optional<std::string> stores,
+        wrap; // of a picture: "depth" or "height"; "repeat,clamp" along s and t
+    std::optional<std::string> depth, tileSize; // world units; "2,1.5"
+    std::optional<int> slices;
+    std::optional<std::filesystem::path> output; // a picture
+};
+
 int runValidate(const ValidateArguments& arguments);
 int runReference(const ReferenceArguments& arguments);
 int runRealtime(const RealtimeArguments& arguments);
 int runCompare(const CompareArguments& arguments);
-/// `what`: scenes, techniques or metrics.
+int runBake(const BakeArguments& arguments);
+/// `what`: scenes, techniques, metrics or bakes.
 int runList(const std::string& what);
 int runDoctor();
 

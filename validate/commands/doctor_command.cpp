@@ -1,3 +1,4 @@
+#include "../../realtime/inputs/bake_cache.h"
 #include "../../scenes/data_folder.h"
 #include "../../scenes/error.h"
 #include "../../scenes/scene_file.h"
@@ -31,6 +32,31 @@ bool checkData() {
         report(false, "data", error.what());
         return false;
     }
+}
+
+/// Never a reason to fail: without one maps are made each time.
+void reportCache() {
+    const std::optional<std::filesystem::path> folder = bakeCacheFolder();
+    if (!folder) {
+        report(false, "cache",
+               "none of PLUMBLINE_CACHE, XDG_CACHE_HOME and HOME is set: baked maps aren't kept");
+        return;
+    }
+    size_t maps = 0;
+    uint64_t bytes = 0;
+    std::error_code error;
+    for (auto entry = std::filesystem::directory_iterator(*folder, error);
+         !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+        if (entry->path().extension() != ".bake") continue;
+        std::error_code gone; // another process may be tidying up
+        const uint64_t size = entry->file_size(gone);
+        if (gone) continue;
+        ++maps;
+        bytes += size;
+    }
+    report(true, "cache",
+           fmt::format("{}, {} baked maps, {:.1f} MB; may be deleted at any time", folder->string(), maps,
+                       static_cast<double>(bytes) / 1e6));
 }
 
 #ifdef PLUMBLINE_GL
@@ -73,6 +99,7 @@ bool checkTechniques() {
 int runDoctor() {
     report(true, "program", programName());
     report(true, "machine", fmt::format("{} threads, {}", std::thread::hardware_concurrency(), memoryText()));
+    reportCache();
     const bool data = checkData(), techniques = checkTechniques(), gl = checkGl();
     return data && techniques && gl ? kExitDone : kExitMachine;
 }

@@ -1,3 +1,4 @@
+#include "../../realtime/inputs/bake.h"
 #include "../../scenes/error.h"
 #include "../../scenes/scene_file.h"
 #include "../metric_table.h"
@@ -23,6 +24,14 @@ void listMetrics() {
     for (const MetricInfo& metric : metricTable())
         fmt::print("{:<28}  {:<13}  {}{}\n", metric.key, metric.unit, metric.meaning,
                    metric.best.empty() ? "" : fmt::format(" (best: {})", metric.best));
+}
+
+void listBakes() {
+    for (const BakeKind& kind : bakeKinds()) {
+        fmt::print("{}: {}\n    source: {}\n", kind.name, kind.meaning, kind.source);
+        fmt::print("    channels: {}\n    slices: {}\n", kind.channels, kind.slices);
+        if (kind.needsScale) fmt::print("    needs a scale: --depth and --tile-size\n");
+    }
 }
 
 #ifdef PLUMBLINE_GL
@@ -60,8 +69,10 @@ int runList(const std::string& what) {
         listAllTechniques();
     else if (what == "metrics")
         listMetrics();
+    else if (what == "bakes")
+        listBakes();
     else {
-        const std::vector<std::string> choices{"scenes", "techniques", "metrics"};
+        const std::vector<std::string> choices{"scenes", "techniques", "metrics", "bakes"};
         throw InputError("list", fmt::format("found '{}'", what), listOf(choices), didYouMean(what, choices));
     }
     return kExitDone;

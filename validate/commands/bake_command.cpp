@@ -1,0 +1,156 @@
+#include "../../realtime/inputs/bake_cache.h"
+#include "../../realtime/inputs/baked_map_picture.h"
+#include "../../scenes/error.h"
+#include "../../scenes/map_file.h"
+#include "../../scenes/scene_file.h"
+#include "../../scenes/scene_metadata.h"
+#include "../output_files.h"
+#include "shared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+namespace plumbline {
+namespace {
+
+/// A word of `choices`. Throws InputError.
+std::string parseChoice(const char* option, const std::string& text,
+                        const std::vector<std::string>& choices) {
+    if (std::find(choices.begin(), choices.end(), text) == choices.end())
+        throw InputError(option, fmt::format("found '{}'", text), listOf(choices), didYouMean(text, choices));
+    return text;
+}
+
+/// "a,b" to {"a", "b"}; one of each for s and t. Throws InputError.
+std::pair<std::string, std::string> parsePair(const char* option, const std::string& text,
+                                              const char* example) {
+    const size_t comma = text.find(',');
+    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+        throw InputError(option, fmt::format("found '{}'", text),
+                         fmt::format("two with a comma between, along s and t, for example {}", example));
+    return {text.substr(0, comma), text.substr(comma + 1)};
+}
+
+double parseLength(const char* option, const std::string& text) {
+    constexpr double kSmallest = 1e-9, kLargest = 1e9; // as in scene files
+    double length = 0;
+    const char* end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, length);
+    if (error != std::errc() || stopped != end || !(length >= kSmallest && length <= kLargest))
+        throw InputError(option, fmt::format("'{}' is not a length", text),
+                         "world units from 1e-9 to 1e9, for example 0.1");
+    return length;
+}
+
+Wrap parseWrap(const std::string& text) {
+    return parseChoice("--wrap", text, {"repeat", "clamp"}) == "repeat" ? Wrap::Repeat : Wrap::Clamp;
+}
+
+std::shared_ptr<const HeightMap> readPicture(const BakeArguments& arguments) {
+    if (!arguments.stores)
+        throw InputError("--stores", "is missing", "depth or height, what the values of a picture mean");
+    const std::string stores = parseChoice("--stores", *arguments.stores, {"depth", "height"});
+    const auto [wrapS, wrapT] = parsePair("--wrap", arguments.wrap.value_or("repeat,repeat"), "repeat,clamp");
+    return std::make_shared<const HeightMap>(readHeightMap(arguments.map,
+                                                           stores == "depth" ? Stores::Depth : Stores::Height,
+                                                           parseWrap(wrapS), parseWrap(wrapT)));
+}
+
+/// A file of that name is a picture, whatever its name has in it; else SCENE#NAME.
+std::shared_ptr<const HeightMap> readMap(const BakeArguments& arguments) {
+    std::error_code ignored;
+    const bool isFile = std::filesystem::is_regular_file(arguments.map, ignored);
+    if (isFile && std::filesystem::path(arguments.map).extension() == ".toml")
+        throw InputError(arguments.map, "is a scene", "one of its height maps, as SCENE.toml#NAME");
+    const size_t hash = arguments.map.rfind('#');
+    if (isFile || hash == std::string::npos) return readPicture(arguments);
+    for (const auto& [option, value] :
+         {std::pair("--stores", arguments.stores), std::pair("--wrap", arguments.wrap)})
+        if (value)
+            throw InputError(option, fmt::format("found '{}' beside a scene's map", *value), "nothing",
+                             "the scene says what its maps store and how they wrap");
+    return readSceneMap(findScene(arguments.map.substr(0, hash)), arguments.map.substr(hash + 1));
+}
+
+BakeScale parseScale(const BakeArguments& arguments, const BakeKind& kind) {
+    BakeScale scale;
+    for (const auto& [option, value] :
+         {std::pair("--depth", arguments.depth), std::pair("--tile-size", arguments.tileSize)}) {
+        if (value && !kind.needsScale)
+            throw InputError(
+                option, fmt::format("found '{}'", *value),
+                fmt::format("no scale for kind '{}', which is the same at every one", kind.name));
+        if (!value && kind.needsScale)
+            throw InputError(
+                option, "is missing",
+                fmt::format("--depth D and --tile-size SX,SY, world units: kind '{}' is another at "
+                            "every scale",
+                            kind.name));
+    }
+    if (!kind.needsScale) return scale;
+    const auto [s, t] = parsePair("--tile-size", *arguments.tileSize, "2,1.5");
+    return {parseLength("--tile-size", s), parseLength("--tile-size", t),
+            parseLength("--depth", *arguments.depth)};
+}
+
+BakeRequest parseRequest(const BakeArguments& arguments) {
+    const BakeKind& kind = bakeKind(arguments.kind);
+    BakeRequest request;
+    request.kind = kind.name;
+    request.scale = parseScale(arguments, kind);
+    if (arguments.slices && !kind.takesSlices)
+        throw InputError("--slices", fmt::format("found {}", *arguments.slices),
+                         fmt::format("none for kind '{}', which has no slices to choose", kind.name));
+    request.slices = arguments.slices.value_or(request.slices);
+    return request;
+}
+
+std::string counted(size_t number, const char* what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+void printSummary(const BakeOutcome& outcome) {
+    const BakedMap& map = outcome.map;
+    fmt::print("{}: {} x {}, {}, {}, {}, {} bytes; {:.1f} ms, {}: {}\n", map.kind, map.levels[0].width,
+               map.levels[0].height, counted(static_cast<size_t>(map.slices), "slice"),
+               counted(static_cast<size_t>(map.channels), "channel"), counted(map.levels.size(), "level"),
+               outcome.bytes, outcome.ms, outcome.fromCache ? "from the cache" : "made now",
+               outcome.file.empty() ? "not kept" : outcome.file.string());
+}
+
+std::map<std::string, std::string> pictureMetadata(const HeightMap& map, const BakeRequest& request) {
+    const auto name = [](Wrap wrap) { return wrap == Wrap::Repeat ? "repeat" : "clamp"; };
+    std::map<std::string, std::string> metadata{
+        {"program", programName()},
+        {"map", map.name()},
+        {"map_wrap", fmt::format("{} {}", name(map.wrapS()), name(map.wrapT()))}};
+    if (bakeKind(request.kind).needsScale) {
+        metadata["tile_size"] = fmt::format("{} {}", request.scale.s, request.scale.t);
+        metadata["relief_depth"] = fmt::format("{}", request.scale.depth);
+    }
+    return metadata;
+}
+
+} // namespace
+
+int runBake(const BakeArguments& arguments) {
+    const BakeRequest request = parseRequest(arguments);
+    if (arguments.output) requireWritableFile(*arguments.output);
+    Progress progress;
+    progress.step("reading the map");
+    const std::shared_ptr<const HeightMap> map = readMap(arguments);
+    progress.step("baking");
+    const BakeOutcome outcome = bakeCached(*map, request);
+    if (!outcome.warning.empty()) printWarnings({outcome.warning});
+    if (arguments.output) {
+        progress.step("writing");
+        writeBakedPicture(*arguments.output, outcome.map, pictureMetadata(*map, request));
+    }
+    printSummary(outcome);
+    if (arguments.output) fmt::print("{}\n", arguments.output->string());
+    return kExitDone;
+}
+
+} // namespace plumbline
