@@ -118,7 +118,8 @@ RealtimeRenderer::~RealtimeRenderer() = default;
 
 TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
                                          const std::map<std::string, std::string>& shared,
-                                         const std::vector<MicroMesh>* microMeshes) {
+                                         const std::vector<MicroMesh>* microMeshes,
+                                         const PhaseCallback& onPhase) {
     const Technique technique = resolveTechnique(request, shared);
     if (technique.drawsMicroTriangles())
         checkMicroMeshes(technique, microMeshes, impl_->scene.objects.size());
@@ -126,6 +127,7 @@ TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
     const CurrentContext current(*impl_->context);
     GpuState& gpu = *impl_->gpu;
     const BakeCost bakes = gpu.objects.prepareBaked(technique.bakedKinds());
+    if (onPhase) onPhase(kPhaseDrawing);
     const FrameTime time = impl_->drawTechnique(technique, microMeshes);
 
     TechniqueResult result;

@@ -7,10 +7,12 @@
 #include "../scenes/micro_mesh.h"
 #include "../scenes/scene.h"
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline {
@@ -70,6 +72,10 @@ struct TechniqueResult {
     std::vector<std::string> warnings;
 };
 
+/// Told what `render` is about to do.
+using PhaseCallback = std::function<void(std::string_view phase)>;
+inline constexpr std::string_view kPhaseDrawing = "drawing"; // the author's shader compiles, then runs
+
 /// Owns a GL context and what techniques share: proxy meshes, height maps.
 class RealtimeRenderer {
   public:
@@ -82,7 +88,7 @@ class RealtimeRenderer {
     /// per object, or null. Throws InputError for a technique that can't be used: unknown, manifest,
     /// parameter, shader (file:line).
     TechniqueResult render(const TechniqueRequest& request, const std::map<std::string, std::string>& shared,
-                           const std::vector<MicroMesh>* microMeshes);
+                           const std::vector<MicroMesh>* microMeshes, const PhaseCallback& onPhase = {});
 
   private:
     struct Impl;
