@@ -26,6 +26,7 @@ struct Arguments {
     BakeArguments bake;
     std::string listed;
     int threads = 0; // 0: as many as the machine has
+    int parent = 0;  // of a drawing process
 };
 
 void addThreads(CLI::App& command, Arguments& arguments) {
@@ -69,6 +70,12 @@ void addRealtimeOptions(CLI::App& command, RealtimeArguments& arguments) {
     command.add_option("--device", arguments.glDevice, "EGL device")
         ->check(CLI::Range(0, 1023))
         ->type_name("N");
+    command
+        .add_option("--time-limit", arguments.timeLimitSeconds,
+                    fmt::format("Seconds a technique may compile and draw before it is stopped (default: {})",
+                                kDefaultTimeLimitSeconds))
+        ->check(CLI::Range(1, kLongestTimeLimitSeconds))
+        ->type_name("SECONDS");
 }
 
 void addBake(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
@@ -108,7 +115,10 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     addReferenceOptions(*validate, arguments.validate.reference, "limit|proxy|both");
     addRealtimeOptions(*validate, arguments.validate.realtime);
     addThreads(*validate, arguments);
-    validate->callback([&] { run = [&] { return runValidate(arguments.validate); }; });
+    validate->callback([&] {
+        arguments.validate.realtime.threads = arguments.threads;
+        run = [&] { return runValidate(arguments.validate); };
+    });
 
     CLI::App* reference = app.add_subcommand("reference", "Write the exact frame of a scene");
     reference->add_option("SCENE", arguments.reference.scene, "A scene file or a name of the library")
@@ -124,7 +134,10 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     realtime->add_option("-o", arguments.realtime.output, "The frame's file")->type_name("FILE.exr");
     addRealtimeOptions(*realtime, arguments.realtime);
     addThreads(*realtime, arguments);
-    realtime->callback([&] { run = [&] { return runRealtime(arguments.realtime); }; });
+    realtime->callback([&] {
+        arguments.realtime.threads = arguments.threads;
+        run = [&] { return runRealtime(arguments.realtime); };
+    });
 
     CLI::App* compare = app.add_subcommand("compare", "Hold one frame against another, of any renderer");
     compare->add_option("REFERENCE", arguments.compare.reference, "The true frame, EXR")->required();
@@ -142,6 +155,11 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     app.add_subcommand("doctor", "Say what this machine can do")->callback([&] {
         run = [] { return runDoctor(); };
     });
+
+    CLI::App* worker = app.add_subcommand(kDrawWorkerCommand, "")->group(""); // hidden
+    worker->add_option("PARENT", arguments.parent, "");
+    worker->add_option("--threads", arguments.threads, "");
+    worker->callback([&] { run = [&] { return runDrawWorker(arguments.parent); }; });
 }
 
 /// A message of CLI11 as one of ours, with a guess at what was meant.
@@ -165,9 +183,10 @@ InputError usageError(const CLI::App& app, const CLI::ParseError& error) {
 
 /// CLI11 would only say that a command is missing.
 void requireCommand(const CLI::App& app, const std::string& first) {
+    if (first == kDrawWorkerCommand) return;
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({}))
-        names.push_back(command->get_name());
+        if (!command->get_group().empty()) names.push_back(command->get_name());
     for (const char* option : {"-h", "--help", "--version"})
         names.emplace_back(option);
     if (std::find(names.begin(), names.end(), first) != names.end()) return;

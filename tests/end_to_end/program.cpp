@@ -1,6 +1,7 @@
 #include "program.h"
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -81,12 +82,13 @@ int waitFor(pid_t process) {
 
 } // namespace
 
-Outcome runProgram(const std::vector<std::string>& arguments, const fs::path& workingFolder,
-                   const std::map<std::string, std::string>& environment) {
-    // Outside the working folder, so that tests can list what the program left there.
-    const fs::path captured = workingFolder.string() + ".captured";
-    fs::create_directories(captured);
-    const std::string outFile = (captured / "out").string(), errFile = (captured / "err").string();
+Running startProgram(const std::vector<std::string>& arguments, const fs::path& workingFolder,
+                     const std::map<std::string, std::string>& environment, bool ownGroup) {
+    Running running;
+    running.captured = workingFolder.string() + ".captured";
+    fs::create_directories(running.captured);
+    const std::string outFile = (running.captured / "out").string(),
+                      errFile = (running.captured / "err").string();
     std::vector<std::string> words{PLUMBLINE_PROGRAM}, variables = environmentWith(environment);
     words.insert(words.end(), arguments.begin(), arguments.end());
 
@@ -98,24 +100,85 @@ Outcome runProgram(const std::vector<std::string>& arguments, const fs::path& wo
                                      0600);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, errFile.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
                                      0600);
-    pid_t process = 0;
-    const int failed = posix_spawn(&process, PLUMBLINE_PROGRAM, &actions, nullptr, pointersTo(words).data(),
-                                   pointersTo(variables).data());
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    if (ownGroup) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int failed = posix_spawn(&running.process, PLUMBLINE_PROGRAM, &actions, &attributes,
+                                   pointersTo(words).data(), pointersTo(variables).data());
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
-    Outcome outcome;
     if (failed != 0) {
         ADD_FAILURE() << "can't start " << PLUMBLINE_PROGRAM;
-        return outcome;
+        running.process = -1;
     }
-    const int status = waitFor(process);
+    return running;
+}
+
+namespace {
+
+struct ProcessState {
+    char state = 'X'; // of /proc/PID/stat; X: there is no such process
+    pid_t parent = 0;
+};
+
+ProcessState stateOf(const std::string& process) {
+    std::ifstream stream("/proc/" + process + "/stat");
+    std::string text;
+    std::getline(stream, text);
+    const size_t nameEnd = text.rfind(')'); // the name before it may hold anything
+    if (nameEnd == std::string::npos) return {};
+    ProcessState result;
+    std::istringstream(text.substr(nameEnd + 1)) >> result.state >> result.parent;
+    return result;
+}
+
+} // namespace
+
+bool isGone(pid_t process) {
+    const std::string name = std::to_string(process);
+    const char state = stateOf(name).state;
+    if (state != 'Z') return state == 'X';
+    std::error_code error; // the first of its threads can be a zombie while others still go
+    const auto threads = std::distance(fs::directory_iterator("/proc/" + name + "/task", error), {});
+    return error || threads <= 1;
+}
+
+std::vector<pid_t> childrenOf(pid_t process) {
+    std::vector<pid_t> children;
+    for (const fs::directory_entry& entry : fs::directory_iterator("/proc")) {
+        const std::string name = entry.path().filename();
+        if (std::all_of(name.begin(), name.end(), ::isdigit) && stateOf(name).parent == process)
+            children.push_back(std::stoi(name));
+    }
+    return children;
+}
+
+bool waitUntil(const std::function<bool()>& condition, double seconds) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+    while (!condition()) {
+        if (std::chrono::steady_clock::now() > end) return false;
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return true;
+}
+
+Outcome finish(const Running& running) {
+    Outcome outcome;
+    if (running.process < 0) return outcome;
+    const int status = waitFor(running.process);
     if (WIFEXITED(status))
         outcome.exitCode = WEXITSTATUS(status);
     else
         outcome.signal = WTERMSIG(status);
-    outcome.out = readFile(outFile);
-    outcome.err = readFile(errFile);
-    fs::remove_all(captured);
+    outcome.out = readFile(running.captured / "out");
+    outcome.err = readFile(running.captured / "err");
+    fs::remove_all(running.captured);
     return outcome;
+}
+
+Outcome runProgram(const std::vector<std::string>& arguments, const fs::path& workingFolder,
+                   const std::map<std::string, std::string>& environment) {
+    return finish(startProgram(arguments, workingFolder, environment));
 }
 
 std::string readFile(const fs::path& file) {

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace plumbline::test {
@@ -15,6 +17,23 @@ struct Outcome {
     int signal = 0;    // that signal; SIGKILL after the time limit
     std::string out, err;
 };
+
+/// A run that goes on beside the test. `ownGroup`: in a process group of its own, as a shell starts it; Ctrl-C is a signal to
+/// all of that. Its output is outside the working folder, so that tests can list what it left there.
+struct Running {
+    pid_t process = -1;
+    std::filesystem::path captured;
+};
+Running startProgram(const std::vector<std::string>& arguments, const std::filesystem::path& workingFolder,
+                     const std::map<std::string, std::string>& environment = {}, bool ownGroup = false);
+/// Whether a process is no more, or only waits for its parent to take notice.
+bool isGone(pid_t process);
+/// Processes that `process` started.
+std::vector<pid_t> childrenOf(pid_t process);
+/// Asks again and again; false: not within that time.
+bool waitUntil(const std::function<bool()>& condition, double seconds);
+/// Waits for its end; kills it after two minutes.
+Outcome finish(const Running& running);
 
 /// `environment`: variables on top of this process's own. Ended after two minutes: nothing here takes longer than seconds,
 /// so that is a hang.

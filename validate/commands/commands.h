@@ -18,6 +18,9 @@ inline constexpr int kExitBadInput = 2;  // bad input or usage; also: a techniqu
 inline constexpr int kExitMachine = 3;   // this machine lacks something
 inline constexpr int kExitInternal = 70; // a fault of the program itself (EX_SOFTWARE of sysexits.h)
 inline constexpr const char* kDefaultScene = "small_torus";
+inline constexpr int kDefaultTimeLimitSeconds = 60, kLongestTimeLimitSeconds = 86400;
+/// By this command the program draws techniques for itself (worker/); --help doesn't list it.
+inline constexpr const char* kDrawWorkerCommand = "draw-worker";
 
 struct ReferenceArguments {
     std::string scene = kDefaultScene; // path or library name
@@ -35,6 +38,8 @@ struct RealtimeArguments {
     std::optional<std::filesystem::path> output;
     std::string glBackend = "auto";
     int glDevice = -1;
+    int timeLimitSeconds = kDefaultTimeLimitSeconds; // a technique
+    int threads = 0;                                 // 0: as many as the machine has
 };
 
 struct ValidateArguments {
@@ -67,5 +72,7 @@ int runBake(const BakeArguments& arguments);
 /// `what`: scenes, techniques, metrics or bakes.
 int runList(const std::string& what);
 int runDoctor();
+/// `parent`: the process that started this one and is served by it.
+int runDrawWorker(int parent);
 
 } // namespace plumbline

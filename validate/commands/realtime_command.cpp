@@ -3,6 +3,7 @@
 #include "../../scenes/scene_file.h"
 #include "../output_files.h"
 #include "shared.h"
+#include "technique_drawer.h"
 
 #include <fmt/format.h>
 
@@ -16,14 +17,15 @@ int runRealtime(const RealtimeArguments& arguments) {
                          "exactly one --technique", "'plumbline validate' takes several");
     Progress progress;
     progress.step("reading the scene");
-    const Scene scene = readScene(findScene(arguments.scene));
+    const std::filesystem::path sceneFile = findScene(arguments.scene);
+    const Scene scene = readScene(sceneFile);
     printWarnings(scene.warnings);
     const auto settings = parseSettings(arguments.settings);
     const auto requests = chosenTechniques(arguments.techniques, settings);
     if (requests.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
     const TechniqueRequest& request = requests[0];
     checkSettings(settings, requests);
-    const GlOptions gl = glOptions(arguments);
+    const WorkerOptions worker = workerOptions(sceneFile, scene, arguments);
     const std::filesystem::path file =
         arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
                                   "frames" / (safeFileName(displayName(request, settings)) + ".exr"));
@@ -37,9 +39,9 @@ int runRealtime(const RealtimeArguments& arguments) {
         reference.emplace(scene, options);
     }
     progress.step("drawing");
-    RealtimeRenderer renderer(scene, gl);
+    TechniqueDrawer drawer(scene, worker, requests);
     const TechniqueResult result =
-        renderer.render(request, settings, reference ? &reference->microMeshes() : nullptr);
+        drawer.draw(request, settings, reference ? &reference->microMeshes() : nullptr);
     writeFrame(result.frame, file);
     fmt::print("{}\n{} on {} ({}): {:.2f} ms, median of {} ({})\n", file.string(), result.name,
                result.renderer, result.backend, result.msMedian, result.msRuns, result.timer);

@@ -7,6 +7,7 @@
 #include "../output_files.h"
 #include "../report.h"
 #include "shared.h"
+#include "technique_drawer.h"
 
 #include <fmt/format.h>
 
@@ -128,14 +129,14 @@ struct Trial {
 };
 
 Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
-                   RealtimeRenderer& renderer, const References& references, const Scene& scene) {
+                   TechniqueDrawer& drawer, const References& references, const Scene& scene) {
     Trial trial;
     trial.outcome.name = displayName(request, settings);
     trial.outcome.limits = limitsOf(request);
     try {
         const auto* microMeshes =
             drawsMicroTriangles(request) && references.scene ? &references.scene->microMeshes() : nullptr;
-        TechniqueResult result = renderer.render(request, settings, microMeshes);
+        TechniqueResult result = drawer.draw(request, settings, microMeshes);
         trial.outcome.parameters = result.parameters;
         trial.outcome.backend = result.backend;
         trial.outcome.renderer = result.renderer;
@@ -175,7 +176,8 @@ void writeReferences(const References& references, Results& results, OutputFolde
 int runValidate(const ValidateArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
-    const Scene scene = readScene(findScene(arguments.reference.scene));
+    const std::filesystem::path sceneFile = findScene(arguments.reference.scene);
+    const Scene scene = readScene(sceneFile);
     printWarnings(scene.warnings);
     const auto settings = parseSettings(arguments.realtime.settings);
     const auto requests = chosenTechniques(arguments.realtime.techniques, settings);
@@ -184,13 +186,13 @@ int runValidate(const ValidateArguments& arguments) {
     ReferenceOptions options = referenceOptions(arguments.reference);
     for (const TechniqueRequest& request : requests)
         options.microAttributes |= drawsMicroTriangles(request);
-    const GlOptions gl = glOptions(arguments.realtime);
+    const WorkerOptions worker = workerOptions(sceneFile, scene, arguments.realtime);
     OutputFolder output(arguments.output, scene);
 
     // The reference comes before GL starts, so that its peak memory is its own.
     const References references = drawReferences(scene, options, base, progress);
     progress.step("starting OpenGL");
-    RealtimeRenderer renderer(scene, gl);
+    TechniqueDrawer drawer(scene, worker, requests);
     progress.say(certificateLine(references.summary.certificate));
     if (references.proxyFrame)
         progress.say(certificateLine(references.proxySummary.certificate, " of the reference on the proxy"));
@@ -208,7 +210,7 @@ int runValidate(const ValidateArguments& arguments) {
     for (const TechniqueRequest& request : requests) {
         progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
                                   displayName(request, settings)));
-        Trial trial = tryTechnique(request, settings, renderer, references, scene);
+        Trial trial = tryTechnique(request, settings, drawer, references, scene);
         if (!trial.outcome.error) {
             writeFrame(trial.frame, output.newFrameFile(trial.outcome.name));
             report.addTechnique(trial.outcome, references.frame, trial.frame);

@@ -1,0 +1,74 @@
+#include "child_process.h"
+
+#include "../../scenes/error.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+
+namespace plumbline {
+namespace {
+
+/// How long a killed process may take to go. A driver can hold it longer, for a GPU that hangs; then it is left behind.
+constexpr std::chrono::seconds kKillPatience(10);
+constexpr std::chrono::milliseconds kBetweenLooks(1);
+
+} // namespace
+
+// Not fork(): only one of this process's threads would be there in the child, with the locks of all the others.
+ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                           int descriptor, int descriptorThere) {
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments)
+        argv.push_back(const_cast<char*>(argument.c_str())); // left unchanged, says POSIX
+    argv.push_back(nullptr);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, descriptor, descriptorThere);
+    const int error = ::posix_spawn(&process_, program.c_str(), &actions, nullptr, argv.data(), environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (error != 0)
+        throw MachineError(program.string(), fmt::format("can't be started ({})", std::strerror(error)));
+}
+
+ChildProcess::~ChildProcess() {
+    stop();
+}
+
+bool ChildProcess::waitForEnd(std::chrono::milliseconds limit) {
+    const auto end = std::chrono::steady_clock::now() + limit;
+    while (!status_) {
+        int status = 0;
+        const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+        // -1: whoever started this program had it ignore its children, and so nobody knows how they end.
+        if (ended == process_ || (ended < 0 && errno != EINTR)) status_ = status;
+        if (status_ || std::chrono::steady_clock::now() >= end) break;
+        std::this_thread::sleep_for(kBetweenLooks);
+    }
+    return status_.has_value();
+}
+
+void ChildProcess::stop() {
+    if (waitForEnd(std::chrono::milliseconds(0))) return;
+    ::kill(process_, SIGKILL);
+    waitForEnd(kKillPatience);
+}
+
+int ChildProcess::signal() const {
+    return status_ && WIFSIGNALED(*status_) ? WTERMSIG(*status_) : 0;
+}
+
+std::string ChildProcess::howItEnded() const {
+    if (!status_) return "nobody knows how";
+    if (!WIFSIGNALED(*status_)) return fmt::format("exit code {}", WEXITSTATUS(*status_));
+    const char* name = ::sigabbrev_np(signal());
+    return name ? fmt::format("signal {}, SIG{}", signal(), name) : fmt::format("signal {}", signal());
+}
+
+} // namespace plumbline

@@ -1,0 +1,106 @@
+#include "message_socket.h"
+
+#include "../../scenes/error.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+#include <vector>
+
+namespace plumbline {
+namespace {
+
+/// Of a value; frames travel as numbers. More is no message but bytes gone astray.
+constexpr uint64_t kLongestBytes = uint64_t(1) << 26;
+
+/// Sockets stay above the standard streams, which a caller may have closed, and above the number a child finds its end at.
+constexpr int kLowestDescriptor = 10;
+
+void sendBytes(int descriptor, const void* data, size_t size) {
+    const char* bytes = static_cast<const char*>(data);
+    while (size > 0) {
+        const ssize_t sent = ::send(descriptor, bytes, size, MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent < 0) throw ConnectionLost();
+        bytes += sent;
+        size -= static_cast<size_t>(sent);
+    }
+}
+
+void receiveBytes(int descriptor, void* data, size_t size) {
+    char* bytes = static_cast<char*>(data);
+    while (size > 0) {
+        const ssize_t received = ::recv(descriptor, bytes, size, 0);
+        if (received < 0 && errno == EINTR) continue;
+        if (received <= 0) throw ConnectionLost();
+        bytes += received;
+        size -= static_cast<size_t>(received);
+    }
+}
+
+/// The same socket under a number that is free for it.
+MessageSocket moved(int descriptor) {
+    const int high = ::fcntl(descriptor, F_DUPFD_CLOEXEC, kLowestDescriptor);
+    const int error = errno;
+    ::close(descriptor);
+    if (high < 0) throw MachineError("a socket", std::strerror(error), "fewer open files");
+    return MessageSocket(high);
+}
+
+} // namespace
+
+MessageSocket::~MessageSocket() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+MessageSocket& MessageSocket::operator=(MessageSocket&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+}
+
+std::pair<MessageSocket, MessageSocket> MessageSocket::makePair() {
+    int ends[2];
+    if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
+        throw MachineError("a socket", std::strerror(errno), "a pair of them");
+    MessageSocket second(ends[1]);
+    MessageSocket first = moved(ends[0]);
+    return {std::move(first), moved(std::exchange(second.descriptor_, -1))};
+}
+
+void MessageSocket::send(const nlohmann::json& value) const {
+    const std::vector<uint8_t> bytes = nlohmann::json::to_msgpack(value);
+    const uint64_t size = bytes.size();
+    sendBytes(descriptor_, &size, sizeof size);
+    sendBytes(descriptor_, bytes.data(), bytes.size());
+}
+
+void MessageSocket::send(std::span<const float> numbers) const {
+    sendBytes(descriptor_, numbers.data(), numbers.size_bytes());
+}
+
+nlohmann::json MessageSocket::receive() const {
+    uint64_t size = 0;
+    receiveBytes(descriptor_, &size, sizeof size);
+    if (size > kLongestBytes) throw std::runtime_error(fmt::format("a message of {} bytes", size));
+    std::vector<uint8_t> bytes(size);
+    receiveBytes(descriptor_, bytes.data(), bytes.size());
+    return nlohmann::json::from_msgpack(bytes);
+}
+
+void MessageSocket::receive(std::span<float> numbers) const {
+    receiveBytes(descriptor_, numbers.data(), numbers.size_bytes());
+}
+
+bool MessageSocket::waitFor(std::chrono::milliseconds limit) const {
+    pollfd waiting{descriptor_, POLLIN, 0};
+    return ::poll(&waiting, 1, static_cast<int>(limit.count())) > 0;
+}
+
+} // namespace plumbline

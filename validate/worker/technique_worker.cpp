@@ -1,0 +1,150 @@
+#include "technique_worker.h"
+
+#include "../../scenes/error.h"
+#include "child_process.h"
+#include "worker_descriptor.h"
+#include "worker_protocol.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <unistd.h>
+
+namespace plumbline {
+namespace {
+
+using std::chrono::milliseconds;
+
+/// The clock runs in slices. While this process is stopped (Ctrl-Z) at most one passes.
+constexpr milliseconds kSlice(100);
+/// A process that was told to go puts shader caches away; more than this it doesn't get.
+constexpr milliseconds kFarewell(1000);
+/// A process whose end of the socket is closed is as good as gone.
+constexpr milliseconds kEnding(5000);
+
+/// Waits for a message and takes the time that took from `left`. False: none is left.
+bool waitWithin(const MessageSocket& socket, milliseconds& left) {
+    while (left.count() > 0) {
+        const auto start = std::chrono::steady_clock::now();
+        if (socket.waitFor(std::min(left, kSlice))) {
+            const auto spent = std::chrono::steady_clock::now() - start;
+            left -= std::min(std::chrono::duration_cast<milliseconds>(spent), kSlice);
+            return true;
+        }
+        left -= kSlice;
+    }
+    return false;
+}
+
+/// As results show it; for one whose manifest can't be read, as the user wrote it.
+std::string nameOf(const TechniqueRequest& request, const std::map<std::string, std::string>& settings) {
+    try {
+        return techniqueName(request, settings);
+    } catch (const InputError&) {
+        return request.search;
+    }
+}
+
+InputError tooSlow(const std::string& technique, int limitSeconds) {
+    return {technique, fmt::format("not finished after {} s and stopped", limitSeconds),
+            "a search whose loops end", "--time-limit SECONDS gives it more"};
+}
+
+MachineError endedWhile(const std::string& where, bool drawing, ChildProcess& process) {
+    process.waitForEnd(kEnding);
+    const std::string how = process.howItEnded();
+    if (process.signal() == SIGKILL)
+        return {where, fmt::format("its process was killed ({})", how), "", "memory may have run out"};
+    return {where,
+            fmt::format("{} the process ({})", drawing ? "the OpenGL driver ended" : "something ended", how)};
+}
+
+} // namespace
+
+struct TechniqueWorker::Connection {
+    Connection(const WorkerOptions& options, std::pair<MessageSocket, MessageSocket> ends)
+        : socket(std::move(ends.first)), process(options.program,
+                                                 {"plumbline", kDrawWorkerCommand, std::to_string(::getpid()),
+                                                  "--threads", std::to_string(options.threads)},
+                                                 ends.second.descriptor(), kWorkerDescriptor) {}
+
+    MessageSocket socket;
+    ChildProcess process;
+    bool ready = false;
+};
+
+TechniqueWorker::TechniqueWorker(const WorkerOptions& options) : options_(options) {
+    start();
+}
+
+TechniqueWorker::~TechniqueWorker() {
+    if (!connection_) return;
+    connection_->socket = MessageSocket(-1); // tells it to go
+    connection_->process.waitForEnd(kFarewell);
+}
+
+void TechniqueWorker::start() {
+    connection_ = std::make_unique<Connection>(options_, MessageSocket::makePair());
+    try {
+        connection_->socket.send(toJson(WorkerSetup{options_.sceneFile, options_.sceneHash, options_.gl}));
+    } catch (const ConnectionLost&) {
+        // It ended already; whoever waits for it will say how.
+    }
+}
+
+void TechniqueWorker::waitUntilReady() {
+    // One that ended since its last technique did no harm to the next.
+    if (connection_ && connection_->ready && connection_->process.waitForEnd(milliseconds(0)))
+        connection_.reset();
+    if (!connection_) start();
+    if (connection_->ready) return;
+    try {
+        const WorkerReply reply = receiveReply(connection_->socket);
+        if (reply.error) std::rethrow_exception(reply.error);
+        connection_->ready = true;
+    } catch (const ConnectionLost&) {
+        const MachineError error = endedWhile("starting OpenGL", true, connection_->process);
+        connection_.reset();
+        throw error;
+    } catch (...) {
+        connection_.reset();
+        throw;
+    }
+}
+
+TechniqueResult TechniqueWorker::render(const TechniqueRequest& request,
+                                        const std::map<std::string, std::string>& settings) {
+    waitUntilReady();
+    try {
+        connection_->socket.send(toJson(DrawRequest{request, settings}));
+        return awaitResult(nameOf(request, settings));
+    } catch (const InputError&) {
+        throw; // the technique's own fault
+    } catch (...) {
+        connection_.reset(); // whatever happened there, a lost context included, isn't for the next technique
+        throw;
+    }
+}
+
+TechniqueResult TechniqueWorker::awaitResult(const std::string& technique) {
+    milliseconds left = std::chrono::seconds(options_.timeLimitSeconds);
+    bool drawing = false;
+    try {
+        for (;;) {
+            if (drawing && !waitWithin(connection_->socket, left)) {
+                connection_.reset();
+                throw tooSlow(technique, options_.timeLimitSeconds);
+            }
+            WorkerReply reply = receiveReply(connection_->socket);
+            if (reply.error) std::rethrow_exception(reply.error);
+            if (reply.result) return std::move(*reply.result);
+            drawing = reply.phase == kPhaseDrawing;
+        }
+    } catch (const ConnectionLost&) {
+        throw endedWhile(technique, drawing, connection_->process);
+    }
+}
+
+} // namespace plumbline

@@ -1,0 +1,135 @@
+#include "worker_protocol.h"
+
+#include "../../scenes/error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <new>
+
+namespace plumbline {
+
+using nlohmann::json;
+
+namespace {
+
+enum class ErrorKind { Input, Machine, Internal };
+
+ErrorKind kindOf(const std::exception& error) {
+    if (dynamic_cast<const InputError*>(&error) != nullptr) return ErrorKind::Input;
+    if (dynamic_cast<const MachineError*>(&error) != nullptr) return ErrorKind::Machine;
+    return ErrorKind::Internal;
+}
+
+std::exception_ptr errorFrom(const json& value) {
+    const std::string text = value.at("text");
+    switch (value.at("kind").get<ErrorKind>()) {
+    case ErrorKind::Input:
+        return std::make_exception_ptr(InputError("", text));
+    case ErrorKind::Machine:
+        return std::make_exception_ptr(MachineError("", text));
+    default:
+        return std::make_exception_ptr(std::runtime_error(text));
+    }
+}
+
+json toJson(const Frame& frame) {
+    return {{"width", frame.width()},
+            {"height", frame.height()},
+            {"channels", frame.channelNames()},
+            {"metadata", frame.metadata}};
+}
+
+Frame emptyFrame(const json& value) {
+    Frame frame(value.at("width"), value.at("height"));
+    for (const std::string name : value.at("channels"))
+        frame.add(name);
+    frame.metadata = value.at("metadata");
+    return frame;
+}
+
+} // namespace
+
+json toJson(const WorkerSetup& setup) {
+    return {{"scene", setup.scene.native()},
+            {"scene_hash", setup.sceneHash},
+            {"gl_backend", setup.gl.backend},
+            {"gl_device", setup.gl.device},
+            {"timing_budget_ms", setup.gl.timingBudgetMs}};
+}
+
+WorkerSetup workerSetup(const json& value) {
+    WorkerSetup setup;
+    setup.scene = value.at("scene").get<std::string>();
+    setup.sceneHash = value.at("scene_hash");
+    setup.gl.backend = value.at("gl_backend");
+    setup.gl.device = value.at("gl_device");
+    setup.gl.timingBudgetMs = value.at("timing_budget_ms");
+    return setup;
+}
+
+json toJson(const DrawRequest& request) {
+    return {{"search", request.technique.search},
+            {"surface", request.technique.surface},
+            {"own_settings", request.technique.settings},
+            {"settings", request.settings}};
+}
+
+DrawRequest drawRequest(const json& value) {
+    DrawRequest request;
+    request.technique.search = value.at("search");
+    request.technique.surface = value.at("surface");
+    request.technique.settings = value.at("own_settings");
+    request.settings = value.at("settings");
+    return request;
+}
+
+json toJson(const TechniqueResult& result) {
+    return {{"name", result.name},           {"parameters", result.parameters},
+            {"frame", toJson(result.frame)}, {"backend", result.backend},
+            {"renderer", result.renderer},   {"ms_median", result.msMedian},
+            {"ms_runs", result.msRuns},      {"timer", result.timer}};
+}
+
+TechniqueResult techniqueResult(const json& value) {
+    TechniqueResult result;
+    result.name = value.at("name");
+    result.parameters = value.at("parameters");
+    result.frame = emptyFrame(value.at("frame"));
+    result.backend = value.at("backend");
+    result.renderer = value.at("renderer");
+    result.msMedian = value.at("ms_median");
+    result.msRuns = value.at("ms_runs");
+    result.timer = value.at("timer");
+    return result;
+}
+
+json phaseReply(std::string_view phase) {
+    return {{"phase", phase}};
+}
+
+json errorReply(const std::exception& error) {
+    return {{"error", {{"kind", kindOf(error)}, {"text", error.what()}}}};
+}
+
+void sendResult(const MessageSocket& socket, const TechniqueResult& result) {
+    socket.send(json{{"result", toJson(result)}});
+    for (const std::string& name : result.frame.channelNames())
+        socket.send(result.frame.channel(name));
+}
+
+WorkerReply receiveReply(const MessageSocket& socket) {
+    const json value = socket.receive();
+    WorkerReply reply;
+    if (value.contains("phase")) {
+        reply.phase = value.at("phase");
+    } else if (value.contains("error")) {
+        reply.error = errorFrom(value.at("error"));
+    } else {
+        reply.result = techniqueResult(value.at("result"));
+        for (const std::string& name : reply.result->frame.channelNames())
+            socket.receive(reply.result->frame.channel(name));
+    }
+    return reply;
+}
+
+} // namespace plumbline

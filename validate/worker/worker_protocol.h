@@ -1,0 +1,50 @@
+// What a run and the process that draws its techniques tell each other, as values for MessageSocket.
+//
+//   run     -> drawing process: WorkerSetup, then a DrawRequest a technique
+//   drawing process -> run:     phases as it comes to them, kPhaseReady first; for each request a result or an error
+//
+// A result is followed by its frame's planes. A field more in TechniqueResult is one line in each of the two functions.
+#pragma once
+
+#include "../../realtime/realtime.h"
+#include "message_socket.h"
+
+#include <exception>
+#include <filesystem>
+
+namespace plumbline {
+
+inline constexpr std::string_view kPhaseReady = "ready"; // scene read, OpenGL started
+
+struct WorkerSetup {
+    std::filesystem::path scene;
+    std::string sceneHash; // the scene is refused if it has another by now
+    GlOptions gl;
+};
+nlohmann::json toJson(const WorkerSetup& setup);
+WorkerSetup workerSetup(const nlohmann::json& value);
+
+struct DrawRequest {
+    TechniqueRequest technique;
+    std::map<std::string, std::string> settings; // shared by all techniques
+};
+nlohmann::json toJson(const DrawRequest& request);
+DrawRequest drawRequest(const nlohmann::json& value);
+
+/// All but the frame's planes; reading gives planes of the right size, not yet filled.
+nlohmann::json toJson(const TechniqueResult& result);
+TechniqueResult techniqueResult(const nlohmann::json& value);
+
+nlohmann::json phaseReply(std::string_view phase);
+nlohmann::json errorReply(const std::exception& error);
+void sendResult(const MessageSocket& socket, const TechniqueResult& result);
+
+/// One reply of the drawing process: exactly one of the three is there.
+struct WorkerReply {
+    std::string phase;
+    std::optional<TechniqueResult> result; // whole
+    std::exception_ptr error; // InputError, MachineError or another std::runtime_error, with its text
+};
+WorkerReply receiveReply(const MessageSocket& socket);
+
+} // namespace plumbline
