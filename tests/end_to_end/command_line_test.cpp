@@ -49,6 +49,10 @@ TEST_F(EndToEnd, OptionsOutOfRange) {
     expectRefusal(run({"reference", scene, "--base", "prxy"}), 2, "did you mean 'proxy'?");
     for (const char* bad : {"0", "-1", "nan", "inf", "1001", "9e-7", "0.05px", "0,05", ""})
         expectRefusal(run({"reference", scene, "--error-px", bad}), 2, "--error-px");
+    for (const char* bad : {"0", "-1", "86401", "1.5", "forever", ""})
+        for (const char* command : {"validate", "realtime"})
+            expectRefusal(run({command, scene, "--technique", "linear_binary", "--time-limit", bad}), 2,
+                          "--time-limit");
     EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
 }
 

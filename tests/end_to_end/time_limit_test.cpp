@@ -1,0 +1,204 @@
+// Techniques that loop for ever or take their process down: they cost themselves, never the run.
+#include "../../scenes/data_folder.h"
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <gmock/gmock.h>
+#include <thread>
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// No compiler sees that depths are never below -1.
+const char* const kEndless = R"(ReliefHit traceRelief(ReliefRay ray) {
+    vec3 position = reliefPosition(ray, 0.5);
+    while (reliefDepth(position.xy) > -1.0)
+        position.x += 0.001 * float(linear_steps + binary_steps);
+    return hitAt(ray, position.x);
+}
+)";
+const std::string kStopped =
+    "endless: not finished after 2 s and stopped; expected a search whose loops end; "
+    "--time-limit SECONDS gives it more";
+
+class TimeLimit : public EndToEnd {
+  protected:
+    void SetUp() override {
+        EndToEnd::SetUp();
+        writeSmallScene();
+        fs::copy(dataFolder() / "realtime" / "techniques" / "linear_binary", folder_ / "endless",
+                 fs::copy_options::recursive);
+        fs::remove(folder_ / "endless" / "linear_binary.glsl");
+        writeFile(folder_ / "endless" / "endless.glsl", kEndless);
+    }
+    void TearDown() override {
+        if (!running_.captured.empty()) fs::remove_all(running_.captured);
+        EndToEnd::TearDown();
+    }
+
+    static std::vector<std::string> validate(const std::vector<std::string>& techniques,
+                                             const std::string& limitSeconds) {
+        std::vector<std::string> arguments{"validate", "small.toml", "--rate",       "16",
+                                           "-o",       "out",        "--time-limit", limitSeconds};
+        for (const std::string& technique : techniques)
+            arguments.insert(arguments.end(), {"--technique", technique});
+        return arguments;
+    }
+
+    json techniques() const { return json::parse(readFile(folder_ / "out/results.json"))["techniques"]; }
+
+    /// Starts a run and waits until it is in the endless shader, the second of three techniques; returns the process that
+    /// draws it.
+    pid_t startAndReachTheLoop(const std::string& limitSeconds = "60") {
+        running_ = startProgram(validate({"normal_mapping", "./endless", "linear_binary"}, limitSeconds),
+                                folder_, {}, true);
+        const bool first = waitUntil([&] { return fs::exists(folder_ / "out/results.json"); }, 60);
+        EXPECT_TRUE(first) << "no results of the first technique";
+        std::this_thread::sleep_for(std::chrono::milliseconds(300)); // compiling takes a tenth of that
+        const std::vector<pid_t> children = childrenOf(running_.process);
+        EXPECT_EQ(children.size(), 1u);
+        return children.empty() ? -1 : children[0];
+    }
+
+    /// The endless one failed with a message that has this part; the others have their figures.
+    void expectOnlyTheSecondFailed(const std::string& part) const {
+        const json results = techniques();
+        ASSERT_EQ(results.size(), 3u);
+        EXPECT_THAT(results[1]["error"].get<std::string>(), HasSubstr(part));
+        EXPECT_FALSE(results[1].contains("silhouette"));
+        for (const size_t good : {0, 2}) {
+            EXPECT_TRUE(results[good]["error"].is_null()) << results[good]["error"];
+            EXPECT_GT(results[good]["silhouette"]["iou"], 0.5);
+        }
+    }
+
+    Running running_;
+};
+
+TEST_F(TimeLimit, TheOthersGoOn) {
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome made = run(validate({"./endless", "linear_binary"}, "2"));
+    EXPECT_LT(std::chrono::steady_clock::now() - start,
+              std::chrono::seconds(30)); // about 4 s, on a free machine
+    EXPECT_EQ(made.exitCode, 2);
+    expectOnlyTheCertificate(made.err);
+    EXPECT_THAT(made.out, HasSubstr(kStopped));
+    EXPECT_EQ(techniques()[0]["error"], kStopped);
+    EXPECT_TRUE(techniques()[1]["error"].is_null());
+    EXPECT_GT(techniques()[1]["silhouette"]["iou"], 0.5);
+    EXPECT_FALSE(fs::exists(folder_ / "out/frames/endless.exr"));
+}
+
+TEST_F(TimeLimit, RealtimeSaysSoAndLeavesNoFile) {
+    const Outcome made =
+        run({"realtime", "small.toml", "--technique", "./endless", "--time-limit", "2", "-o", "frame.exr"});
+    EXPECT_EQ(made.exitCode, 2);
+    EXPECT_EQ(made.err, kStopped + "\n");
+    EXPECT_THAT(made.out, IsEmpty());
+    EXPECT_FALSE(fs::exists(folder_ / "frame.exr"));
+}
+
+TEST_F(TimeLimit, AKilledProcessCostsOneTechnique) {
+    const pid_t drawing = startAndReachTheLoop();
+    ASSERT_EQ(kill(drawing, SIGKILL), 0);
+    EXPECT_EQ(finish(running_).exitCode, 3);
+    expectOnlyTheSecondFailed("endless: its process was killed (signal 9, SIGKILL); memory may have run out");
+}
+
+TEST_F(TimeLimit, ADriverThatCrashesCostsOneTechnique) {
+    const pid_t drawing = startAndReachTheLoop();
+    ASSERT_EQ(kill(drawing, SIGSEGV), 0);
+    const Outcome made = finish(running_);
+    EXPECT_EQ(made.exitCode, 3);
+    expectOnlyTheSecondFailed("endless: the OpenGL driver ended the process (");
+}
+
+TEST_F(TimeLimit, TheDrawingProcessEndsWithItsParent) {
+    const pid_t drawing = startAndReachTheLoop();
+    ASSERT_EQ(kill(running_.process, SIGKILL), 0);
+    EXPECT_EQ(finish(running_).signal, SIGKILL);
+    EXPECT_TRUE(waitUntil([&] { return isGone(drawing); }, 2));
+}
+
+TEST_F(TimeLimit, CtrlCEndsBothAndKeepsWhatWasFinished) {
+    const pid_t drawing = startAndReachTheLoop();
+    ASSERT_EQ(kill(-running_.process, SIGINT), 0);
+    EXPECT_TRUE(waitUntil([&] { return isGone(running_.process) && isGone(drawing); }, 2));
+    const Outcome stopped = finish(running_);
+    EXPECT_EQ(stopped.signal, SIGINT);
+    EXPECT_THAT(stopped.out, IsEmpty());
+    expectOnlyTheCertificate(stopped.err);
+    ASSERT_EQ(techniques().size(), 1u);
+    EXPECT_GT(techniques()[0]["silhouette"]["iou"], 0.5);
+    EXPECT_TRUE(fs::exists(folder_ / "out/report/index.html"));
+}
+
+// A process that is stopped has no chance to draw: its time doesn't run.
+TEST_F(TimeLimit, TimeStoppedByCtrlZDoesNotCount) {
+    startAndReachTheLoop("3");
+    ASSERT_EQ(kill(-running_.process, SIGSTOP), 0);
+    std::this_thread::sleep_for(std::chrono::seconds(4));
+    ASSERT_EQ(kill(-running_.process, SIGCONT), 0);
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_EQ(techniques().size(), 1u) << "stopped before its 3 s were over";
+    EXPECT_EQ(finish(running_).exitCode, 2);
+    expectOnlyTheSecondFailed("not finished after 3 s");
+}
+
+TEST_F(TimeLimit, ASceneThatChangedIsNotDrawnInTheOldOnesName) {
+    startAndReachTheLoop("2");
+    writeFile(folder_ / "small.toml", withLine(kSmallScene, "depth = 0.1", "depth = 0.2"));
+    EXPECT_EQ(finish(running_).exitCode, 2);
+    ASSERT_EQ(techniques().size(), 3u);
+    EXPECT_THAT(techniques()[2]["error"].get<std::string>(),
+                HasSubstr("small.toml: the scene changed during the run"));
+}
+
+TEST_F(TimeLimit, TheDrawingProcessPrintsNothingOnStdout) {
+    const fs::path fds = "/proc/" + std::to_string(startAndReachTheLoop()) + "/fd";
+    const fs::path itsOut = fs::read_symlink(fds / "1"), itsErr = fs::read_symlink(fds / "2");
+    EXPECT_EQ(itsErr, running_.captured / "err");
+    EXPECT_EQ(itsOut, itsErr);
+    kill(running_.process, SIGKILL);
+    finish(running_);
+}
+
+TEST_F(TimeLimit, WarningsOfTheSceneAreSaidOnce) {
+    writeFile(folder_ / "small.toml",
+              withLine(kSmallScene, R"(shape = { kind = "plane", width = 6, depth = 6, segments = [2, 2] })",
+                       "shape = { kind = \"box\" }\nscheme = \"none\"\n"
+                       "relief = { map = \"stone\", depth = 0.1, seams = \"open\" }"));
+    const Outcome made = run(validate({"normal_mapping"}, "60"));
+    EXPECT_EQ(made.exitCode, 0) << made.err;
+    const std::string warning = "warning: floor: 12 edges where normals tear the surface";
+    const size_t first = made.err.find(warning);
+    ASSERT_NE(first, std::string::npos) << made.err;
+    EXPECT_EQ(made.err.find(warning, first + 1), std::string::npos) << made.err;
+}
+
+TEST_F(EndToEnd, TheCommandTheProgramRunsItselfWithIsNoneForUsers) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"draw-worker"}, {"draw-worker", "1"}}) {
+        const Outcome refused = run(words);
+        EXPECT_EQ(refused.exitCode, 2);
+        EXPECT_EQ(refused.err, "plumbline: 'draw-worker' is for the program itself; expected one of the "
+                               "commands that --help lists\n");
+        EXPECT_THAT(refused.out, IsEmpty());
+    }
+    EXPECT_THAT(run({"--help"}).out, Not(HasSubstr("draw-worker")));
+    EXPECT_THAT(run({"draw"}).err, Not(HasSubstr("draw-worker")));
+}
+
+} // namespace
+} // namespace plumbline
