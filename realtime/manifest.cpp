@@ -180,8 +180,8 @@ Parameter readParameter(const fs::path& file, const toml::table& table) {
     if (parameter.type == ParameterValue::Type::Choice) {
         parameter.choices = fields.texts("choices", {}, true);
         if (parameter.choices.empty()) fields.fail(table.get("choices"), "choices is empty", "at least one");
-        for (const std::string& choice : parameter.choices)
-            checkParameterName(fields, table.get("choices"), choice);
+        for (const std::string& choice : parameter.choices) // the shader sees NAME_CHOICE
+            checkParameterName(fields, table.get("choices"), parameter.name + "_" + choice);
     } else if (parameter.type != ParameterValue::Type::Bool) {
         readRange(fields, parameter);
     }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -66,10 +67,27 @@ inline Scene sceneOf(SceneObject object, const Camera& camera) {
     return scene;
 }
 
+/// Where something is drawn every channel holds a number, and no infinite one. Only the first that doesn't is reported.
+inline void expectNoNan(const Frame& frame) {
+    const auto coverage = frame.channel("A");
+    for (const std::string& name : frame.channelNames()) {
+        const auto plane = frame.channel(name);
+        for (size_t i = 0; i < plane.size(); ++i) {
+            if (coverage[i] == 0 || std::isfinite(plane[i])) continue;
+            const auto width = static_cast<size_t>(frame.width());
+            ADD_FAILURE() << name << " is " << plane[i] << " at column " << i % width << ", row "
+                          << i / width;
+            return;
+        }
+    }
+}
+
 /// Once, without timing.
 inline Frame draw(const Scene& scene, const std::string& technique) {
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
-    return renderer.render(parseTechnique(technique), {}, nullptr).frame;
+    Frame frame = renderer.render(parseTechnique(technique), {}, nullptr).frame;
+    expectNoNan(frame);
+    return frame;
 }
 
 /// Index of a pixel; row 0 on top.
