@@ -81,3 +81,27 @@ vec2 reliefDepthGradient(vec2 st) {
     return vec2(slopeLower + (slopeUpper - slopeLower) * p.weight.y, upper - lower) *
            vec2(textureSize(uHeightMap, 0));
 }
+
+// --- the map cell by cell, for searches that follow its patches ----------------------------------------------------
+// Texel coordinates are those of texelPatch: st times the size, minus 1/2, so that whole numbers are texel centres. Cell
+// (i, j) is the square between the centres of texels (i, j) and (i+1, j+1); in it the exact depth is bilinear.
+
+// 1 where the map continues its border texels along s, t; 0 where it repeats.
+ivec2 reliefMapClamps() { return uHeightMapClamps; }
+
+// Any whole number. % of negative numbers isn't defined in GLSL.
+int wrapAnyTexel(int i, int size, int clamps) {
+    if (clamps != 0) return clamp(i, 0, size - 1);
+    return i >= 0 ? i % size : size - 1 - (-1 - i) % size;
+}
+
+// Depths of texels (i, j), (i+1, j), (i, j+1), (i+1, j+1) for any whole i, j, whatever the filter. Counted as one look-up: a
+// bilinear one reads the same four.
+vec4 reliefCell(ivec2 cell) {
+    ++gHeightLookups;
+    ivec2 size = reliefMapSize();
+    int i0 = wrapAnyTexel(cell.x, size.x, uHeightMapClamps.x), i1 = wrapAnyTexel(cell.x + 1, size.x, uHeightMapClamps.x);
+    int j0 = wrapAnyTexel(cell.y, size.y, uHeightMapClamps.y), j1 = wrapAnyTexel(cell.y + 1, size.y, uHeightMapClamps.y);
+    return vec4(texelFetch(uHeightMap, ivec2(i0, j0), 0).r, texelFetch(uHeightMap, ivec2(i1, j0), 0).r,
+                texelFetch(uHeightMap, ivec2(i0, j1), 0).r, texelFetch(uHeightMap, ivec2(i1, j1), 0).r);
+}

@@ -28,6 +28,7 @@ struct ReliefHit {
 vec3 reliefPosition(ReliefRay ray, float t); // (s, t, d)
 float steepestDescent(ReliefRay ray, float t); // largest dd/dt from t on to 1, 0 if d only falls: no step is too long by it
 float reliefDepth(vec2 st);                  // the map's depth; one counted look-up
+vec4 reliefCell(ivec2 cell);                 // four texels of the map, reliefMapSize(), reliefMapClamps(): height_map.glsl
 void countIteration();                       // one more round of the search, for cost.iterations; shadow rays don't count
 ReliefHit hitAt(ReliefRay ray, float t) { return ReliefHit(true, t, reliefPosition(ray, t).xy); }
 ReliefHit missed() { return ReliefHit(false, 1.0, vec2(0.0)); }

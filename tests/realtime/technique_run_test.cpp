@@ -141,9 +141,10 @@ TEST(TechniqueResult, SaysWhatWasDrawnAndHowLongItTook) {
     const TechniqueResult result = renderer.render(parseTechnique("linear_binary:linear_steps=20"),
                                                    {{"binary_steps", "4"}, {"cones", "1"}}, nullptr);
     EXPECT_EQ(result.name, "linear_binary:binary_steps=4,linear_steps=20");
-    const std::map<std::string, std::string> expected{{"binary_steps", "4"},   {"filter", "exact"},
-                                                      {"linear_steps", "20"},  {"shadow", "relief"},
-                                                      {"shadow_bias", "0.02"}, {"triangle_bounds", "false"}};
+    const std::map<std::string, std::string> expected{
+        {"binary_steps", "4"},  {"early_exit", "true"}, {"filter", "exact"},
+        {"linear_steps", "20"}, {"shadow", "relief"},   {"shadow_bias", "0.02"},
+        {"steps", "fixed"},     {"tolerance", "0"},     {"triangle_bounds", "false"}};
     EXPECT_EQ(result.parameters, expected);
     EXPECT_EQ(result.frame.metadata.at("technique"), result.name);
     EXPECT_GT(result.msMedian, 0);

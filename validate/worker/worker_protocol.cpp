@@ -87,7 +87,9 @@ json toJson(const TechniqueResult& result) {
     return {{"name", result.name},           {"parameters", result.parameters},
             {"frame", toJson(result.frame)}, {"backend", result.backend},
             {"renderer", result.renderer},   {"ms_median", result.msMedian},
-            {"ms_runs", result.msRuns},      {"timer", result.timer}};
+            {"ms_runs", result.msRuns},      {"timer", result.timer},
+            {"bake_ms", result.bakeMs},      {"bake_bytes", result.bakeBytes},
+            {"warnings", result.warnings}};
 }
 
 TechniqueResult techniqueResult(const json& value) {
@@ -100,6 +102,9 @@ TechniqueResult techniqueResult(const json& value) {
     result.msMedian = value.at("ms_median");
     result.msRuns = value.at("ms_runs");
     result.timer = value.at("timer");
+    result.bakeMs = value.at("bake_ms");
+    result.bakeBytes = value.at("bake_bytes");
+    result.warnings = value.at("warnings").get<std::vector<std::string>>();
     return result;
 }
 

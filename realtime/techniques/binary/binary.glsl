@@ -1,0 +1,45 @@
+// Bisection of the whole search interval, with nothing before it.
+//
+// It finds a place where the ray enters the relief, not the first one (Watt and Policarpo, chapter 5, figure 5.12; Policarpo
+// and Oliveira, GPU Gems 3, figure 18-4): it is here to be compared with.
+//
+// `interval = printed`: the listing of Premecz, section 2.3, starts at the top with steps of 1 / (2 binary_steps), which
+// together can't get deeper than 1 / binary_steps (E6 of the project's errata: the first size has to be the interval's, 1).
+//
+// Over a quadric a ray may leave the layer again: then its end isn't inside either. The bisection goes on towards the end as
+// long as its middles are outside, and the fragment is discarded unless one of them was inside.
+
+ReliefHit bisectInterval(ReliefRay ray) {
+    float outside = 0.0, inside = 1.0;
+    bool found = ray.endDepth >= 1.0; // depth 1 is inside whatever the map
+    for (int i = 0; i < binary_steps; ++i) {
+        countIteration();
+        float middle = 0.5 * (outside + inside);
+        vec3 position = reliefPosition(ray, middle);
+        if (reliefDepth(position.xy) <= position.z) {
+            inside = middle;
+            found = true;
+        } else {
+            outside = middle;
+        }
+    }
+    if (!found) return missed();
+    return hitAt(ray, inside);
+}
+
+// Where the walk ends, whatever it met; the listing's own answer isn't defined when all was outside.
+ReliefHit walkAsPrinted(ReliefRay ray) {
+    float t = 0.0, size = 1.0 / float(binary_steps);
+    for (int i = 0; i < binary_steps; ++i) {
+        countIteration();
+        size *= 0.5;
+        vec3 position = reliefPosition(ray, t);
+        t += reliefDepth(position.xy) <= position.z ? -size : size;
+    }
+    return hitAt(ray, max(t, 0.0));
+}
+
+ReliefHit traceRelief(ReliefRay ray) {
+    if (interval == interval_printed) return walkAsPrinted(ray);
+    return bisectInterval(ray);
+}

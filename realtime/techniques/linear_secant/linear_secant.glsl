@@ -1,0 +1,56 @@
+// Secant relief mapping: equal steps to the first sample inside the relief, then secants within the bracket until the point is
+// within `tolerance` of the relief (Risser, Shah, Pattanaik 2007).
+//
+// Numbers are those of the project's errata. The printed update is regula falsi, whose one end can stay for good; Illinois
+// halves the gap of an end that stays twice (E1). The listing's answer is the depth *sampled* at the point, one undamped
+// parallax step away from the point itself: worse where the relief is steeper than the ray (E2). Its variables say depth where they compare heights (E3). It walks by
+// horizontal distance, which leaves a ray from straight above with infinity times 0; here depth is the parameter (E4).
+//
+// Gap: D - d, > 0 outside the relief. Over a quadric d isn't linear in t: the secants are those of the gap over t.
+
+// t plus the gap over the ray's descent: on a flat base t = D exactly but for rounding.
+float answerAt(ReliefRay ray, float t, float gap) {
+    if (answer == answer_intersection) return t;
+    float descent = ray.endDepth + ray.bend * (1.0 - 2.0 * t);
+    return descent > kGrazingCosine ? clamp(t + gap / descent, 0.0, 1.0) : t;
+}
+
+// Between t = `outside` with gapOutside > 0 and `inside` with gapInside <= 0.
+float refine(ReliefRay ray, float outside, float gapOutside, float inside, float gapInside) {
+    float t = inside, gap = gapInside;
+    int lastSide = 0; // which end moved last: 1 outside, -1 inside
+    for (int i = 0; i < max_iterations; ++i) {
+        countIteration();
+        t = outside + (inside - outside) * (gapOutside / (gapOutside - gapInside));
+        vec3 position = reliefPosition(ray, t);
+        gap = reliefDepth(position.xy) - position.z;
+        if (abs(gap) <= tolerance) break;
+        int side = gap > 0.0 ? 1 : -1;
+        bool stays = method == method_illinois && side == lastSide;
+        if (side > 0) {
+            outside = t;
+            gapOutside = gap;
+            if (stays) gapInside *= 0.5;
+        } else {
+            inside = t;
+            gapInside = gap;
+            if (stays) gapOutside *= 0.5;
+        }
+        lastSide = side;
+    }
+    return answerAt(ray, t, gap);
+}
+
+ReliefHit traceRelief(ReliefRay ray) {
+    float outside = 0.0, gapOutside = reliefDepth(reliefPosition(ray, 0.0).xy);
+    if (gapOutside <= 0.0) return hitAt(ray, 0.0);
+    for (int i = 1; i <= linear_steps; ++i) {
+        float t = float(i) / float(linear_steps);
+        vec3 position = reliefPosition(ray, t);
+        float gap = reliefDepth(position.xy) - position.z;
+        if (gap <= 0.0) return hitAt(ray, refine(ray, outside, gapOutside, t, gap));
+        outside = t;
+        gapOutside = gap;
+    }
+    return missed();
+}
