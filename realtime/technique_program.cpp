@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <regex>
 #include <set>
 
 namespace plumbline {
@@ -61,6 +62,16 @@ void addHarness(ShaderSource& fragment, size_t lightCount) {
     fragment.addFile(shaderFile("shading.glsl"));
 }
 
+/// Whether `search` names a function that `harness` defines. Asked of the text: a compiler drops a look-up whose result some
+/// setting makes worthless.
+bool callsFunctionOf(const std::filesystem::path& search, const std::filesystem::path& harness) {
+    const std::string text = readText(harness), searchText = readText(search);
+    const std::regex definition("(?:^|\\n)[a-z]\\w* (\\w+)\\(");
+    for (std::sregex_iterator match(text.begin(), text.end(), definition), end; match != end; ++match)
+        if (namesIdentifier(searchText, (*match)[1])) return true;
+    return false;
+}
+
 } // namespace
 
 StageSources plainSources(size_t lightCount) {
@@ -104,7 +115,7 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
                              fmt::format("declares uniform '{}', which the harness doesn't set", name),
                              "parameters in technique.toml");
     for (const std::string& kind : technique.bakedKinds())
-        if (!active.contains(bakedFamily(kind).sampler))
+        if (!callsFunctionOf(technique.search.shaderFile(), shaderFile(bakedFamily(kind).shader)))
             throw InputError(technique.search.file.string(),
                              fmt::format("asks for input '{}', which the shader never reads", kind),
                              fmt::format("a shader that calls a function of {}", bakedFamily(kind).shader));

@@ -106,6 +106,23 @@ TEST_F(UserTechnique, AUniformOfItsOwnIsAnError) {
                              "parameters in technique.toml");
 }
 
+TEST_F(UserTechnique, ABakedMapItNeverReadsIsAnError) {
+    const auto writeShader = [&](const std::string& shader) {
+        write(shader);
+        folder_->write("mine/technique.toml",
+                       "title = 'Mine'\ncitation = 'me'\ninputs = ['normal']\nlimits = []\n"
+                       "surfaces = ['flat']\n");
+    };
+    writeShader("// normalAndDepth\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0); }\n");
+    EXPECT_EQ(message(),
+              path() + "/technique.toml: asks for input 'normal', which the shader never reads; expected a "
+                       "shader that calls a function of normal_map.glsl");
+    // A look-up that a setting makes worthless is still one: compilers drop it.
+    writeShader(
+        "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0 * normalAndDepth(ray, ray.st).w); }\n");
+    EXPECT_EQ(message(), "");
+}
+
 TEST_F(UserTechnique, AnEmptyShaderIsAnError) {
     write("");
     EXPECT_THAT(message(), HasSubstr("doesn't define traceRelief"));
