@@ -16,7 +16,8 @@ constexpr double kFloatEpsilon = 0x1p-23;
 
 const std::vector<std::string> kSearches{"linear",        "binary",        "linear_secant1",
                                          "linear_binary", "linear_secant", "exact_cells"};
-const std::vector<std::string> kParallax{"parallax", "parallax_offset_limited"};
+const std::vector<std::string> kParallax{"parallax", "parallax_offset_limited", "parallax_slope",
+                                         "parallax_slope_exact", "parallax_iterative"};
 
 HeightMap profile(std::vector<float> depths, Wrap wrap = Wrap::Repeat) {
     const auto width = static_cast<int>(depths.size());

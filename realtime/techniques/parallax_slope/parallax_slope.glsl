@@ -1,0 +1,17 @@
+// Parallax mapping with slope, the "safe" form: the relief is taken for the plane through the point below the fragment with the normal
+// stored there, and the division by normal . eye left out (Premecz, section 3).
+//
+// The way along the unit ray is tau = d0 sz n_z. On a flat base, whose ray is sz / cosine long, that is t = d0 n_z cosine.
+//
+// The normal has to follow the relief's scale: `rescale_normal = false` is the printed code, which scales the height alone (E7 of the
+// project's errata). scale and bias: parallax/parallax.glsl.
+
+// A unit normal of the relief `scale` times as deep.
+vec3 scaledNormal(vec3 normal) {
+    return rescale_normal ? normalize(vec3(normal.xy * scale, normal.z)) : normal;
+}
+
+ReliefHit traceRelief(ReliefRay ray) {
+    vec4 relief = normalAndDepth(ray, ray.st);
+    return hitAt(ray, (scale * relief.w + bias) * scaledNormal(relief.xyz).z * ray.cosine);
+}
