@@ -17,10 +17,11 @@ const std::vector<BakedFamily>& bakedFamilies() {
          "uConeMap",
          nullptr,
          2,
+         false,
          {"cone_step", "cone_step_quad", "cone_step_relaxed", "cone_step_relaxed_2007"}},
-        {"normal_map.glsl", "uNormalMap", "uNormalMapScale", 3, {"normal"}},
-        {"distance_field.glsl", "uDistanceField", nullptr, 4, {"distance_field"}},
-        {"depth_bounds.glsl", "uDepthBounds", nullptr, 5, {"max_mipmap"}},
+        {"normal_map.glsl", "uNormalMap", "uNormalMapScale", 3, false, {"normal"}},
+        {"distance_field.glsl", "uDistanceField", nullptr, 4, false, {"distance_field"}},
+        {"depth_bounds.glsl", "uDepthBounds", nullptr, 5, true, {"max_mipmap"}},
     };
     return families;
 }
@@ -63,34 +64,55 @@ BakeScale bakeScale(const ReliefExtents& extents, const SceneObject& object, con
     return {extents.least.x, extents.least.y, depth};
 }
 
-GlTexture makeBakedTexture(const BakedMap& map, Wrap wrapS, Wrap wrapT) {
+BakedMap::Level packLevels(const BakedMap& map) {
+    const BakedMap::Level& first = map.levels.front();
+    const auto rowOf = [&](size_t k) {
+        return first.height - (first.height >> (k - 1)) + static_cast<int>(k) - 1;
+    };
+    BakedMap::Level packed{first.width, first.height, {}};
+    if (map.levels.size() > 1) {
+        packed.width += map.levels[1].width;
+        packed.height = std::max(packed.height, rowOf(map.levels.size() - 1) + map.levels.back().height);
+    }
+    const auto channels = static_cast<size_t>(map.channels), width = static_cast<size_t>(packed.width);
+    packed.values.assign(width * static_cast<size_t>(packed.height) * channels, 0.0f);
+    for (size_t k = 0; k < map.levels.size(); ++k) {
+        const BakedMap::Level& level = map.levels[k];
+        const auto column = static_cast<size_t>(k == 0 ? 0 : first.width),
+                   row = static_cast<size_t>(k == 0 ? 0 : rowOf(k));
+        const size_t rowValues = static_cast<size_t>(level.width) * channels;
+        for (size_t j = 0; j < static_cast<size_t>(level.height); ++j)
+            std::copy_n(&level.values[j * rowValues], rowValues,
+                        &packed.values[((row + j) * width + column) * channels]);
+    }
+    return packed;
+}
+
+GlTexture makeBakedTexture(const BakedMap& map) {
     static constexpr std::array<GLint, 5> kInternal{0, GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
     static constexpr std::array<GLenum, 5> kFormat{0, GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    const bool packs = bakedFamily(map.kind).packsLevels;
+    const BakedMap::Level packed = packs ? packLevels(map) : BakedMap::Level{};
+    const BakedMap::Level& sent = packs ? packed : map.levels.front();
     GLint largest = 0, mostLayers = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &mostLayers);
-    const BakedMap::Level& first = map.levels.front();
-    if (first.width > largest || first.height > largest || map.slices > mostLayers)
+    if (sent.width > largest || sent.height > largest || map.slices > mostLayers)
         throw MachineError(
             map.kind,
-            fmt::format("a map of {} x {} texels and {} slices", first.width, first.height, map.slices),
+            fmt::format("a map of {} x {} texels and {} slices", sent.width, sent.height, map.slices),
             fmt::format("at most {} a side and {} slices on this OpenGL", largest, mostLayers));
     clearGlErrors();
     GlTexture texture = GlTexture::make();
     glBindTexture(GL_TEXTURE_2D_ARRAY, texture.get());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     const auto channels = static_cast<size_t>(map.channels);
-    for (size_t level = 0; level < map.levels.size(); ++level)
-        glTexImage3D(GL_TEXTURE_2D_ARRAY, static_cast<GLint>(level), kInternal[channels],
-                     map.levels[level].width, map.levels[level].height, map.slices, 0, kFormat[channels],
-                     GL_FLOAT, map.levels[level].values.data());
-    const auto wrapMode = [](Wrap wrap) { return wrap == Wrap::Repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE; };
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER,
-                    map.levels.size() > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+    glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, kInternal[channels], sent.width, sent.height, map.slices, 0,
+                 kFormat[channels], GL_FLOAT, sent.values.data());
+    // Shaders fetch texels: nothing is filtered or wrapped by the sampler.
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, static_cast<GLint>(map.levels.size()) - 1);
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_S, wrapMode(wrapS));
-    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_WRAP_T, wrapMode(wrapT));
+    glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
     checkGl(fmt::format("sending the baked map {}", map.kind));
     return texture;
 }

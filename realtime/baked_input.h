@@ -16,6 +16,7 @@ struct BakedFamily {
     const char* sampler;      // sampler2DArray; slices are the array's layers
     const char* scaleUniform; // vec3, the BakeScale it was baked at; null: it has none
     int unit;                 // texture unit
+    bool packsLevels;         // all levels in one picture (packLevels); else level 0 alone is sent
     std::vector<const char*> kinds;
 };
 const std::vector<BakedFamily>& bakedFamilies();
@@ -35,7 +36,11 @@ ReliefExtents reliefExtents(const ProxyMesh& proxy);
 /// coordinates have no extent.
 BakeScale bakeScale(const ReliefExtents& extents, const SceneObject& object, const std::string& kind);
 
-/// Sends every level. Throws MachineError if the map doesn't fit this OpenGL.
-GlTexture makeBakedTexture(const BakedMap& map, Wrap wrapS, Wrap wrapT);
+/// Levels of a map of one slice in one picture: level 0 at the lower left, level k > 0 right of it at
+/// height h0 - floor(h0 / 2^(k-1)) + k - 1, which is never less than the levels below it take.
+BakedMap::Level packLevels(const BakedMap& map);
+
+/// Throws MachineError if the map doesn't fit this OpenGL.
+GlTexture makeBakedTexture(const BakedMap& map);
 
 } // namespace plumbline

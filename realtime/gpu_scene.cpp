@@ -143,7 +143,7 @@ const GpuScene::BakedTexture& GpuScene::bakedTexture(const HeightMap& map, const
     auto texture = std::make_unique<BakedTexture>();
     texture->map = &map;
     texture->request = request;
-    texture->texture = makeBakedTexture(outcome.map, map.wrapS(), map.wrapT());
+    texture->texture = makeBakedTexture(outcome.map);
     texture->ms = outcome.ms;
     texture->bytes = outcome.map.bytes();
     return *baked_.emplace_back(std::move(texture));

@@ -93,6 +93,7 @@ StageSources reliefSources(const Technique& technique, size_t lightCount) {
     addHarness(sources.fragment, lightCount);
     sources.fragment.addFile(shaderFile("height_map.glsl"));
     sources.fragment.addFile(shaderFile("relief_contract.glsl"));
+    sources.fragment.addFile(shaderFile("relief_walk.glsl"));
     for (const std::string& kind : technique.bakedKinds())
         sources.fragment.addFile(shaderFile(bakedFamily(kind).shader));
     sources.fragment.addFile(shaderFile("relief_main.glsl"));

@@ -1,5 +1,8 @@
 // Least and most depth over blocks of cells: level k has blocks of 2^k x 2^k cells, the last one of an odd row also its left-over
 // (inputs/README.md, kind max_mipmap).
+//
+// All levels lie in one picture, level 0 on the left and the others above each other on its right (baked_input.cpp), because
+// llvmpipe reads one level for all four pixels of a quad, also where a shader asks for a level by number.
 
 uniform sampler2DArray uDepthBounds; // r: least depth, g: most
 
@@ -10,13 +13,19 @@ int depthBoundsLevels() {
     return levels;
 }
 
-// The block of `level` that holds a cell, which must be inside of the map.
-ivec2 blockOf(ivec2 cell, int level) {
-    return min(ivec2(cell.x >> level, cell.y >> level), textureSize(uDepthBounds, level).xy - 1);
+// Number of blocks of a level along s and t.
+ivec2 depthBoundsSize(int level) {
+    ivec2 size = reliefMapSize();
+    return max(ivec2(size.x >> level, size.y >> level), ivec2(1));
 }
+
+// The block of `level` that holds a cell, which must be inside of the map.
+ivec2 blockOf(ivec2 cell, int level) { return min(ivec2(cell.x >> level, cell.y >> level), depthBoundsSize(level) - 1); }
 
 // (least, most) depth of a block.
 vec2 depthBounds(ivec2 block, int level) {
     ++gBakedLookups;
-    return texelFetch(uDepthBounds, ivec3(block, 0), level).rg;
+    ivec2 size = reliefMapSize();
+    ivec2 corner = level == 0 ? ivec2(0) : ivec2(size.x, size.y - (size.y >> (level - 1)) + level - 1);
+    return texelFetch(uDepthBounds, ivec3(corner + block, 0), 0).rg;
 }

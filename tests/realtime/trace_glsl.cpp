@@ -22,6 +22,7 @@ ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
     source.addText("(settings)", fmt::format("const bool kHardwareFilter = {};", technique.hardwareFilter()));
     source.addFile(folder / "shaders" / "height_map.glsl");
     source.addFile(folder / "shaders" / "relief_contract.glsl");
+    source.addFile(folder / "shaders" / "relief_walk.glsl");
     source.addText("(parameters)", technique.glslConstants());
     // Its reliefPosition is that of `flat` to the bit where endDepth is 1 and bend 0.
     source.addFile(folder / "surfaces" / "quadric" / "quadric.glsl");

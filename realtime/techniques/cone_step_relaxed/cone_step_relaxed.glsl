@@ -2,7 +2,8 @@
 // the first hit between it and the point before, and a bisection or the secant finds it (Policarpo and Oliveira 2007, section
 // 18.4, listing 18-3; the listing forgets to hand its result back, TECHNIQUES E23).
 //
-// Where the steps run out, the search goes on between the entry, or the last point, and where they ended, as in the listing.
+// Cones end at the height of the point they stand on: over level ground the steps come ever closer and never arrive. Where they run
+// out, or end within `tolerance`, the search goes on between the entry, or the last point, and there, as in the listing.
 
 float coneRatio(vec2 st) {
     if (cone_lookup == cone_lookup_cell) return coneOfCell(st).r;
@@ -44,7 +45,7 @@ ReliefHit traceRelief(ReliefRay ray) {
     for (int i = 0; i < cone_steps; ++i) {
         vec3 position = reliefPosition(ray, t);
         clearance = reliefDepth(position.xy) - position.z;
-        if (clearance <= 0.0) break;
+        if (clearance <= tolerance) break;
         if (t >= 1.0) {
             if (ray.endDepth < 1.0) return missed();
             break;
@@ -56,7 +57,7 @@ ReliefHit traceRelief(ReliefRay ray) {
         t = min(t + cone * clearance / max(speed + cone * steepestDescent(ray, t), 1e-30), 1.0);
     }
     if (t <= 0.0) return hitAt(ray, 0.0);
-    if (clearance > 0.0) { // the last step's end wasn't looked at
+    if (clearance > tolerance) { // the last step's end wasn't looked at
         clearance = clearanceAt(ray, t);
         if (clearance > 0.0 && t >= 1.0 && ray.endDepth < 1.0) return missed();
     }
