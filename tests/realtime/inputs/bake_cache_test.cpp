@@ -1,7 +1,7 @@
 // The cache of baked maps: what its files are named after, and that nothing but what was written ever comes out of one.
 #include "../../../realtime/inputs/bake_cache.h"
 #include "../../scenes/test_files.h"
-#include "test_maps.h"
+#include "awkward_maps.h"
 
 #include <cstdlib>
 #include <cstring>

@@ -3,7 +3,7 @@
 #include "../../../realtime/inputs/baked_map_picture.h"
 #include "../../../scenes/exr_file.h"
 #include "../../scenes/test_files.h"
-#include "test_maps.h"
+#include "awkward_maps.h"
 
 #include <gmock/gmock.h>
 

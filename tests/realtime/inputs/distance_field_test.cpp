@@ -1,6 +1,6 @@
 // Distances on a grid: by their definition, in closed form, and that no surface is nearer than the bound says.
 #include "../../../realtime/inputs/bake.h"
-#include "test_maps.h"
+#include "awkward_maps.h"
 
 #include <gtest/gtest.h>
 

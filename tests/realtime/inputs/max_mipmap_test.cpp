@@ -1,6 +1,6 @@
 // Bounds of blocks of the bilinear surface: sizes, exactness, and that nothing of the surface is outside them.
 #include "../../../realtime/inputs/bake.h"
-#include "test_maps.h"
+#include "awkward_maps.h"
 
 #include <gtest/gtest.h>
 

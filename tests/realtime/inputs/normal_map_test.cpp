@@ -1,7 +1,7 @@
 // Normals of the relief: closed forms, borders, scales.
 #include "../../../realtime/inputs/bake.h"
 #include "../../../scenes/error.h"
-#include "test_maps.h"
+#include "awkward_maps.h"
 
 #include <gmock/gmock.h>
 
