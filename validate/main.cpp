@@ -30,7 +30,8 @@ struct Arguments {
 };
 
 void addThreads(CLI::App& command, Arguments& arguments) {
-    command.add_option("--threads", arguments.threads, "Threads of reference, bakes and llvmpipe (default: all)")
+    command
+        .add_option("--threads", arguments.threads, "Threads of reference, bakes and llvmpipe (default: all)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
 }
