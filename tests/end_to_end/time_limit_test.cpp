@@ -20,11 +20,12 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// No compiler sees that depths are never below -1.
+// No compiler sees that depths are never below -1. Two loops, for llvmpipe leaves one after 65535 rounds.
 const char* const kEndless = R"(ReliefHit traceRelief(ReliefRay ray) {
     vec3 position = reliefPosition(ray, 0.5);
-    while (reliefDepth(position.xy) > -1.0)
-        position.x += 0.001 * float(linear_steps + binary_steps);
+    while (reliefDepth(position.yx) > -1.0)
+        while (reliefDepth(position.xy) > -1.0)
+            position.x += 0.001 * float(linear_steps + binary_steps);
     return hitAt(ray, position.x);
 }
 )";
@@ -43,6 +44,8 @@ class TimeLimit : public EndToEnd {
         writeFile(folder_ / "endless" / "endless.glsl", kEndless);
     }
     void TearDown() override {
+        if (drawing_ > 0 && !isGone(drawing_))
+            kill(drawing_, SIGKILL); // a test failed: it would go on for ever
         if (!running_.captured.empty()) fs::remove_all(running_.captured);
         EndToEnd::TearDown();
     }
@@ -68,7 +71,7 @@ class TimeLimit : public EndToEnd {
         std::this_thread::sleep_for(std::chrono::milliseconds(300)); // compiling takes a tenth of that
         const std::vector<pid_t> children = childrenOf(running_.process);
         EXPECT_EQ(children.size(), 1u);
-        return children.empty() ? -1 : children[0];
+        return drawing_ = children.empty() ? -1 : children[0];
     }
 
     /// The endless one failed with a message that has this part; the others have their figures.
@@ -84,6 +87,7 @@ class TimeLimit : public EndToEnd {
     }
 
     Running running_;
+    pid_t drawing_ = -1;
 };
 
 TEST_F(TimeLimit, TheOthersGoOn) {
@@ -142,6 +146,17 @@ TEST_F(TimeLimit, CtrlCEndsBothAndKeepsWhatWasFinished) {
     ASSERT_EQ(techniques().size(), 1u);
     EXPECT_GT(techniques()[0]["silhouette"]["iou"], 0.5);
     EXPECT_TRUE(fs::exists(folder_ / "out/report/index.html"));
+}
+
+// They come to the parent too: what the drawing process did by itself would be taken for a crash.
+TEST_F(TimeLimit, TheDrawingProcessLeavesSignalsToItsParent) {
+    const pid_t drawing = startAndReachTheLoop();
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
+        ASSERT_EQ(kill(drawing, signal), 0);
+    EXPECT_FALSE(waitUntil([&] { return isGone(drawing); }, 0.3));
+    ASSERT_EQ(kill(running_.process, SIGTERM), 0);
+    EXPECT_EQ(finish(running_).signal, SIGTERM);
+    EXPECT_TRUE(waitUntil([&] { return isGone(drawing); }, 2));
 }
 
 // A process that is stopped has no chance to draw: its time doesn't run.

@@ -10,6 +10,7 @@
 namespace plumbline {
 namespace {
 
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class TechniqueWorkerTest : public test::EndToEnd {
@@ -124,6 +125,68 @@ TEST_F(TechniqueWorkerTest, ProgramsThatAreNone) {
     none.program = "/bin/false";
     TechniqueWorker worker(none);
     EXPECT_THAT(messageOf([&] { worker.waitUntilReady(); }), HasSubstr("(exit code 1)"));
+}
+
+// Scripts in the program's place, so that it ends where it never should. What they print are messages: the length in eight
+// bytes, then MessagePack.
+const char* const kReady = R"(printf '\015\0\0\0\0\0\0\0\201\245phase\245ready' >&3)";
+const char* const kDrawing = R"(printf '\017\0\0\0\0\0\0\0\201\245phase\247drawing' >&3)";
+const char* const kMachineError =
+    R"(printf '\030\0\0\0\0\0\0\0\201\245error\202\244kind\001\244text\244lost' >&3)";
+
+class ScriptedWorkerTest : public TechniqueWorkerTest {
+  protected:
+    /// What drawing twice comes to.
+    std::vector<std::string> drawTwice(const std::vector<std::string>& script) const {
+        std::string text = "#!/bin/sh\n";
+        for (const std::string& line : script)
+            text += line + "\n";
+        test::writeFile(folder_ / "script", text);
+        std::filesystem::permissions(folder_ / "script", std::filesystem::perms::owner_all);
+        WorkerOptions scripted = options();
+        scripted.program = folder_ / "script";
+        scripted.timeLimitSeconds = 1;
+        TechniqueWorker worker(scripted);
+        std::vector<std::string> messages(2);
+        for (std::string& message : messages)
+            message = messageOf([&] { worker.render(parseTechnique("linear_binary"), {}); });
+        return messages;
+    }
+};
+
+std::string asMessage(const std::exception& error) {
+    return messageOf([&] {
+        if (dynamic_cast<const InputError*>(&error) != nullptr) throw InputError("", error.what());
+        throw MachineError("", error.what());
+    });
+}
+
+TEST_F(ScriptedWorkerTest, EndsBeforeATechniqueAndWhileDrawingIt) {
+    const std::string before =
+        asMessage(MachineError("linear_binary", "something ended the process (exit code 7)"));
+    const std::string during =
+        asMessage(MachineError("linear_binary", "the OpenGL driver ended the process (exit code 7)"));
+    EXPECT_THAT(drawTwice({kReady, "exit 7"}), ElementsAre(before, before));
+    EXPECT_THAT(drawTwice({kReady, kDrawing, "sleep 0.1", "exit 7"}), ElementsAre(during, during));
+}
+
+TEST_F(ScriptedWorkerTest, TheTimeLimitHoldsForEachTechnique) {
+    const std::string stopped =
+        asMessage(InputError("linear_binary", "not finished after 1 s and stopped",
+                             "a search whose loops end", "--time-limit SECONDS gives it more"));
+    EXPECT_THAT(drawTwice({kReady, kDrawing, "exec sleep 60"}), ElementsAre(stopped, stopped));
+}
+
+// Maps that are made before a technique draws may take minutes.
+TEST_F(ScriptedWorkerTest, TimeBeforeDrawingDoesNotCount) {
+    const std::string error = asMessage(MachineError("", "lost"));
+    EXPECT_THAT(drawTwice({kReady, "sleep 1.5", kMachineError}), ElementsAre(error, error));
+}
+
+// A context that was lost stays lost: the next technique gets another process, even while this one lingers.
+TEST_F(ScriptedWorkerTest, AfterAFaultOfTheMachineTheProcessIsAnother) {
+    const std::string error = asMessage(MachineError("", "lost"));
+    EXPECT_THAT(drawTwice({kReady, kMachineError, "exec sleep 60"}), ElementsAre(error, error));
 }
 
 } // namespace

@@ -117,33 +117,33 @@ void TechniqueWorker::waitUntilReady() {
 TechniqueResult TechniqueWorker::render(const TechniqueRequest& request,
                                         const std::map<std::string, std::string>& settings) {
     waitUntilReady();
+    bool drawing = false;
     try {
         connection_->socket.send(toJson(DrawRequest{request, settings}));
-        return awaitResult(nameOf(request, settings));
+        return awaitResult(nameOf(request, settings), drawing);
     } catch (const InputError&) {
         throw; // the technique's own fault
+    } catch (const ConnectionLost&) {
+        const MachineError error = endedWhile(nameOf(request, settings), drawing, connection_->process);
+        connection_.reset();
+        throw error;
     } catch (...) {
         connection_.reset(); // whatever happened there, a lost context included, isn't for the next technique
         throw;
     }
 }
 
-TechniqueResult TechniqueWorker::awaitResult(const std::string& technique) {
+TechniqueResult TechniqueWorker::awaitResult(const std::string& technique, bool& drawing) {
     milliseconds left = std::chrono::seconds(options_.timeLimitSeconds);
-    bool drawing = false;
-    try {
-        for (;;) {
-            if (drawing && !waitWithin(connection_->socket, left)) {
-                connection_.reset();
-                throw tooSlow(technique, options_.timeLimitSeconds);
-            }
-            WorkerReply reply = receiveReply(connection_->socket);
-            if (reply.error) std::rethrow_exception(reply.error);
-            if (reply.result) return std::move(*reply.result);
-            drawing = reply.phase == kPhaseDrawing;
+    for (;;) {
+        if (drawing && !waitWithin(connection_->socket, left)) {
+            connection_.reset();
+            throw tooSlow(technique, options_.timeLimitSeconds);
         }
-    } catch (const ConnectionLost&) {
-        throw endedWhile(technique, drawing, connection_->process);
+        WorkerReply reply = receiveReply(connection_->socket);
+        if (reply.error) std::rethrow_exception(reply.error);
+        if (reply.result) return std::move(*reply.result);
+        drawing = reply.phase == kPhaseDrawing;
     }
 }
 

@@ -39,7 +39,8 @@ class TechniqueWorker {
   private:
     struct Connection;
     void start();
-    TechniqueResult awaitResult(const std::string& technique);
+    /// `drawing`: whether the technique's time runs, kept up to date also where this throws.
+    TechniqueResult awaitResult(const std::string& technique, bool& drawing);
 
     WorkerOptions options_;
     std::unique_ptr<Connection> connection_; // null: not started since the last one was stopped
