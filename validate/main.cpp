@@ -100,6 +100,13 @@ void addBake(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
                      fmt::format("Of a distance field (default: {})", BakeRequest().slices))
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
+    command->add_flag("--check", bake.check,
+                      "Of a cone map: step random rays by it and count those that leap over the relief");
+    command
+        ->add_option("--rays", bake.rays,
+                     fmt::format("How many, with --check (default: {})", kDefaultCheckRays))
+        ->check(CLI::Range(uint64_t(1), uint64_t(1) << 40))
+        ->type_name("N");
     addThreads(*command, arguments);
     command->callback([&] { run = [&] { return runBake(arguments.bake); }; });
 }

@@ -141,6 +141,11 @@ BakedMap makeConeMap(const HeightMap& map, const ConeRule& rule) {
     return cones;
 }
 
+bool isConeKind(std::string_view kind) {
+    return kind == "cone_step" || kind == "cone_step_quad" || kind == "cone_step_relaxed" ||
+           kind == "cone_step_relaxed_2007";
+}
+
 ConeRule coneRule(std::string_view kind) {
     if (kind == "cone_step") return kConservative;
     if (kind == "cone_step_quad") return kQuad;

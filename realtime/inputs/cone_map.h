@@ -50,6 +50,7 @@ inline constexpr int kConeTexels = 0, kConeCells = 1; // slices
 /// Throws MachineError where memory doesn't suffice.
 BakedMap makeConeMap(const HeightMap& map, const ConeRule& rule);
 
+bool isConeKind(std::string_view kind);
 /// The rule of a kind of cone map; throws InputError for other kinds.
 ConeRule coneRule(std::string_view kind);
 

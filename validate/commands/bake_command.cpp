@@ -1,5 +1,7 @@
 #include "../../realtime/inputs/bake_cache.h"
 #include "../../realtime/inputs/baked_map_picture.h"
+#include "../../realtime/inputs/cone_check.h"
+#include "../../realtime/inputs/cone_map.h"
 #include "../../scenes/error.h"
 #include "../../scenes/map_file.h"
 #include "../../scenes/scene_file.h"
@@ -133,10 +135,44 @@ std::map<std::string, std::string> pictureMetadata(const HeightMap& map, const B
     return metadata;
 }
 
+/// Before anything is made: --check of what can't be checked.
+void requireCheckable(const BakeArguments& arguments) {
+    if (arguments.rays && !arguments.check)
+        throw InputError("--rays", fmt::format("found {} without --check", *arguments.rays),
+                         "both, or neither");
+    if (arguments.check && !isConeKind(arguments.kind))
+        throw InputError("--check", fmt::format("kind '{}' is no cone map", arguments.kind),
+                         "a kind that begins with cone_step");
+}
+
+/// One line a look-up: how many rays leapt over relief, and how deep they were in it at the deepest.
+void printConeCheck(const HeightMap& map, const BakedMap& cones, uint64_t rays) {
+    constexpr uint64_t kSeed = 1;
+    const bool relaxed = coneRule(cones.kind).relaxed;
+    fmt::print("{:<12} {:>10} {:>10} {:>10}", "look-up", "rays", "pierced", "leaping");
+    const char* const heads[] = {"<= 1e-5", "<= 1/1024", "<= 1/255", "<= 0.05", "more"};
+    static_assert(std::size(heads) == ConeCheck::kDepths.size());
+    for (const char* head : heads)
+        fmt::print(" {:>10}", head);
+    fmt::print(" {:>10} {:>10}\n", "deepest", "steps");
+    for (const auto& [name, lookup] :
+         {std::pair("cell", ConeLookup::Cell), std::pair("min_of_four", ConeLookup::MinOfFour),
+          std::pair("bilinear", ConeLookup::Bilinear), std::pair("nearest", ConeLookup::Nearest)}) {
+        const ConeCheck check = checkCones(map, cones, lookup, relaxed, rays, kSeed);
+        fmt::print("{:<12} {:>10} {:>10} {:>10}", name, check.rays, check.pierced, check.leaping);
+        for (const uint64_t leaps : check.leapsByDepth)
+            fmt::print(" {:>10}", leaps);
+        fmt::print(" {:>10.3g} {:>10.2f}\n", check.deepest, check.meanSteps());
+    }
+    fmt::print(
+        "leaps by how deep below the surface, in relief depths; steps: mean until within 1/1024 of it\n");
+}
+
 } // namespace
 
 int runBake(const BakeArguments& arguments) {
     const BakeRequest request = parseRequest(arguments);
+    requireCheckable(arguments);
     if (arguments.output) requireWritableFile(*arguments.output);
     Progress progress;
     progress.step("reading the map");
@@ -150,6 +186,10 @@ int runBake(const BakeArguments& arguments) {
     }
     printSummary(outcome);
     if (arguments.output) fmt::print("{}\n", arguments.output->string());
+    if (arguments.check) {
+        progress.step("checking");
+        printConeCheck(*map, outcome.map, arguments.rays.value_or(kDefaultCheckRays));
+    }
     return kExitDone;
 }
 

@@ -54,6 +54,8 @@ struct CompareArguments {
     bool json = false;
 };
 
+inline constexpr uint64_t kDefaultCheckRays = 1'000'000;
+
 struct BakeArguments {
     std::string map;  // a picture's path, or SCENE#NAME: a map of a scene
     std::string kind; // name in bakeKinds()
@@ -62,6 +64,8 @@ struct BakeArguments {
     std::optional<std::string> depth, tileSize; // world units; "2,1.5"
     std::optional<int> slices;
     std::optional<std::filesystem::path> output; // a picture
+    bool check = false;                          // of a cone map: rays that leap over the relief
+    std::optional<uint64_t> rays;                // so many
 };
 
 int runValidate(const ValidateArguments& arguments);

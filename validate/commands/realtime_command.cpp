@@ -42,6 +42,7 @@ int runRealtime(const RealtimeArguments& arguments) {
     TechniqueDrawer drawer(scene, worker, requests);
     const TechniqueResult result =
         drawer.draw(request, settings, reference ? &reference->microMeshes() : nullptr);
+    printWarnings(result.warnings);
     writeFrame(result.frame, file);
     fmt::print("{}\n{} on {} ({}): {:.2f} ms, median of {} ({})\n", file.string(), result.name,
                result.renderer, result.backend, result.msMedian, result.msRuns, result.timer);

@@ -11,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <set>
 
@@ -18,6 +19,9 @@ namespace plumbline {
 
 #ifdef PLUMBLINE_GL
 namespace {
+
+// For timing all techniques of a run together: a third of what comparing and painting them takes.
+constexpr double kTimingBudgetMs = 6000;
 
 /// The places a run writes to, checked when made.
 struct OutputFolder {
@@ -125,6 +129,7 @@ void dropDepth(Comparison& comparison) {
 struct Trial {
     TechniqueOutcome outcome;
     Frame frame;
+    std::vector<std::string> warnings;
     int exitCode = kExitDone;
 };
 
@@ -143,6 +148,7 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
         trial.outcome.msMedian = result.msMedian;
         trial.outcome.msRuns = result.msRuns;
         trial.outcome.timer = result.timer;
+        trial.warnings = result.warnings;
         trial.outcome.bakeMs = result.bakeMs;
         trial.outcome.bakeBytes = static_cast<double>(result.bakeBytes);
         trial.frame = std::move(result.frame);
@@ -186,7 +192,9 @@ int runValidate(const ValidateArguments& arguments) {
     ReferenceOptions options = referenceOptions(arguments.reference);
     for (const TechniqueRequest& request : requests)
         options.microAttributes |= drawsMicroTriangles(request);
-    const WorkerOptions worker = workerOptions(sceneFile, scene, arguments.realtime);
+    WorkerOptions worker = workerOptions(sceneFile, scene, arguments.realtime);
+    worker.gl.timingBudgetMs =
+        std::min(worker.gl.timingBudgetMs, kTimingBudgetMs / static_cast<double>(requests.size()));
     OutputFolder output(arguments.output, scene);
 
     // The reference comes before GL starts, so that its peak memory is its own.
@@ -207,10 +215,13 @@ int runValidate(const ValidateArguments& arguments) {
     Report report(output.report);
     writeReferences(references, results, output, report);
     int exitCode = kExitDone;
+    std::set<std::string> warned;
     for (const TechniqueRequest& request : requests) {
         progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
                                   displayName(request, settings)));
         Trial trial = tryTechnique(request, settings, drawer, references, scene);
+        for (const std::string& warning : trial.warnings)
+            if (warned.insert(warning).second) printWarnings({warning});
         if (!trial.outcome.error) {
             writeFrame(trial.frame, output.newFrameFile(trial.outcome.name));
             report.addTechnique(trial.outcome, references.frame, trial.frame);
