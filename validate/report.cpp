@@ -44,32 +44,20 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
     const FramePair pair(reference, test, objects);
 
     std::vector<ReportPicture> entries;
-    entries.push_back({save(stem + "_color", colorPicture(test)), "Colour", Kind::Color, "", "", {}});
-    entries.push_back({save(stem + "_silhouette", silhouettePicture(pair)),
-                       "Silhouette difference",
-                       Kind::Silhouette,
-                       "",
-                       "",
-                       {}});
+    entries.push_back({save(stem + "_color", colorPicture(test)), "Colour", Kind::Color});
+    entries.push_back(
+        {save(stem + "_silhouette", silhouettePicture(pair)), "Silhouette difference", Kind::Silhouette});
     if (!comparison.referenceDepth.empty() && !comparison.testDepth.empty()) {
         const DepthRange range = depthRange(comparison);
         const Picture picture =
             depthErrorPicture(pair, comparison.referenceDepth, comparison.testDepth, range.worldUnits);
-        entries.push_back({save(stem + "_depth", picture),
-                           "Depth error, signed",
-                           Kind::DepthError,
-                           fmt::format("{:.3g}", range.worldUnits),
-                           range.note,
-                           {}});
+        entries.push_back({save(stem + "_depth", picture), "Depth error, signed", Kind::DepthError,
+                           fmt::format("{:.3g}", range.worldUnits), range.note});
     }
     for (const auto& [light, agreement] : comparison.pooled.shadow)
         if (pair.missingChannel(shadowChannel(light)).empty())
             entries.push_back({save(stem + "_shadow_" + light, shadowPicture(pair, light)),
-                               "Shadow difference, light " + light,
-                               Kind::Shadow,
-                               "",
-                               "",
-                               {}});
+                               "Shadow difference, light " + light, Kind::Shadow});
     const SearchIterations& iterations = comparison.pooled.iterations;
     if (iterations.most && *iterations.most > 0 && test.has("id")) {
         // By the 99th percentile, or a few pixels would leave the rest pale.

@@ -14,9 +14,9 @@ struct ReportPicture {
     enum class Kind { Color, Silhouette, DepthError, Shadow, Iterations }; // decides the legend
     std::string file, caption;
     Kind kind = Kind::Color;
-    std::string range,
-        rangeNote; // depth error: full colour is at +-range world units, and why there; iterations: the most
-    std::vector<uint64_t> histogram; // iterations only: pixels by rounds
+    /// Depth error: full colour is at +-range world units, and why there. Iterations: the darkest colour's.
+    std::string range = {}, rangeNote = {};
+    std::vector<uint64_t> histogram = {}; // iterations: pixels by rounds
 };
 
 struct ReportPictures {

@@ -10,6 +10,7 @@
 #include "technique_drawer.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <memory>
@@ -134,7 +135,7 @@ struct Trial {
 };
 
 Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
-                   TechniqueDrawer& drawer, const References& references, const Scene& scene) {
+                   TechniqueDrawer& drawer, const References& references) {
     Trial trial;
     trial.outcome.name = displayName(request, settings);
     trial.outcome.limits = limitsOf(request);
@@ -152,11 +153,6 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
         trial.outcome.bakeMs = result.bakeMs;
         trial.outcome.bakeBytes = static_cast<double>(result.bakeBytes);
         trial.frame = std::move(result.frame);
-        const auto against = [&](const Frame& reference) {
-            return compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);
-        };
-        trial.outcome.comparison = against(references.frame);
-        if (references.proxyFrame) trial.outcome.againstProxy = against(*references.proxyFrame);
     } catch (const InputError& error) {
         trial.outcome.error = error.what();
         trial.exitCode = kExitBadInput;
@@ -165,6 +161,24 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
         trial.exitCode = kExitMachine;
     }
     return trial;
+}
+
+/// Compares, paints and writes the frame, side by side: each of it takes longer than many techniques take to draw.
+void judge(Trial& trial, const References& references, const Scene& scene, OutputFolder& output,
+           Report& report) {
+    const auto against = [&](const Frame& reference) {
+        return compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);
+    };
+    const std::filesystem::path file = output.newFrameFile(trial.outcome.name);
+    tbb::parallel_invoke([&] { writeFrame(trial.frame, file); },
+                         [&] {
+                             trial.outcome.comparison = against(references.frame);
+                             report.addTechnique(trial.outcome, references.frame, trial.frame);
+                             dropDepth(trial.outcome.comparison);
+                             if (!references.proxyFrame) return;
+                             trial.outcome.againstProxy = against(*references.proxyFrame);
+                             dropDepth(*trial.outcome.againstProxy);
+                         });
 }
 
 /// Frames and pictures of the references.
@@ -219,15 +233,10 @@ int runValidate(const ValidateArguments& arguments) {
     for (const TechniqueRequest& request : requests) {
         progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
                                   displayName(request, settings)));
-        Trial trial = tryTechnique(request, settings, drawer, references, scene);
+        Trial trial = tryTechnique(request, settings, drawer, references);
         for (const std::string& warning : trial.warnings)
             if (warned.insert(warning).second) printWarnings({warning});
-        if (!trial.outcome.error) {
-            writeFrame(trial.frame, output.newFrameFile(trial.outcome.name));
-            report.addTechnique(trial.outcome, references.frame, trial.frame);
-        }
-        dropDepth(trial.outcome.comparison);
-        if (trial.outcome.againstProxy) dropDepth(*trial.outcome.againstProxy);
+        if (!trial.outcome.error) judge(trial, references, scene, output, report);
         if (exitCode == kExitDone) exitCode = trial.exitCode;
         results.techniques.push_back(std::move(trial.outcome));
         output.write(results,
