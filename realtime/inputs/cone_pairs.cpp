@@ -73,16 +73,6 @@ double ConePairs::computeNearDistance(int ks, int kt) const {
     return least * kRoundedDown;
 }
 
-bool ConePairs::meetsSector(const Vec2i& low, const Vec2i& high, int sector) const {
-    if (sector == kAllDirections) return true;
-    const int wider = spread();
-    const int along = sector / 2, across = 1 - along;
-    const Vec2 size(perWidth_, perHeight_);
-    const int farthest = (sector % 2 == 0 ? high[along] : -low[along]) + wider;
-    const int nearest = std::max(std::max(low[across], -high[across]) - wider, 0);
-    return farthest * size[along] >= nearest * size[across];
-}
-
 bool ConePairs::insideSector(const Vec2i& offset, int sector) const {
     const int along = sector / 2, across = 1 - along;
     const Vec2 size(perWidth_, perHeight_);

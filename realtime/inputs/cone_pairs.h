@@ -8,6 +8,7 @@
 
 #include "../../scenes/height_map.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace plumbline {
@@ -59,7 +60,15 @@ class ConePairs {
     /// Does q = (column, row) + k matter to a cone on (column, row)?
     bool counts(int column, int row, int ks, int kt, int sector) const;
     /// Does any offset of the box matter to the sector?
-    bool meetsSector(const Vec2i& low, const Vec2i& high, int sector) const;
+    bool meetsSector(const Vec2i& low, const Vec2i& high, int sector) const {
+        if (sector == kAllDirections) return true;
+        const int wider = spread();
+        const int along = sector / 2, across = 1 - along;
+        const Vec2 size(perWidth_, perHeight_);
+        const int farthest = (sector % 2 == 0 ? high[along] : -low[along]) + wider;
+        const int nearest = std::max(std::max(low[across], -high[across]) - wider, 0);
+        return farthest * size[along] >= nearest * size[across];
+    }
 
     /// Are all true offsets of the pair in the sector?
     bool insideSector(const Vec2i& offset, int sector) const;

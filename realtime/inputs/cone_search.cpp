@@ -63,29 +63,34 @@ ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i
     pyramid_.block(level, at, low, high);
     low += shift - query.texel;
     high += shift - query.texel;
-    if (!pairs_.meetsSector(low, high, query.sector)) return block;
-    const unsigned octants = pyramid_.octantsMet(low, high);
-    const DepthPyramid::Bound bound = pyramid_.bound(level, at, octants);
-    const double drop = query.depth - bound.leastDepth;
-    if (!(drop > 0)) return block;
     const Vec2i nearest = glm::max(glm::max(low, -high), Vec2i(0)), farthest = glm::max(-low, high);
-    if (std::max(farthest.x, farthest.y) < bound.leastReach) return block;
     const double offsetSquared = pairs_.offsetSquared(nearest.x, nearest.y);
     const double distanceSquared = pairs_.leastDistanceSquared(offsetSquared);
+    const auto tooLow = [&](double drop) {
+        return !(drop > 0) || drop * drop <= query.skipped * distanceSquared;
+    };
+    const DepthPyramid::Bound* bounds = pyramid_.bounds(level, at);
+    if (tooLow(query.depth - bounds->leastDepth)) return block;
+    if (!pairs_.meetsSector(low, high, query.sector)) return block;
+    DepthPyramid::Bound bound = *bounds;
+    if (const unsigned octants = pyramid_.octantsMet(low, high)) {
+        bound = DepthPyramid::boundOfOctants(bounds, octants);
+        if (tooLow(query.depth - bound.leastDepth) || std::max(farthest.x, farthest.y) < bound.leastReach)
+            return block;
+    }
     if (distanceSquared == 0) {
         block.bound = kInfinity;
         return block;
     }
+    const double drop = query.depth - bound.leastDepth;
     block.bound = drop * drop / distanceSquared;
-    if (block.bound <= query.skipped) return block;
     // D_p - D_q <= above - slope . k, so the slope is at most above / distance + |slope| |k| / distance.
     const DepthPyramid::Plane& plane = pyramid_.plane(level, at);
     const double above =
         query.depth - bound.residual - glm::dot(plane.slope, Vec2(query.texel - shift) - plane.centre);
     const double distance =
         above > 0 ? std::sqrt(distanceSquared) : std::sqrt(pairs_.offsetSquared(farthest.x, farthest.y));
-    const double steepness = std::hypot(plane.slope.x * size_.x, plane.slope.y * size_.y);
-    const double byPlane = above / distance + steepness * std::sqrt(offsetSquared / distanceSquared);
+    const double byPlane = above / distance + plane.steepness * std::sqrt(offsetSquared / distanceSquared);
     block.bound = byPlane > 0 ? std::min(block.bound, byPlane * byPlane) : 0;
     return block;
 }
@@ -148,41 +153,60 @@ void ConeSearch::visitBeyondBorder(Query& query) const {
     }
 }
 
+/// Blocks still to be looked at, the most promising of the last group on top.
+struct ConeSearch::Agenda {
+    // 25 images, then three more a level wait.
+    std::array<Block, 128> blocks;
+    size_t count = 0, groupBegin = 0;
+
+    void beginGroup() { groupBegin = count; }
+    void add(const Query& query, const Block& block) {
+        if (block.bound <= query.skipped) return;
+        size_t place = count++;
+        for (; place > groupBegin && blocks[place - 1].bound > block.bound; --place)
+            blocks[place] = blocks[place - 1];
+        blocks[place] = block;
+    }
+};
+
+void ConeSearch::addImages(const Query& query, Agenda& agenda) const {
+    const int top = pyramid_.levelCount() - 1;
+    agenda.beginGroup();
+    for (int tileT = -tiles_.y; tileT <= tiles_.y; ++tileT)
+        for (int tileS = -tiles_.x; tileS <= tiles_.x; ++tileS)
+            agenda.add(query, boundOf(query, top, {0, 0}, Vec2i(tileS, tileT) * size_));
+}
+
+void ConeSearch::addChildren(const Query& query, const Block& block, Agenda& agenda) const {
+    const Vec2i end = glm::min(2 * block.at + 2, pyramid_.blockCount(block.level - 1));
+    agenda.beginGroup();
+    for (int y = 2 * block.at.y; y < end.y; ++y)
+        for (int x = 2 * block.at.x; x < end.x; ++x)
+            agenda.add(query, boundOf(query, block.level - 1, {x, y}, block.shift));
+}
+
+/// The neighbour's winner, and where it would be had it come along.
+void ConeSearch::visitGuesses(Query& query, const Vec2i& neighboursWinner) const {
+    for (const int step : {0, 1}) {
+        const Vec2i guess = neighboursWinner + Vec2i(step, 0);
+        const bool inMap = guess.x < size_.x || tiles_.x > 0;
+        if (inMap && guess != query.texel) visitPair(query, guess);
+    }
+}
+
 float ConeSearch::steepestSquared(int column, int row, int sector, Winner& winner) const {
     Query query{.texel = {column, row}, .sector = sector, .depth = pairs_.map().texel(column, row)};
-    if (winner)
-        for (const int step : {0, 1}) { // the neighbour's, and where it would be had it come along
-            const Vec2i guess = *winner + Vec2i(step, 0);
-            const bool inMap = guess.x < size_.x || tiles_.x > 0;
-            if (inMap && guess != query.texel) visitPair(query, guess);
-        }
-    const int top = pyramid_.levelCount() - 1;
-    // Depth first, the most promising child first: three more wait on each level.
-    std::array<Block, 128> stack;
-    for (int tileT = -tiles_.y; tileT <= tiles_.y; ++tileT)
-        for (int tileS = -tiles_.x; tileS <= tiles_.x; ++tileS) {
-            size_t waiting = 0;
-            stack[waiting++] = boundOf(query, top, {0, 0}, Vec2i(tileS, tileT) * size_);
-            while (waiting > 0) {
-                const Block block = stack[--waiting];
-                if (block.bound <= query.skipped) continue;
-                if (block.level == 0) {
-                    visitLeaf(query, block);
-                    continue;
-                }
-                const Vec2i end = glm::min(2 * block.at + 2, pyramid_.blockCount(block.level - 1));
-                const size_t first = waiting;
-                for (int y = 2 * block.at.y; y < end.y; ++y)
-                    for (int x = 2 * block.at.x; x < end.x; ++x) {
-                        const Block child = boundOf(query, block.level - 1, {x, y}, block.shift);
-                        if (child.bound <= query.skipped) continue;
-                        size_t place = waiting++;
-                        for (; place > first && stack[place - 1].bound > child.bound; --place)
-                            stack[place] = stack[place - 1];
-                        stack[place] = child;
-                    }
-            }
-        }
+    if (winner) visitGuesses(query, *winner);
+    Agenda agenda;
+    addImages(query, agenda);
+    while (agenda.count > 0) {
+        const Block block = agenda.blocks[--agenda.count];
+        if (block.bound <= query.skipped) continue;
+        if (block.level == 0)
+            visitLeaf(query, block);
+        else
+            addChildren(query, block, agenda);
+    }
     visitBeyondBorder(query);
     winner = query.winner;
     return keptSlopeSquared(query.steepest);

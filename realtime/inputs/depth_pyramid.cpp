@@ -75,6 +75,7 @@ double DepthPyramid::bytesPerTexel(const ConeRule& rule) {
 
 DepthPyramid::DepthPyramid(const ConePairs& pairs)
     : pairs_(pairs), mapSize_(pairs.map().width(), pairs.map().height()),
+      nothingBelow_(pairs.slice() == ConeSlice::Cells ? kNearCells : 0),
       classes_(pairs.rule().relaxed ? 1 + kOctants : 1) {
     if (classes_ > 1) {
         octants_.resize(pairs.map().depths().size());
@@ -106,58 +107,13 @@ void DepthPyramid::rateTexel(int column, int row) {
         static_cast<uint8_t>(bits);
 }
 
-unsigned DepthPyramid::octantsOf(int column, int row) const {
-    return octants_[static_cast<size_t>(row) * static_cast<size_t>(mapSize_.x) + static_cast<size_t>(column)];
-}
-
-void DepthPyramid::block(int level, const Vec2i& at, Vec2i& low, Vec2i& high) const {
-    const int side = kLeafSize << level;
-    low = at * side;
-    high = glm::min(low + side, mapSize_) - 1;
-}
-
-const DepthPyramid::Plane& DepthPyramid::plane(int level, const Vec2i& at) const {
-    const Level& l = levels_[static_cast<size_t>(level)];
-    return l.planes[blockIndex(l, at)];
-}
-
-DepthPyramid::Bound DepthPyramid::bound(int level, const Vec2i& at, unsigned octants) const {
-    const Level& l = levels_[static_cast<size_t>(level)];
-    const Bound* bounds = &l.bounds[blockIndex(l, at) * static_cast<size_t>(classes_)];
-    if (octants == 0) return bounds[0];
-    Bound met{kInfinity, kInfinity, kInfinity};
-    for (unsigned octant = 0; octant < kOctants; ++octant)
-        if (octants >> octant & 1) {
-            const Bound& b = bounds[1 + octant];
-            met.leastDepth = std::min(met.leastDepth, b.leastDepth);
-            met.residual = std::min(met.residual, b.residual);
-            met.leastReach = std::min(met.leastReach, b.leastReach);
-        }
-    return met;
-}
-
-unsigned DepthPyramid::octantsMet(const Vec2i& low, const Vec2i& high) const {
-    if (classes_ == 1) return 0;
-    const Vec2i nearest = glm::max(glm::max(low, -high), Vec2i(0));
-    if (pairs_.slice() == ConeSlice::Cells && std::max(nearest.x, nearest.y) < kNearCells) return 0;
-    unsigned met = 0;
-    for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
-        const int s0 = quadrant & 1 ? -high.x : low.x, s1 = quadrant & 1 ? -low.x : high.x;
-        const int t0 = quadrant & 2 ? -high.y : low.y, t1 = quadrant & 2 ? -low.y : high.y;
-        if (s1 < 0 || t1 < 0) continue;
-        if (s1 >= std::max(t0, 0)) met |= 1u << quadrant;
-        if (t1 >= std::max(s0, 0)) met |= 1u << (quadrant | 4u);
-    }
-    return met;
-}
-
 void DepthPyramid::makeLeaf(const Vec2i& at) {
     Level& level = levels_[0];
     Vec2i low, high;
     block(0, at, low, high);
     const HeightMap& map = pairs_.map();
     const auto depthAt = [&](int i, int j) { return double(map.texel(i, j)); };
-    Plane plane{0.5 * Vec2(low + high), Vec2(0)};
+    Plane plane{0.5 * Vec2(low + high), Vec2(0), 0};
     if (high.x > low.x)
         plane.slope.x = 0.5 *
                         (depthAt(high.x, low.y) - depthAt(low.x, low.y) + depthAt(high.x, high.y) -
@@ -185,6 +141,7 @@ void DepthPyramid::makeLeaf(const Vec2i& at) {
                 if (octants >> octant & 1)
                     take(bounds[1 + octant], octantUse(pairs_, i, j, octant).leastReach);
         }
+    plane.steepness = glm::length(plane.slope * Vec2(mapSize_));
     level.planes[blockIndex(level, at)] = plane;
 }
 
@@ -193,7 +150,7 @@ void DepthPyramid::makeParent(int levelIndex, const Vec2i& at) {
     const Level& finer = levels_[static_cast<size_t>(levelIndex - 1)];
     Vec2i low, high;
     block(levelIndex, at, low, high);
-    Plane plane{0.5 * Vec2(low + high), Vec2(0)};
+    Plane plane{0.5 * Vec2(low + high), Vec2(0), 0};
     const Vec2i childHigh = glm::min(2 * at + 1, finer.size - 1);
     double area = 0;
     const auto forEachChild = [&](auto visit) {
@@ -224,6 +181,7 @@ void DepthPyramid::makeParent(int levelIndex, const Vec2i& at) {
             bounds[c].leastReach = std::min(bounds[c].leastReach, from.leastReach);
         }
     });
+    plane.steepness = glm::length(plane.slope * Vec2(mapSize_));
     level.planes[blockIndex(level, at)] = plane;
 }
 

@@ -7,6 +7,8 @@
 
 #include "cone_pairs.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <vector>
 
@@ -29,21 +31,59 @@ class DepthPyramid {
         double leastReach; // none matters to a cone with both |k_s| and |k_t| below this
     };
     struct Plane {
-        Vec2 centre; // texels
-        Vec2 slope;  // depth per texel
+        Vec2 centre;      // texels
+        Vec2 slope;       // depth per texel
+        double steepness; // length of the slope, depth per st
     };
     int levelCount() const { return static_cast<int>(levels_.size()); }
     Vec2i blockCount(int level) const { return levels_[static_cast<size_t>(level)].size; }
     /// Texels low to high, both within the block.
-    void block(int level, const Vec2i& at, Vec2i& low, Vec2i& high) const;
-    const Plane& plane(int level, const Vec2i& at) const;
-    /// `octants`: a bit each; 0 for all texels.
-    Bound bound(int level, const Vec2i& at, unsigned octants) const;
+    void block(int level, const Vec2i& at, Vec2i& low, Vec2i& high) const {
+        const int side = kLeafSize << level;
+        low = at * side;
+        high = glm::min(low + side, mapSize_) - 1;
+    }
+    const Plane& plane(int level, const Vec2i& at) const {
+        const Level& l = levels_[static_cast<size_t>(level)];
+        return l.planes[blockIndex(l, at)];
+    }
+    /// Of all texels of a block, then of those that matter from each octant (relaxed only).
+    const Bound* bounds(int level, const Vec2i& at) const {
+        const Level& l = levels_[static_cast<size_t>(level)];
+        return &l.bounds[blockIndex(l, at) * static_cast<size_t>(classes_)];
+    }
+    /// What holds of several octants, a bit each.
+    static Bound boundOfOctants(const Bound* bounds, unsigned octants) {
+        Bound met{kInfinity, kInfinity, kInfinity};
+        for (; octants != 0; octants &= octants - 1) {
+            const Bound& b = bounds[1 + std::countr_zero(octants)];
+            met.leastDepth = std::min(met.leastDepth, b.leastDepth);
+            met.residual = std::min(met.residual, b.residual);
+            met.leastReach = std::min(met.leastReach, b.leastReach);
+        }
+        return met;
+    }
     /// The octants that a texel matters from, a bit each; cells from kNearCells on.
-    unsigned octantsOf(int column, int row) const;
+    unsigned octantsOf(int column, int row) const {
+        return octants_[static_cast<size_t>(row) * static_cast<size_t>(mapSize_.x) +
+                        static_cast<size_t>(column)];
+    }
 
     /// Octants met by a box of offsets; 0 where octants say nothing.
-    unsigned octantsMet(const Vec2i& low, const Vec2i& high) const;
+    unsigned octantsMet(const Vec2i& low, const Vec2i& high) const {
+        if (classes_ == 1) return 0;
+        const Vec2i nearest = glm::max(glm::max(low, -high), Vec2i(0));
+        if (std::max(nearest.x, nearest.y) < nothingBelow_) return 0;
+        unsigned met = 0;
+        for (unsigned quadrant = 0; quadrant < 4; ++quadrant) {
+            const int s0 = quadrant & 1 ? -high.x : low.x, s1 = quadrant & 1 ? -low.x : high.x;
+            const int t0 = quadrant & 2 ? -high.y : low.y, t1 = quadrant & 2 ? -low.y : high.y;
+            if (s1 < 0 || t1 < 0) continue;
+            if (s1 >= std::max(t0, 0)) met |= 1u << quadrant;
+            if (t1 >= std::max(s0, 0)) met |= 1u << (quadrant | 4u);
+        }
+        return met;
+    }
     static double bytesPerTexel(const ConeRule& rule);
 
   private:
@@ -61,7 +101,8 @@ class DepthPyramid {
 
     const ConePairs& pairs_;
     Vec2i mapSize_;
-    int classes_; // 1, or 1 + kOctants
+    int nothingBelow_; // offsets that octants say nothing of, texels
+    int classes_;      // 1, or 1 + kOctants
     std::vector<Level> levels_;
     std::vector<uint8_t> octants_; // a texel; empty unless relaxed
 };
