@@ -82,6 +82,15 @@ double steepestIn(const std::array<Vec2, 4>& gradients, const Directions& direct
     return atLeast;
 }
 
+/// Can a chord fall faster than `atLeast` by gradient g, in a direction along which gradient `exit` grows? Other limits left aside, the best
+/// direction is against g, or else at a right angle to `exit`.
+bool maySteepen(const Vec2& g, const Vec2& exit, double atLeast) {
+    const double square = atLeast * atLeast;
+    if (glm::dot(g, g) <= square) return false;
+    const double across = g.x * exit.y - g.y * exit.x;
+    return glm::dot(g, exit) < 0 || across * across > square * glm::dot(exit, exit);
+}
+
 } // namespace
 
 double nearSlope(const HeightMap& map, const ConeRule& rule, int column, int row, int sector,
@@ -100,9 +109,10 @@ double nearSlope(const HeightMap& map, const ConeRule& rule, int column, int row
                 if (exit == Vec2(0)) continue;
                 Directions leaving = directions;
                 leaving.restrictTo(exit);
-                for (const int passedT : {0, t})
-                    for (const int passedS : {0, s})
-                        atLeast = steepestIn(near.gradients(passedS, passedT), leaving, atLeast);
+                for (const int passed : {0, 1, 2, 3})
+                    for (const Vec2& g : near.gradients(passed & 1 ? s : 0, passed & 2 ? t : 0))
+                        if (maySteepen(g, exit, atLeast))
+                            atLeast = std::max(atLeast, largestAlong(-g, leaving));
             }
         }
     return atLeast;
