@@ -78,6 +78,7 @@ ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i
         if (tooLow(query.depth - bound.leastDepth) || std::max(farthest.x, farthest.y) < bound.leastReach)
             return block;
     }
+    if (pairs_.rule().relaxed && !pyramid_.exitPossible(level, at, low, high)) return block;
     if (distanceSquared == 0) {
         block.bound = kInfinity;
         return block;

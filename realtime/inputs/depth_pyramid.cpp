@@ -66,15 +66,23 @@ OctantUse octantUse(const ConePairs& pairs, int i, int j, unsigned octant) {
     return use;
 }
 
+CellSlopes join(const CellSlopes& a, const CellSlopes& b) {
+    return {{std::min(a.s.x, b.s.x), std::max(a.s.y, b.s.y)},
+            {std::min(a.t.x, b.t.x), std::max(a.t.y, b.t.y)},
+            std::min(a.least, b.least)};
+}
+
 } // namespace
 
 double DepthPyramid::bytesPerTexel(const ConeRule& rule) {
     const double classes = rule.relaxed ? 1 + kOctants : 1;
-    return (classes * sizeof(Bound) + sizeof(Plane)) / (kLeafSize * kLeafSize) * 4 / 3 + 1;
+    return (classes * sizeof(Bound) + sizeof(Plane) + sizeof(CellSlopes)) / (kLeafSize * kLeafSize) * 4 / 3 +
+           1;
 }
 
 DepthPyramid::DepthPyramid(const ConePairs& pairs)
     : pairs_(pairs), mapSize_(pairs.map().width(), pairs.map().height()),
+      spread_(pairs.slice() == ConeSlice::Cells ? 1 : 0),
       nothingBelow_(pairs.slice() == ConeSlice::Cells ? kNearCells : 0),
       classes_(pairs.rule().relaxed ? 1 + kOctants : 1) {
     if (classes_ > 1) {
@@ -88,7 +96,7 @@ DepthPyramid::DepthPyramid(const ConePairs& pairs)
     for (int level = 0;; ++level) {
         const size_t count = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
         levels_.push_back(
-            {size, std::vector<Plane>(count),
+            {size, std::vector<Plane>(count), std::vector<CellSlopes>(classes_ > 1 ? count : 0),
              std::vector<Bound>(count * static_cast<size_t>(classes_), {kInfinity, kInfinity, kInfinity})});
         tbb::parallel_for(0, size.y, [&](int row) {
             for (int column = 0; column < size.x; ++column)
@@ -105,6 +113,14 @@ void DepthPyramid::rateTexel(int column, int row) {
         if (octantUse(pairs_, column, row, octant).matters) bits |= 1u << octant;
     octants_[static_cast<size_t>(row) * static_cast<size_t>(mapSize_.x) + static_cast<size_t>(column)] =
         static_cast<uint8_t>(bits);
+}
+
+CellSlopes DepthPyramid::leafSlopes(const Vec2i& low, const Vec2i& high) const {
+    CellSlopes slopes = cellSlopes(pairs_.map().cell(low.x, low.y));
+    for (int j = low.y - 1; j <= high.y; ++j)
+        for (int i = low.x - 1; i <= high.x; ++i)
+            slopes = join(slopes, cellSlopes(pairs_.map().cell(i, j)));
+    return slopes;
 }
 
 void DepthPyramid::makeLeaf(const Vec2i& at) {
@@ -141,6 +157,7 @@ void DepthPyramid::makeLeaf(const Vec2i& at) {
                 if (octants >> octant & 1)
                     take(bounds[1 + octant], octantUse(pairs_, i, j, octant).leastReach);
         }
+    if (classes_ > 1) level.slopes[blockIndex(level, at)] = leafSlopes(low, high);
     plane.steepness = glm::length(plane.slope * Vec2(mapSize_));
     level.planes[blockIndex(level, at)] = plane;
 }
@@ -164,6 +181,10 @@ void DepthPyramid::makeParent(int levelIndex, const Vec2i& at) {
     forEachChild([&](size_t child, const Vec2i& span) {
         const double childArea = (span.x + 1.0) * (span.y + 1.0);
         plane.slope += childArea * finer.planes[child].slope;
+        if (classes_ > 1) {
+            CellSlopes& slopes = level.slopes[blockIndex(level, at)];
+            slopes = area == 0 ? finer.slopes[child] : join(slopes, finer.slopes[child]);
+        }
         area += childArea;
     });
     plane.slope /= area;

@@ -52,6 +52,17 @@ class DepthPyramid {
         const Level& l = levels_[static_cast<size_t>(level)];
         return &l.bounds[blockIndex(l, at) * static_cast<size_t>(classes_)];
     }
+    /// Do the gradients of the cells around a block's texels let a ray leave there, from low to high away from where it began? (Relaxed only.)
+    bool exitPossible(int level, const Vec2i& at, const Vec2i& low, const Vec2i& high) const {
+        const Level& l = levels_[static_cast<size_t>(level)];
+        const CellSlopes& slopes = l.slopes[blockIndex(l, at)];
+        const auto largest = [](const Vec2& g, double from, double to) {
+            return std::max(std::max(g.x * from, g.x * to), std::max(g.y * from, g.y * to));
+        };
+        return largest(slopes.s, low.x - spread_, high.x + spread_) +
+                   largest(slopes.t, low.y - spread_, high.y + spread_) >
+               pairs_.rule().rayStart * slopes.least;
+    }
     /// What holds of several octants, a bit each.
     static Bound boundOfOctants(const Bound* bounds, unsigned octants) {
         Bound met{kInfinity, kInfinity, kInfinity};
@@ -90,17 +101,20 @@ class DepthPyramid {
     struct Level {
         Vec2i size{0, 0};
         std::vector<Plane> planes;
-        std::vector<Bound> bounds; // classes_ a block: all, then the octants
+        std::vector<CellSlopes> slopes; // of all cells around its texels; relaxed only
+        std::vector<Bound> bounds;      // classes_ a block: all, then the octants
     };
     size_t blockIndex(const Level& level, const Vec2i& at) const {
         return static_cast<size_t>(at.y) * static_cast<size_t>(level.size.x) + static_cast<size_t>(at.x);
     }
     void rateTexel(int column, int row);
+    CellSlopes leafSlopes(const Vec2i& low, const Vec2i& high) const;
     void makeLeaf(const Vec2i& at);
     void makeParent(int level, const Vec2i& at);
 
     const ConePairs& pairs_;
     Vec2i mapSize_;
+    int spread_;       // true offsets of a pair are within this many texels of its own
     int nothingBelow_; // offsets that octants say nothing of, texels
     int classes_;      // 1, or 1 + kOctants
     std::vector<Level> levels_;
