@@ -1,6 +1,7 @@
-// ./plumbline bench [Google Benchmark's options]: whole processes, then stages of the reference and their ratios to bare
-// libraries.
+// ./plumbline bench [Google Benchmark's options]: whole processes, then baked maps, then stages of the reference and
+// their ratios to bare libraries.
 #include "../../scenes/scene_file.h"
+#include "bake_bench.h"
 #include "process_bench.h"
 #include "stage_bench.h"
 
@@ -153,6 +154,7 @@ int main(int argc, char** argv) {
         if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
         // A child's peak memory begins at what its parent holds when it is started: while that is little.
         printProcesses();
+        plumbline::printBakes();
         plumbline::registerStageBenchmarks();
         printRatios(plumbline::runStageBenchmarks());
         return 0;
