@@ -26,6 +26,8 @@
 //   Near. y - x in a square that touches 0: the chord stays within a texel of the cell (cone_near.h).
 //   Relaxed. Only exits y count, so only pairs (i, j) whose y can be one: k is within a texel of y - x along each axis, and j is a corner
 //   of the patch in which the ray goes on from y (exitPossible). 2007: as above, exits with gradient . (y - x) > D(y).
+//   The test is coarse for places a few texels apart, seen from many sides at once, which holds relaxed ratios of smooth slopes close to the
+//   conservative ones; slice 0 has no such loss, and no such claim.
 //   Quad. Only pairs with an offset within a texel of k in the quadrant.
 //
 // Wrapping. Repeat: all images count; a pair more than two tiles apart is below the cap. Clamp: outside, the map repeats its border, so

@@ -3,6 +3,9 @@
 // A chord from a point of the cell to one less than a texel away along each axis runs through these nine patches alone. Its slope is a
 // mean of slopes -gradient . e along its direction e, so no steeper than the steepest of them over the directions that lead from the
 // cell into the patch. A patch's gradients fill the box of cellSlopes, and what is bounded is convex in the gradient: its corners decide.
+//
+// Relaxed: only chords that end in an exit. In the patch of the exit the depth grows along e, so a patch passed before counts only in
+// directions e along which the gradient of the exit's patch can grow: on an even slope there are none that fall.
 #pragma once
 
 #include "cone_pairs.h"
