@@ -9,7 +9,9 @@
 namespace plumbline {
 namespace {
 
-constexpr size_t kFewestRuns = 3, kMostRuns = 25;
+constexpr size_t kMostRuns = 25;
+// A first frame, with what the driver compiles for it, that takes so many budgets isn't drawn again.
+constexpr double kPatience = 5;
 
 double wallMs(const std::function<void()>& draw) {
     using Clock = std::chrono::steady_clock;
@@ -42,10 +44,10 @@ FrameTime timeFrame(const GlContext& context, double budgetMs, const std::functi
     const bool software = context.softwareRasteriser();
     const std::string timer = software ? "wall clock around glFinish" : "gpu timer query";
     const double firstMs = wallMs(draw);
-    if (firstMs > 0.5 * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};
+    if (firstMs > kPatience * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};
     std::vector<double> times;
     double spentMs = 0; // by the wall: queries leave out what the driver does
-    while (times.size() < kFewestRuns || (spentMs < budgetMs && times.size() < kMostRuns)) {
+    while (times.empty() || (spentMs < budgetMs && times.size() < kMostRuns)) {
         double queriedMs = 0;
         const double ms = wallMs([&] { software ? draw() : static_cast<void>(queriedMs = queryMs(draw)); });
         times.push_back(software ? ms : queriedMs);

@@ -1,6 +1,7 @@
 #include "compare.h"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <set>
 
@@ -93,12 +94,19 @@ Comparison compareFrames(const Frame& reference, const Frame& test, const std::v
     comparison.testDepth = std::move(testDepth.depth);
 
     const std::vector<size_t> relief = pair.reliefObjects();
-    comparison.pooled = computeMetrics(pair, relief, comparison, noDepthReason);
+    std::vector<MetricSet> ofObjects(pair.objects().size());
+    tbb::parallel_for(size_t(0), pair.objects().size() + 1, [&](size_t task) {
+        if (task == 0) {
+            comparison.pooled = computeMetrics(pair, relief, comparison, noDepthReason);
+            return;
+        }
+        const size_t index = task - 1;
+        ofObjects[index] = computeMetrics(pair, std::span(&index, 1), comparison, noDepthReason);
+    });
     for (const size_t index : relief)
         comparison.pooledObjects.push_back(pair.objects()[index].name);
     for (size_t index = 0; index < pair.objects().size(); ++index)
-        comparison.objects.push_back(
-            {pair.objects()[index], computeMetrics(pair, std::span(&index, 1), comparison, noDepthReason)});
+        comparison.objects.push_back({pair.objects()[index], std::move(ofObjects[index])});
     noteMissingChannels(pair, noDepthReason, comparison.notes);
     return comparison;
 }

@@ -24,7 +24,6 @@ DepthError::Spread spreadOf(const std::vector<double>& errors) {
         sumSquares += error * error;
         magnitudes.push_back(std::abs(error));
     }
-    std::sort(magnitudes.begin(), magnitudes.end());
     const auto count = static_cast<double>(errors.size());
     return {.bias = sum / count,
             .mae = sumAbsolute / count,
@@ -32,7 +31,7 @@ DepthError::Spread spreadOf(const std::vector<double>& errors) {
             .p50 = nearestRank(magnitudes, 50),
             .p95 = nearestRank(magnitudes, 95),
             .p99 = nearestRank(magnitudes, 99),
-            .max = magnitudes.back()};
+            .max = *std::max_element(magnitudes.begin(), magnitudes.end())};
 }
 
 /// Empty if every object of the selection has a known relief depth above 0, else why one hasn't.

@@ -1,6 +1,5 @@
 #include "fetch_cost.h"
 
-#include <algorithm>
 #include <numeric>
 
 namespace plumbline {
@@ -24,11 +23,9 @@ FetchCost computeFetchCost(const FramePair& pair, ObjectSelection selection) {
     result.mean = result.p99 = meanOfChannel(pair, selection, "cost.fetches");
     result.heightMean = meanOfChannel(pair, selection, "cost.fetches.height");
     result.bakedMean = meanOfChannel(pair, selection, "cost.fetches.baked");
-    std::vector<double> costs = valuesOnCoveredPixels(pair, selection, "cost.fetches");
+    const std::vector<double> costs = valuesOnCoveredPixels(pair, selection, "cost.fetches");
     result.domainPx = costs.size();
-    if (costs.empty()) return result;
-    std::sort(costs.begin(), costs.end());
-    result.p99 = nearestRank(costs, 99);
+    if (!costs.empty()) result.p99 = nearestRank(costs, 99);
     return result;
 }
 

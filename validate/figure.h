@@ -5,7 +5,9 @@
 
 #include "../scenes/nearest_rank.h"
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -61,9 +63,11 @@ inline std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
     return figure;
 }
 
-/// Nearest-rank percentile (scenes/nearest_rank.h). `sorted`: ascending, not empty.
-inline double nearestRank(const std::vector<double>& sorted, unsigned percent) {
-    return sorted[nearestRankIndex(sorted.size(), percent)];
+/// Nearest-rank percentile (scenes/nearest_rank.h). `values`: in any order, not empty.
+inline double nearestRank(std::vector<double> values, unsigned percent) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
 }
 
 } // namespace plumbline

@@ -49,7 +49,6 @@ NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection)
                                                 : "no pixel is covered by the same object in both frames");
         return result;
     }
-    std::sort(angles.begin(), angles.end());
     result.meanDegrees =
         std::accumulate(angles.begin(), angles.end(), 0.0) / static_cast<double>(angles.size());
     result.p95Degrees = nearestRank(angles, 95);

@@ -7,7 +7,7 @@ namespace plumbline {
 
 SearchIterations computeSearchIterations(const FramePair& pair, ObjectSelection selection) {
     SearchIterations result;
-    std::vector<double> rounds = valuesOnCoveredPixels(pair, selection, "cost.iterations");
+    const std::vector<double> rounds = valuesOnCoveredPixels(pair, selection, "cost.iterations");
     result.domainPx = rounds.size();
     if (rounds.empty()) {
         result.mean = result.p99 = result.most = Figure::absent(
@@ -15,12 +15,12 @@ SearchIterations computeSearchIterations(const FramePair& pair, ObjectSelection 
                                                : "the test frame has no channel cost.iterations");
         return result;
     }
-    std::sort(rounds.begin(), rounds.end());
+    const double most = *std::max_element(rounds.begin(), rounds.end());
     result.mean = std::accumulate(rounds.begin(), rounds.end(), 0.0) / static_cast<double>(rounds.size());
     result.p99 = nearestRank(rounds, 99);
-    result.most = rounds.back();
+    result.most = most;
     constexpr auto kEnd = static_cast<double>(SearchIterations::kHistogramEnd);
-    result.histogram.assign(static_cast<size_t>(std::clamp(rounds.back(), 0.0, kEnd)) + 1, 0);
+    result.histogram.assign(static_cast<size_t>(std::clamp(most, 0.0, kEnd)) + 1, 0);
     for (const double count : rounds)
         ++result.histogram[static_cast<size_t>(std::clamp(count, 0.0, kEnd))];
     return result;

@@ -57,7 +57,6 @@ StError computeStError(const FramePair& pair, ObjectSelection selection) {
                                                 : "no pixel is covered by the same object in both frames");
         return result;
     }
-    std::sort(errors.begin(), errors.end());
     result.meanTexels =
         std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
     result.p95Texels = nearestRank(errors, 95);

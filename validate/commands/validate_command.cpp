@@ -22,7 +22,7 @@ namespace plumbline {
 namespace {
 
 // For timing all techniques of a run together: a third of what comparing and painting them takes.
-constexpr double kTimingBudgetMs = 6000;
+constexpr double kTimingBudgetMs = 4000;
 
 /// The places a run writes to, checked when made.
 struct OutputFolder {
