@@ -96,6 +96,7 @@ StageSources reliefSources(const Technique& technique, size_t lightCount) {
     sources.fragment.addFile(shaderFile("relief_walk.glsl"));
     for (const std::string& kind : technique.bakedKinds())
         sources.fragment.addFile(shaderFile(bakedFamily(kind).shader));
+    sources.fragment.addFile(shaderFile("relief_frame.glsl"));
     sources.fragment.addFile(shaderFile("relief_main.glsl"));
     sources.fragment.addText("(parameters)", technique.glslConstants());
     sources.fragment.addFile(technique.surface->shaderFile());

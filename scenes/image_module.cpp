@@ -144,6 +144,8 @@ void writePng(const char* file, int width, int height, const uint8_t* rgb) {
     if (!output) throw Failure{fmt::format("can't be written ({})", oiio::geterror())};
     oiio::ImageSpec spec(width, height, 3, oiio::TypeDesc::UINT8);
     spec.attribute("oiio:ColorSpace", "sRGB");
+    // zlib's level: at 2 a third of the time of the default 6, and a tenth more bytes.
+    spec.attribute("png:compressionLevel", 2);
     if (!output->open(file, spec) || !output->write_image(oiio::TypeDesc::UINT8, rgb) || !output->close())
         throw Failure{fmt::format("can't be written ({})", output->geterror())};
 }

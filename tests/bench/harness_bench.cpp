@@ -1,0 +1,185 @@
+#include "harness_bench.h"
+
+#include "../../realtime/baked_input.h"
+#include "../../realtime/frame_target.h"
+#include "../../realtime/gpu_scene.h"
+#include "../../realtime/realtime.h"
+#include "../../realtime/technique_program.h"
+#include "../../realtime/view.h"
+#include "../../scenes/data_folder.h"
+#include "../../scenes/error.h"
+#include "../../scenes/scene_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+namespace plumbline {
+namespace {
+
+constexpr int kRuns = 15;
+
+/// One float target, as small as a search's answer can be written.
+class BareTarget {
+  public:
+    BareTarget(int width, int height) : framebuffer_(GlFramebuffer::make()), width_(width), height_(height) {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+        const auto attach = [&](GlTexture& texture, GLint format, GLenum components, GLenum attachment) {
+            texture = GlTexture::make();
+            glBindTexture(GL_TEXTURE_2D, texture.get());
+            glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, components, GL_FLOAT, nullptr);
+            glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_2D, texture.get(), 0);
+        };
+        attach(color_, GL_RGBA32F, GL_RGBA, GL_COLOR_ATTACHMENT0);
+        attach(depth_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_DEPTH_ATTACHMENT);
+        checkGl("the bare shader's target");
+    }
+    void begin() const {
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+        glViewport(0, 0, width_, height_);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    }
+
+  private:
+    GlFramebuffer framebuffer_;
+    GlTexture color_, depth_;
+    int width_, height_;
+};
+
+std::string without(std::string text, const std::string& piece) {
+    for (size_t at = text.find(piece); at != std::string::npos; at = text.find(piece, at))
+        text.erase(at, piece.size());
+    return text;
+}
+
+/// The file with every count taken out of it.
+void addUncounted(ShaderSource& source, const std::filesystem::path& file) {
+    std::string text = readText(file);
+    for (const char* count :
+         {"++gHeightLookups;", "++gBakedLookups;", "gBakedLookups += 4;", "++gIterations;"})
+        text = without(text, count);
+    source.addText(file.string(), text);
+}
+
+/// The search and its surface with nothing around them: no normal, shading, shadows or channels, nothing counted.
+std::unique_ptr<GlProgram> buildBareProgram(const Technique& technique) {
+    const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
+    ShaderSource vertex, fragment;
+    vertex.addFile(shaders / "proxy_vertex.glsl");
+    fragment.addText("(settings)",
+                     "const bool kHardwareFilter = false;\nlayout(location = 0) out vec4 outHit;\n");
+    fragment.addFile(shaders / "camera.glsl");
+    for (const char* name : {"height_map.glsl", "relief_contract.glsl", "relief_walk.glsl"})
+        addUncounted(fragment, shaders / name);
+    for (const std::string& kind : technique.bakedKinds())
+        addUncounted(fragment, shaders / bakedFamily(kind).shader);
+    fragment.addFile(shaders / "relief_frame.glsl");
+    fragment.addText(
+        "(main)",
+        "void main() {\n"
+        "    ReliefFrame frame = fragmentFrame();\n"
+        "    ReliefRay ray;\n"
+        "    vec3 direction = reliefDirection(frame, -directionToCamera(vPosition));\n"
+        "    if (!enterRelief(frame, frame.st, direction, ray)) discard;\n"
+        "    ReliefHit hit = traceRelief(ray);\n"
+        "    if (!hit.hit) discard;\n"
+        "    outHit = vec4(hit.t, hit.st, 1.0);\n"
+        "    gl_FragDepth = clamp((planarDepth(vPosition) - uDepthRange.x) * uDepthRange.y, 0.0, 1.0);\n"
+        "}\n");
+    fragment.addText("(parameters)", technique.glslConstants());
+    fragment.addFile(technique.surface->shaderFile());
+    fragment.addFile(technique.search.shaderFile());
+    return std::make_unique<GlProgram>(vertex, fragment);
+}
+
+class Harness {
+  public:
+    Harness()
+        : scene_(readScene(findScene("stone_torus"))), context_(createGlContext({})), current_(*context_),
+          objects_(scene_, *context_), view_(scene_, objects_.boundsWorld()), target_(scene_, *context_),
+          bare_(scene_.camera.width, scene_.camera.height) {
+        objects_.upload(view_.originWorld());
+    }
+    std::string renderer() const { return context_->renderer(); }
+
+    struct Times {
+        double fullMs, bareMs;
+    };
+    /// Medians of frames drawn in turn.
+    Times times(const std::string& text) {
+        const Technique technique = resolveTechnique(parseTechnique(text), {});
+        objects_.prepareBaked(technique.bakedKinds());
+        const auto full = buildReliefProgram(technique, scene_.lights.size()),
+                   bare = buildBareProgram(technique);
+        std::vector<double> fullMs, bareMs;
+        for (int run = 0; run <= kRuns; ++run) {
+            const double a = milliseconds([&] { target_.begin(), draw(*full); });
+            const double b = milliseconds([&] { bare_.begin(), draw(*bare); });
+            if (run == 0) continue; // the driver compiles
+            fullMs.push_back(a);
+            bareMs.push_back(b);
+        }
+        return {median(fullMs), median(bareMs)};
+    }
+
+  private:
+    void draw(const GlProgram& program) {
+        glEnable(GL_DEPTH_TEST);
+        glEnable(GL_CULL_FACE);
+        program.use();
+        view_.setUniforms(program);
+        glUniform1f(program.uniform("uShadowBias"), 0.02f);
+        for (size_t i = 0; i < objects_.objects().size(); ++i)
+            if (objects_.objects()[i].hasRelief) objects_.draw(i, program);
+    }
+    static double milliseconds(const std::function<void()>& drawFrame) {
+        using Clock = std::chrono::steady_clock;
+        glFinish();
+        const Clock::time_point start = Clock::now();
+        drawFrame();
+        glFinish();
+        return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    }
+    static double median(std::vector<double> values) {
+        std::nth_element(values.begin(), values.begin() + kRuns / 2, values.end());
+        return values[kRuns / 2];
+    }
+
+    Scene scene_;
+    std::unique_ptr<GlContext> context_;
+    CurrentContext current_;
+    GpuScene objects_;
+    View view_;
+    FrameTarget target_;
+    BareTarget bare_;
+};
+
+} // namespace
+
+void printHarness() try {
+    Harness harness;
+    fmt::print("\nharness and bare shader, stone_torus, {}; no shadows\n", harness.renderer());
+    fmt::print("{:<40}{:>12}{:>10}{:>16}{:>14}{:>8}\n", "technique", "harness ms", "bare ms",
+               "search in it ms", "in bare ms", "ratio");
+    // What both spend without a search: vertices, the ray, and in the harness normal, shading and channels.
+    const Harness::Times none = harness.times("normal_mapping");
+    fmt::print("{:<40}{:>12.2f}{:>10.2f}\n", "normal_mapping (no search)", none.fullMs, none.bareMs);
+    for (const char* technique :
+         {"linear_binary:linear_steps=64", "linear_secant:linear_steps=64", "cone_step:cone_steps=60",
+          "cone_step_relaxed:cone_steps=60", "sphere_tracing", "max_mipmap", "exact_cells"}) {
+        const std::string text = technique;
+        const char* separator = text.find(':') == std::string::npos ? ":" : ",";
+        const Harness::Times both = harness.times(text + separator + "shadow=none");
+        const double inHarness = both.fullMs - none.fullMs, inBare = both.bareMs - none.bareMs;
+        fmt::print("{:<40}{:>12.2f}{:>10.2f}{:>16.2f}{:>14.2f}{:>8.2f}\n", technique, both.fullMs,
+                   both.bareMs, inHarness, inBare, inHarness / inBare);
+    }
+    fmt::print("ratio: the search's own time in the harness to that in the bare shader (aim 1.10)\n");
+} catch (const MachineError& error) {
+    fmt::print("\nharness and bare shader: not measured: {}\n", error.what());
+}
+
+} // namespace plumbline
