@@ -17,7 +17,7 @@ TEST_F(Interrupt, TessellationEndsAtOnceAndLeavesNoFile) {
         {"reference", "stone_torus", "--rate", "512", "--memory", "4G", "-o", "out/frame.exr"}, folder_);
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     ASSERT_FALSE(isGone(running.process)) << "ended before it was interrupted";
-    ASSERT_EQ(kill(running.process, SIGINT), 0);
+    ASSERT_EQ(sendSignal(running.process, SIGINT), 0);
     EXPECT_TRUE(waitUntil([&] { return isGone(running.process); }, 2))
         << "still there two seconds after SIGINT";
     EXPECT_EQ(finish(running).signal, SIGINT);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -71,7 +72,7 @@ int waitFor(pid_t process) {
     while (waitpid(process, &status, WNOHANG) == 0) {
         if (std::chrono::steady_clock::now() > end) {
             ADD_FAILURE() << "the program hangs; it was stopped after 120 s";
-            kill(process, SIGKILL);
+            sendSignal(process, SIGKILL);
             waitpid(process, &status, 0);
             break;
         }
@@ -133,6 +134,18 @@ ProcessState stateOf(const std::string& process) {
 }
 
 } // namespace
+
+int sendSignal(pid_t process, int signal) {
+    if (process > 1) return kill(process, signal);
+    errno = ESRCH;
+    return -1;
+}
+
+int sendSignalToGroup(pid_t leader, int signal) {
+    if (leader > 1) return kill(-leader, signal);
+    errno = ESRCH;
+    return -1;
+}
 
 bool isGone(pid_t process) {
     const std::string name = std::to_string(process);

@@ -28,6 +28,10 @@ Running startProgram(const std::vector<std::string>& arguments, const std::files
                      const std::map<std::string, std::string>& environment = {}, bool ownGroup = false);
 /// Whether a process is no more, or only waits for its parent to take notice.
 bool isGone(pid_t process);
+/// As kill(2), for one process, or the group it leads. Refuses what isn't the number of a process a test may have started: -1 and 0
+/// would be everybody's.
+int sendSignal(pid_t process, int signal);
+int sendSignalToGroup(pid_t leader, int signal);
 /// Processes that `process` started.
 std::vector<pid_t> childrenOf(pid_t process);
 /// Asks again and again; false: not within that time.

@@ -1,5 +1,4 @@
 // Techniques that loop for ever or take their process down: they cost themselves, never the run.
-#include "../../scenes/data_folder.h"
 #include "program.h"
 
 #include <nlohmann/json.hpp>
@@ -25,7 +24,7 @@ const char* const kEndless = R"(ReliefHit traceRelief(ReliefRay ray) {
     vec3 position = reliefPosition(ray, 0.5);
     while (reliefDepth(position.yx) > -1.0)
         while (reliefDepth(position.xy) > -1.0)
-            position.x += 0.001 * float(linear_steps + binary_steps);
+            position.x += 0.001;
     return hitAt(ray, position.x);
 }
 )";
@@ -38,14 +37,15 @@ class TimeLimit : public EndToEnd {
     void SetUp() override {
         EndToEnd::SetUp();
         writeSmallScene();
-        fs::copy(dataFolder() / "realtime" / "techniques" / "linear_binary", folder_ / "endless",
-                 fs::copy_options::recursive);
-        fs::remove(folder_ / "endless" / "linear_binary.glsl");
+        fs::create_directories(folder_ / "endless");
+        writeFile(folder_ / "endless" / "technique.toml",
+                  "title = \"Endless\"\ncitation = \"none\"\ninputs = [\"height\"]\n"
+                  "surfaces = [\"flat\"]\nlimits = []\n");
         writeFile(folder_ / "endless" / "endless.glsl", kEndless);
     }
     void TearDown() override {
         if (drawing_ > 0 && !isGone(drawing_))
-            kill(drawing_, SIGKILL); // a test failed: it would go on for ever
+            sendSignal(drawing_, SIGKILL); // a test failed: it would go on for ever
         if (!running_.captured.empty()) fs::remove_all(running_.captured);
         EndToEnd::TearDown();
     }
@@ -115,14 +115,14 @@ TEST_F(TimeLimit, RealtimeSaysSoAndLeavesNoFile) {
 
 TEST_F(TimeLimit, AKilledProcessCostsOneTechnique) {
     const pid_t drawing = startAndReachTheLoop();
-    ASSERT_EQ(kill(drawing, SIGKILL), 0);
+    ASSERT_EQ(sendSignal(drawing, SIGKILL), 0);
     EXPECT_EQ(finish(running_).exitCode, 3);
     expectOnlyTheSecondFailed("endless: its process was killed (signal 9, SIGKILL); memory may have run out");
 }
 
 TEST_F(TimeLimit, ADriverThatCrashesCostsOneTechnique) {
     const pid_t drawing = startAndReachTheLoop();
-    ASSERT_EQ(kill(drawing, SIGSEGV), 0);
+    ASSERT_EQ(sendSignal(drawing, SIGSEGV), 0);
     const Outcome made = finish(running_);
     EXPECT_EQ(made.exitCode, 3);
     expectOnlyTheSecondFailed("endless: the OpenGL driver ended the process (");
@@ -130,14 +130,14 @@ TEST_F(TimeLimit, ADriverThatCrashesCostsOneTechnique) {
 
 TEST_F(TimeLimit, TheDrawingProcessEndsWithItsParent) {
     const pid_t drawing = startAndReachTheLoop();
-    ASSERT_EQ(kill(running_.process, SIGKILL), 0);
+    ASSERT_EQ(sendSignal(running_.process, SIGKILL), 0);
     EXPECT_EQ(finish(running_).signal, SIGKILL);
     EXPECT_TRUE(waitUntil([&] { return isGone(drawing); }, 2));
 }
 
 TEST_F(TimeLimit, CtrlCEndsBothAndKeepsWhatWasFinished) {
     const pid_t drawing = startAndReachTheLoop();
-    ASSERT_EQ(kill(-running_.process, SIGINT), 0);
+    ASSERT_EQ(sendSignalToGroup(running_.process, SIGINT), 0);
     EXPECT_TRUE(waitUntil([&] { return isGone(running_.process) && isGone(drawing); }, 2));
     const Outcome stopped = finish(running_);
     EXPECT_EQ(stopped.signal, SIGINT);
@@ -152,9 +152,9 @@ TEST_F(TimeLimit, CtrlCEndsBothAndKeepsWhatWasFinished) {
 TEST_F(TimeLimit, TheDrawingProcessLeavesSignalsToItsParent) {
     const pid_t drawing = startAndReachTheLoop();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
-        ASSERT_EQ(kill(drawing, signal), 0);
+        ASSERT_EQ(sendSignal(drawing, signal), 0);
     EXPECT_FALSE(waitUntil([&] { return isGone(drawing); }, 0.3));
-    ASSERT_EQ(kill(running_.process, SIGTERM), 0);
+    ASSERT_EQ(sendSignal(running_.process, SIGTERM), 0);
     EXPECT_EQ(finish(running_).signal, SIGTERM);
     EXPECT_TRUE(waitUntil([&] { return isGone(drawing); }, 2));
 }
@@ -162,9 +162,9 @@ TEST_F(TimeLimit, TheDrawingProcessLeavesSignalsToItsParent) {
 // A process that is stopped has no chance to draw: its time doesn't run.
 TEST_F(TimeLimit, TimeStoppedByCtrlZDoesNotCount) {
     startAndReachTheLoop("3");
-    ASSERT_EQ(kill(-running_.process, SIGSTOP), 0);
+    ASSERT_EQ(sendSignalToGroup(running_.process, SIGSTOP), 0);
     std::this_thread::sleep_for(std::chrono::seconds(4));
-    ASSERT_EQ(kill(-running_.process, SIGCONT), 0);
+    ASSERT_EQ(sendSignalToGroup(running_.process, SIGCONT), 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(500));
     EXPECT_EQ(techniques().size(), 1u) << "stopped before its 3 s were over";
     EXPECT_EQ(finish(running_).exitCode, 2);
@@ -185,7 +185,7 @@ TEST_F(TimeLimit, TheDrawingProcessPrintsNothingOnStdout) {
     const fs::path itsOut = fs::read_symlink(fds / "1"), itsErr = fs::read_symlink(fds / "2");
     EXPECT_EQ(itsErr, running_.captured / "err");
     EXPECT_EQ(itsOut, itsErr);
-    kill(running_.process, SIGKILL);
+    sendSignal(running_.process, SIGKILL);
     finish(running_);
 }
 

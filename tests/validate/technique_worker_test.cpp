@@ -102,7 +102,7 @@ TEST_F(TechniqueWorkerTest, AProcessThatEndsBetweenTwoTechniquesIsReplacedWithou
     const Frame first = worker.render(parseTechnique("linear_binary"), {}).frame;
     const std::vector<pid_t> children = test::childrenOf(getpid());
     ASSERT_EQ(children.size(), 1u);
-    ASSERT_EQ(kill(children[0], SIGKILL), 0);
+    ASSERT_EQ(test::sendSignal(children[0], SIGKILL), 0);
     ASSERT_TRUE(test::waitUntil([&] { return test::isGone(children[0]); }, 10));
     expectEqualFrames(first, worker.render(parseTechnique("linear_binary"), {}).frame);
 }
