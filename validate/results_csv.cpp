@@ -35,8 +35,8 @@ struct Row {
 struct Subject {
     std::string technique;
     std::string reference; // base of the reference held against
-    Figure msMedian;
-    std::string error;
+    std::string error = {};
+    Figure msMedian = {}, bakeMs = {}, bakeBytes = {};
 };
 
 Row makeRow(const Subject& subject, const std::string& object, const std::string& light,
@@ -52,7 +52,10 @@ Row makeRow(const Subject& subject, const std::string& object, const std::string
     row.add("normal", valuesOf(metrics.normal));
     row.add("st", valuesOf(metrics.st));
     row.add("cost", valuesOf(metrics.cost));
-    row.add("cost", {{"ms_median", subject.msMedian}});
+    row.add("cost", valuesOf(metrics.iterations));
+    row.add("cost", {{"bake_ms", subject.bakeMs},
+                     {"bake_bytes", wholeNumber(subject.bakeBytes)},
+                     {"ms_median", subject.msMedian}});
     row.add("error", subject.error);
     return row;
 }
@@ -90,16 +93,18 @@ std::string failedRow(const Subject& subject) {
 
 std::string toCsv(const Results& results) {
     std::string csv = textOf(makeRow({}, "", "", {}, {}), true);
-    const Figure noTime = Figure::absent("a reference isn't timed");
-    if (results.proxy) addRows(csv, {"(base gap)", results.base, noTime, ""}, results.proxy->gap);
+    if (results.proxy) addRows(csv, {"(base gap)", results.base}, results.proxy->gap);
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
-            csv += failedRow({technique.name, "", {}, *technique.error});
+            csv += failedRow({technique.name, "", *technique.error});
             continue;
         }
-        addRows(csv, {technique.name, results.base, technique.msMedian, ""}, technique.comparison);
-        if (technique.againstProxy)
-            addRows(csv, {technique.name, "proxy", technique.msMedian, ""}, *technique.againstProxy);
+        Subject subject{technique.name,     results.base,     "",
+                        technique.msMedian, technique.bakeMs, technique.bakeBytes};
+        addRows(csv, subject, technique.comparison);
+        if (!technique.againstProxy) continue;
+        subject.reference = "proxy";
+        addRows(csv, subject, *technique.againstProxy);
     }
     return csv;
 }
