@@ -91,7 +91,24 @@ bool isGlslWord(const std::string& name) {
 }
 
 bool isHarnessName(const std::string& name) {
+    for (const char* beginning :
+         {"k", "u", "g", "v", "in", "out"}) // constants, uniforms, globals and what stages hand on
+        if (const size_t length = std::string(beginning).size();
+            name.starts_with(beginning) && name.size() > length &&
+            std::isupper(static_cast<unsigned char>(name[length])))
+            return true;
     return kHarnessNames.count(name) > 0;
+}
+
+std::optional<GlslByte> firstForeignByte(const std::string& glsl) {
+    const std::string text = withoutComments(glsl);
+    int line = 1;
+    for (const char c : text) {
+        if (c == '\n') ++line;
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte == 0 || byte >= 0x80) return GlslByte{line, byte};
+    }
+    return std::nullopt;
 }
 
 bool namesIdentifier(const std::string& glsl, const std::string& name) {

@@ -74,6 +74,12 @@ std::vector<std::string> channelNames() {
 
 void checkShader(const Manifest& manifest) {
     const std::string glsl = readText(manifest.shaderFile());
+    if (const auto byte = firstForeignByte(glsl))
+        throw InputError(fmt::format("{}:{}", manifest.shaderFile().string(), byte->line),
+                         fmt::format("holds the byte {:#04x} outside of a comment", byte->value),
+                         "ASCII text",
+                         "editors write such bytes as typographic quotes, no-break spaces or a mark of UTF-8 "
+                         "at the start");
     for (const Parameter& parameter : manifest.parameters)
         if (!manifest.hasInput(parameter.name) && !namesIdentifier(glsl, parameter.name))
             throw InputError(manifest.file.string(),
@@ -116,6 +122,14 @@ Manifest readTechniqueManifest(const fs::path& folder) {
     readCommon(manifest.file, fields, manifest);
     checkInputs(fields, table, manifest, techniqueInputs());
     manifest.channels = fields.texts("channels", channelNames(), false);
+    const auto writes = [&](const char* channel) {
+        return std::find(manifest.channels.begin(), manifest.channels.end(), channel) !=
+               manifest.channels.end();
+    };
+    if (table.contains("channels") && !writes("A") && !writes("id"))
+        fields.fail(table.get("channels"),
+                    "channels has neither A nor id, so that no frame says what it covers",
+                    "one of them among the channels");
     if (const toml::node* node = fields.find("geometry")) {
         const auto value = node->value_exact<std::string>();
         if (!value) fields.fail(node, "geometry is not a text", listOf(kGeometries));

@@ -1,9 +1,11 @@
 // [[parameter]] of a manifest.
 #include "../scenes/math.h"
 #include "glsl_words.h"
+#include "inputs/bake.h"
 #include "manifest_fields.h"
 
 #include <cmath>
+#include <limits>
 
 namespace plumbline {
 namespace {
@@ -13,12 +15,13 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kTypes{"int", "float", "bool", "choice"};
 // Ints are injected as GLSL ints.
 constexpr double kLargestInt = 2147483647.0;
+constexpr float kLargestFloat = std::numeric_limits<float>::max();
 
 double numberOf(const Fields& fields, const toml::node& node, const std::string& what, bool integer) {
     const auto value = integer ? std::optional<double>() : node.value<double>();
     const auto whole = node.value_exact<int64_t>();
     const double number = whole ? static_cast<double>(*whole) : value.value_or(kNanF);
-    if (!std::isfinite(number) || (integer && std::abs(number) > kLargestInt))
+    if (!std::isfinite(number) || std::abs(number) > (integer ? kLargestInt : double(kLargestFloat)))
         fields.fail(&node, what + " is not " + (integer ? "a whole number" : "a number"),
                     integer ? "a whole number of 32 bits" : "a finite number");
     return number;
@@ -35,7 +38,7 @@ void checkParameterName(const Fields& fields, const toml::node* node, const std:
                     "a letter, then letters, digits and single underscores");
     if (isGlslWord(name))
         fields.fail(node, fmt::format("parameter name '{}' is a word of GLSL", name), "another name");
-    if (isHarnessName(name))
+    if (isHarnessName(name) || isBakeKind(name))
         fields.fail(node, fmt::format("parameter name '{}' belongs to the harness", name), "another name");
 }
 

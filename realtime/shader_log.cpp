@@ -23,6 +23,8 @@ std::optional<ShaderMessage> parsePlace(const std::string& line, const char* for
 
 /// Takes "error: " or "warning: " off the front of the text, with NVIDIA's code behind the word.
 bool takeSeverity(ShaderMessage& message) {
+    constexpr std::string_view kPreprocessor = "preprocessor "; // Mesa's, before the word
+    if (message.text.starts_with(kPreprocessor)) message.text.erase(0, kPreprocessor.size());
     const size_t colon = message.text.find(": ");
     if (colon == std::string::npos) return false;
     const std::string severity = message.text.substr(0, std::min(colon, message.text.find(' ')));

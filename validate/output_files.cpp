@@ -33,8 +33,11 @@ void requireWritableFolder(const std::filesystem::path& folder) {
     tryCreateFile(folder);
 }
 
-void requireWritableFile(const std::filesystem::path& file) {
+void requireWritableFile(const std::filesystem::path& file, const std::filesystem::path& input) {
     std::error_code ignored;
+    if (std::filesystem::equivalent(file, input, ignored))
+        throw InputError(file.string(), "would be replaced, and is what is read",
+                         "another name for the result");
     if (std::filesystem::is_directory(file, ignored) || !file.has_filename())
         throw InputError(file.string(), "this is a folder", "the name of a file");
     requireWritableFolder(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));

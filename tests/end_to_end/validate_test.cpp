@@ -344,5 +344,44 @@ relief = { map = "toy_box", depth = 0.05, tile = [4, 4] }
         EXPECT_GT(technique["silhouette"]["iou"], 0.5);
 }
 
+// A technique that answers nonsense where it would be wrong must not look better for it without a word.
+TEST_F(Validate, AnswersThatAreNoNumbersAreToldOf) {
+    writeSmallScene();
+    fs::create_directories(folder_ / "nan");
+    writeFile(folder_ / "nan/technique.toml",
+              "title = 'NaN'\ncitation = 'me'\ninputs = ['height']\nsurfaces = ['flat']\nlimits = []\n");
+    writeFile(folder_ / "nan/nan.glsl", "ReliefHit traceRelief(ReliefRay ray) {\n"
+                                        "    float depth = reliefDepth(ray.st);\n"
+                                        "    return hitAt(ray, depth > 0.5 ? sqrt(-depth) : depth);\n}\n");
+    const Outcome outcome = validate("out", {"--technique", "nan", "--technique", "normal_mapping"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.err, HasSubstr("warning: nan: "));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("covered pixels have a position, depth, normal or st that is no number"));
+    EXPECT_THAT(outcome.err, Not(HasSubstr("normal_mapping: ")));
+    EXPECT_THAT(resultsOf("out")["techniques"][0]["notes"].dump(), HasSubstr("no figure counts them"));
+}
+
+TEST_F(Validate, ARefusedSurfaceIsRefusedWithItsReason) {
+    writeSmallScene();
+    const Outcome outcome = validate("out", {"--technique", "sphere_tracing@quadric"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("'sphere_tracing' has no surface 'quadric': distances in the field"));
+}
+
+TEST_F(Validate, AResultNeverReplacesWhatIsRead) {
+    writeSmallScene();
+    const std::string before = readFile(folder_ / "small.toml");
+    for (const std::vector<std::string>& arguments :
+         {std::vector<std::string>{"realtime", "small.toml", "--technique", "linear", "-o", "small.toml"},
+          std::vector<std::string>{"reference", "small.toml", "-o", "./small.toml"},
+          std::vector<std::string>{"bake", "small.toml#stone", "--kind", "max_mipmap", "-o", "small.toml"}}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exitCode, 2) << arguments[0];
+        EXPECT_THAT(outcome.err, HasSubstr("would be replaced, and is what is read"));
+        EXPECT_EQ(readFile(folder_ / "small.toml"), before);
+    }
+}
+
 } // namespace
 } // namespace plumbline

@@ -194,6 +194,15 @@ TEST(Manifest, MistakesAreNamedWithTheirLine) {
     EXPECT_THAT(manifestMessage(std::string(kGood) + "geometry = 'proxie'"),
                 HasSubstr("did you mean 'proxy'?"));
     EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Q']"), HasSubstr("'Q' is not known"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Z']"), HasSubstr("neither A nor id"));
+    EXPECT_EQ(manifestMessage(std::string(kGood) + "channels = ['id', 'Z']"), "");
+    for (const char* name : {"kAmbient", "uHeightMap", "outColor", "gIterations", "cone_step"})
+        EXPECT_THAT(manifestMessage(with("'steps'", "'" + std::string(name) + "'")),
+                    HasSubstr("belongs to the harness"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) +
+                                "[[parameter]]\nname='f'\ntype='float'\ndefault=1\nrange=[0, 1e300]\n"
+                                "unit=''\nmeaning='m'\n"),
+                HasSubstr("range is not a number"));
     EXPECT_THAT(manifestMessage("title = "), HasSubstr("technique.toml:1: "));
     EXPECT_THAT(manifestMessage("\xff\xfe"), HasSubstr("technique.toml:1: "));
 }
@@ -243,6 +252,18 @@ TEST(Manifest, AParameterTheShaderDoesNotUseIsAnError) {
               "technique.toml: parameter 'steps' doesn't occur in mine.glsl; expected a shader that uses "
               "every parameter "
               "of the manifest");
+}
+
+TEST(Manifest, BytesThatAreNotAsciiAreNamedWithTheirLine) {
+    EXPECT_THAT(manifestMessage(kGood, "\xef\xbb\xbf" + std::string(kShader)),
+                HasSubstr("mine.glsl:1: holds the byte 0xef outside of a comment"));
+    EXPECT_THAT(manifestMessage(kGood, std::string(kShader) + "\n\xe2\x80\x9c"),
+                HasSubstr("mine.glsl:4: holds the byte 0xe2"));
+    EXPECT_THAT(manifestMessage(kGood, std::string(kShader) + std::string(1, '\0')),
+                HasSubstr("holds the byte 0x00"));
+    EXPECT_EQ(
+        manifestMessage(kGood, "// \xc3\xa4 /* in comments */\n/* \xe2\x80\x9c */" + std::string(kShader)),
+        "");
 }
 
 TEST(Manifest, MissingFilesAreNamed) {

@@ -82,6 +82,9 @@ TEST_F(UserTechnique, CompileErrorsNameTheAuthorsFileAndLine) {
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:3: "));
     write("ReliefHit traceRelief(ReliefRay ray) { return missed();\n\n"); // a brace short
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:"));
+    write("\n#error boo\nReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
+    EXPECT_THAT(message(), HasSubstr("/mine.glsl:2: "));
+    EXPECT_THAT(message(), HasSubstr("boo"));
     // What the harness has already is reported where the author says it again.
     write("\nvoid main() {}\nReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:2: "));

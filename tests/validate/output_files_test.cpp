@@ -25,7 +25,7 @@ TEST_F(OutputFiles, FoldersAreCreatedWithTheirParentsAndLeftEmpty) {
     requireWritableFolder(folder_ / "a" / "b");
     EXPECT_TRUE(fs::is_directory(folder_ / "a" / "b"));
     EXPECT_TRUE(fs::is_empty(folder_ / "a" / "b")); // the probe is gone
-    requireWritableFile(folder_ / "c" / "frame.exr");
+    requireWritableFile(folder_ / "c" / "frame.exr", "no input");
     EXPECT_FALSE(fs::exists(folder_ / "c" / "frame.exr"));
 }
 
@@ -33,8 +33,8 @@ TEST_F(OutputFiles, APlaceBelowAFileIsRefused) {
     std::ofstream(folder_ / "file") << "text";
     EXPECT_THROW(requireWritableFolder(folder_ / "file"), InputError);
     EXPECT_THROW(requireWritableFolder(folder_ / "file" / "below"), InputError);
-    EXPECT_THROW(requireWritableFile(folder_ / "file" / "below.exr"), InputError);
-    EXPECT_THROW(requireWritableFile(folder_), InputError); // a folder where a file should be
+    EXPECT_THROW(requireWritableFile(folder_ / "file" / "below.exr", "no input"), InputError);
+    EXPECT_THROW(requireWritableFile(folder_, "no input"), InputError); // a folder where a file should be
 }
 
 TEST(SafeFileName, KeepsNamesReadableAndInsideTheFolder) {

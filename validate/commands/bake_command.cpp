@@ -173,7 +173,8 @@ void printConeCheck(const HeightMap& map, const BakedMap& cones, uint64_t rays) 
 int runBake(const BakeArguments& arguments) {
     const BakeRequest request = parseRequest(arguments);
     requireCheckable(arguments);
-    if (arguments.output) requireWritableFile(*arguments.output);
+    if (arguments.output)
+        requireWritableFile(*arguments.output, arguments.map.substr(0, arguments.map.rfind('#')));
     Progress progress;
     progress.step("reading the map");
     const std::shared_ptr<const HeightMap> map = readMap(arguments);

@@ -35,11 +35,23 @@ bool checkData() {
 }
 
 /// Never a reason to fail: without one maps are made each time.
+/// The folder, or where it doesn't exist yet the nearest one above it.
+bool canBeWritten(std::filesystem::path folder) {
+    std::error_code ignored;
+    while (!std::filesystem::exists(folder, ignored) && folder.has_relative_path())
+        folder = folder.parent_path();
+    return std::filesystem::is_directory(folder, ignored) && ::access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
 void reportCache() {
     const std::optional<std::filesystem::path> folder = bakeCacheFolder();
     if (!folder) {
         report(false, "cache",
                "none of PLUMBLINE_CACHE, XDG_CACHE_HOME and HOME is set: baked maps aren't kept");
+        return;
+    }
+    if (!canBeWritten(*folder)) {
+        report(false, "cache", fmt::format("{} can't be written: baked maps aren't kept", folder->string()));
         return;
     }
     size_t maps = 0;

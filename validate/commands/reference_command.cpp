@@ -16,7 +16,7 @@ int runReference(const ReferenceArguments& arguments) {
     options.base = parseBase(arguments.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
     const std::filesystem::path file = arguments.output.value_or(
         std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
-    requireWritableFile(file);
+    requireWritableFile(file, findScene(arguments.scene));
 
     progress.step("tessellating");
     ReferenceScene reference(scene, options);

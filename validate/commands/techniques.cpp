@@ -29,16 +29,21 @@ std::vector<TechniqueRequest> allTechniques() {
 /// Throws for a surface the technique doesn't compose with; says nothing where its manifest can't be read.
 void requireSurface(const TechniqueRequest& request) {
     std::vector<std::string> surfaces;
+    std::map<std::string, std::string> refusals;
     try {
-        surfaces = techniqueInfo(request).surfaces;
+        const TechniqueInfo info = techniqueInfo(request);
+        surfaces = info.surfaces;
+        refusals = info.refusals;
     } catch (const InputError&) {
         return;
     }
     if (surfaces.empty()) surfaces = {"flat"}; // what a request without '@' says
-    if (std::find(surfaces.begin(), surfaces.end(), request.surface) == surfaces.end())
-        throw InputError("--technique",
-                         fmt::format("'{}' has no surface '{}'", request.search, request.surface),
-                         listOf(surfaces), didYouMean(request.surface, surfaces));
+    if (std::find(surfaces.begin(), surfaces.end(), request.surface) != surfaces.end()) return;
+    const auto reason = refusals.find(request.surface);
+    throw InputError("--technique",
+                     fmt::format("'{}' has no surface '{}'{}", request.search, request.surface,
+                                 reason == refusals.end() ? "" : ": " + reason->second),
+                     listOf(surfaces), didYouMean(request.surface, surfaces));
 }
 
 /// A typing error must not cost a whole run: names that aren't there are refused at once, faults inside a
@@ -62,7 +67,8 @@ void refuseDuplicates(const std::vector<TechniqueRequest>& requests,
     std::set<std::string> names;
     for (const TechniqueRequest& request : requests)
         if (const std::string name = displayName(request, settings); !names.insert(name).second)
-            throw InputError("--technique", fmt::format("'{}' is named twice", name), "each technique once");
+            throw InputError("--technique", fmt::format("'{}' is named twice", name), "each technique once",
+                             "a folder of the same name as another technique needs another one");
 }
 
 } // namespace

@@ -13,6 +13,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <set>
 
@@ -163,6 +164,20 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
     return trial;
 }
 
+/// Covered pixels with a value that isn't finite: a technique could hide its errors there.
+size_t brokenPixels(const Frame& frame) {
+    const bool hasCoverage = frame.has("A");
+    const auto covered = frame.channel(hasCoverage ? "A" : "id");
+    std::vector<bool> broken(frame.pixelCount(), false);
+    for (const char* name : {"Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S", "st.T"}) {
+        if (!frame.has(name)) continue;
+        const auto plane = frame.channel(name);
+        for (size_t i = 0; i < plane.size(); ++i)
+            if (covered[i] > 0 && !std::isfinite(plane[i])) broken[i] = true;
+    }
+    return static_cast<size_t>(std::count(broken.begin(), broken.end(), true));
+}
+
 /// Compares, paints and writes the frame, side by side: each of it takes longer than many techniques take to draw.
 void judge(Trial& trial, const References& references, const Scene& scene, OutputFolder& output,
            Report& report) {
@@ -170,15 +185,23 @@ void judge(Trial& trial, const References& references, const Scene& scene, Outpu
         return compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);
     };
     const std::filesystem::path file = output.newFrameFile(trial.outcome.name);
-    tbb::parallel_invoke([&] { writeFrame(trial.frame, file); },
-                         [&] {
-                             trial.outcome.comparison = against(references.frame);
-                             report.addTechnique(trial.outcome, references.frame, trial.frame);
-                             dropDepth(trial.outcome.comparison);
-                             if (!references.proxyFrame) return;
-                             trial.outcome.againstProxy = against(*references.proxyFrame);
-                             dropDepth(*trial.outcome.againstProxy);
-                         });
+    tbb::parallel_invoke(
+        [&] { writeFrame(trial.frame, file); },
+        [&] {
+            trial.outcome.comparison = against(references.frame);
+            if (const size_t broken = brokenPixels(trial.frame); broken > 0)
+                trial.warnings.push_back(fmt::format(
+                    "{}: {} covered pixels have a position, depth, normal or st that is no number; "
+                    "no figure counts them",
+                    trial.outcome.name, broken));
+            trial.outcome.comparison.notes.insert(trial.outcome.comparison.notes.end(),
+                                                  trial.warnings.begin(), trial.warnings.end());
+            report.addTechnique(trial.outcome, references.frame, trial.frame);
+            dropDepth(trial.outcome.comparison);
+            if (!references.proxyFrame) return;
+            trial.outcome.againstProxy = against(*references.proxyFrame);
+            dropDepth(*trial.outcome.againstProxy);
+        });
 }
 
 /// Frames and pictures of the references.
@@ -234,9 +257,9 @@ int runValidate(const ValidateArguments& arguments) {
         progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
                                   displayName(request, settings)));
         Trial trial = tryTechnique(request, settings, drawer, references);
+        if (!trial.outcome.error) judge(trial, references, scene, output, report);
         for (const std::string& warning : trial.warnings)
             if (warned.insert(warning).second) printWarnings({warning});
-        if (!trial.outcome.error) judge(trial, references, scene, output, report);
         if (exitCode == kExitDone) exitCode = trial.exitCode;
         results.techniques.push_back(std::move(trial.outcome));
         output.write(results,

@@ -31,7 +31,7 @@ ReliefHit traceRelief(ReliefRay ray) {
             if (reliefDepth(position.xy) <= position.z) return bisected(ray, outside, t);
         }
         outside = t;
-        t = min(t + max(free / ray.lengthWorld, field == field_voxel ? leastStep : 0.0), 1.0);
+        t = min(t + max(free / max(ray.lengthWorld, 1e-30), field == field_voxel ? leastStep : 0.0), 1.0);
     }
     if (field == field_voxel && t >= 1.0) return bisected(ray, outside, 1.0);
     return hitAt(ray, t);
