@@ -99,6 +99,8 @@ class RealtimeRenderer {
 std::vector<std::string> knownSettings(const TechniqueRequest& request);
 /// The manifest of a request's search. Throws InputError.
 TechniqueInfo techniqueInfo(const TechniqueRequest& request);
+/// Name as results show it; for a technique whose manifest can't be read, as the user wrote it.
+std::string displayName(const TechniqueRequest& request, const std::map<std::string, std::string>& settings);
 /// Name as results show it, without drawing.
 std::string techniqueName(const TechniqueRequest& request, const std::map<std::string, std::string>& shared);
 

@@ -273,4 +273,12 @@ std::string techniqueName(const TechniqueRequest& request, const std::map<std::s
     return resolveTechnique(request, shared).name;
 }
 
+std::string displayName(const TechniqueRequest& request, const std::map<std::string, std::string>& settings) {
+    try {
+        return techniqueName(request, settings);
+    } catch (const InputError&) {
+        return request.surface == "flat" ? request.search : request.search + "@" + request.surface;
+    }
+}
+
 } // namespace plumbline

@@ -17,6 +17,15 @@ namespace {
 
 constexpr ConeRule kConservative{1, false, 0}, kQuad{4, false, 0}, kSafe{1, true, 0}, k2007{1, true, 1};
 
+/// Null for a kind that is no cone map.
+const ConeRule* findRule(std::string_view kind) {
+    if (kind == "cone_step") return &kConservative;
+    if (kind == "cone_step_quad") return &kQuad;
+    if (kind == "cone_step_relaxed") return &kSafe;
+    if (kind == "cone_step_relaxed_2007") return &k2007;
+    return nullptr;
+}
+
 size_t texelIndex(const HeightMap& map, int column, int row) {
     return static_cast<size_t>(row) * static_cast<size_t>(map.width()) + static_cast<size_t>(column);
 }
@@ -142,15 +151,11 @@ BakedMap makeConeMap(const HeightMap& map, const ConeRule& rule) {
 }
 
 bool isConeKind(std::string_view kind) {
-    return kind == "cone_step" || kind == "cone_step_quad" || kind == "cone_step_relaxed" ||
-           kind == "cone_step_relaxed_2007";
+    return findRule(kind) != nullptr;
 }
 
 ConeRule coneRule(std::string_view kind) {
-    if (kind == "cone_step") return kConservative;
-    if (kind == "cone_step_quad") return kQuad;
-    if (kind == "cone_step_relaxed") return kSafe;
-    if (kind == "cone_step_relaxed_2007") return k2007;
+    if (const ConeRule* rule = findRule(kind)) return *rule;
     throw InputError("cone map", "'" + std::string(kind) + "' is no kind of cone map",
                      "cone_step, cone_step_quad, cone_step_relaxed or cone_step_relaxed_2007");
 }

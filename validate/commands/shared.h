@@ -68,9 +68,6 @@ std::vector<TechniqueRequest> chosenTechniques(const std::vector<std::string>& t
 void checkSettings(const std::map<std::string, std::string>& settings,
                    const std::vector<TechniqueRequest>& requests);
 
-/// As in results; for one whose manifest can't be read, as the user wrote it.
-std::string displayName(const TechniqueRequest& request, const std::map<std::string, std::string>& settings);
-
 /// False also where the manifest can't be read: drawing it will say why.
 bool drawsMicroTriangles(const TechniqueRequest& request);
 #endif

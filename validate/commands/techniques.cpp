@@ -117,14 +117,6 @@ void checkSettings(const std::map<std::string, std::string>& settings,
                              didYouMean(key, names));
 }
 
-std::string displayName(const TechniqueRequest& request, const std::map<std::string, std::string>& settings) {
-    try {
-        return techniqueName(request, settings);
-    } catch (const InputError&) {
-        return request.surface == "flat" ? request.search : request.search + "@" + request.surface;
-    }
-}
-
 bool drawsMicroTriangles(const TechniqueRequest& request) {
     try {
         return techniqueInfo(request).drawsMicroTriangles;

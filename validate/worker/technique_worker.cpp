@@ -38,15 +38,6 @@ bool waitWithin(const MessageSocket& socket, milliseconds& left) {
     return false;
 }
 
-/// As results show it; for one whose manifest can't be read, as the user wrote it.
-std::string nameOf(const TechniqueRequest& request, const std::map<std::string, std::string>& settings) {
-    try {
-        return techniqueName(request, settings);
-    } catch (const InputError&) {
-        return request.search;
-    }
-}
-
 InputError tooSlow(const std::string& technique, int limitSeconds) {
     return {technique, fmt::format("not finished after {} s and stopped", limitSeconds),
             "a search whose loops end", "--time-limit SECONDS gives it more"};
@@ -120,11 +111,11 @@ TechniqueResult TechniqueWorker::render(const TechniqueRequest& request,
     bool drawing = false;
     try {
         connection_->socket.send(toJson(DrawRequest{request, settings}));
-        return awaitResult(nameOf(request, settings), drawing);
+        return awaitResult(displayName(request, settings), drawing);
     } catch (const InputError&) {
         throw; // the technique's own fault
     } catch (const ConnectionLost&) {
-        const MachineError error = endedWhile(nameOf(request, settings), drawing, connection_->process);
+        const MachineError error = endedWhile(displayName(request, settings), drawing, connection_->process);
         connection_.reset();
         throw error;
     } catch (...) {

@@ -9,11 +9,6 @@ float deepest(ReliefRay ray, float t, float next) {
     return depth;
 }
 
-int wrapIndex(int i, int size, int clamps) {
-    if (clamps != 0) return clamp(i, 0, size - 1);
-    return i >= 0 ? i % size : size - 1 - (-1 - i) % size;
-}
-
 // Cells of a block along one axis, relative to the walk; `wrapped` is the cell's index in the map, `block` the block's.
 ivec2 blockCells(int cell, int wrapped, int block, int level, int blocks, int size, int low, int high, bool clamps) {
     if (clamps && (cell <= low || cell >= high)) return ivec2(cell); // goes on for ever
@@ -31,7 +26,7 @@ ReliefHit traceRelief(ReliefRay ray) {
     for (int i = 0; i < most_steps; ++i) {
         countIteration();
         ivec2 at = walk.firstCell + cell;
-        ivec2 wrapped = ivec2(wrapIndex(at.x, size.x, walk.clamps.x), wrapIndex(at.y, size.y, walk.clamps.y));
+        ivec2 wrapped = ivec2(wrapAnyTexel(at.x, size.x, walk.clamps.x), wrapAnyTexel(at.y, size.y, walk.clamps.y));
         ivec2 block = blockOf(wrapped, level);
         ivec2 blocks = depthBoundsSize(level);
         ivec2 cellsS = blockCells(cell.x, wrapped.x, block.x, level, blocks.x, size.x, walk.low.x, walk.high.x, walk.clamps.x != 0);
