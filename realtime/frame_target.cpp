@@ -46,8 +46,7 @@ void forEachPixel(int width, int height, const std::vector<float>& target, const
 } // namespace
 
 FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
-    : scene_(scene), width_(scene.camera.width), height_(scene.camera.height),
-      targets_(targetCount(scene.lights.size())) {
+    : scene_(scene), width_(scene.camera.width), height_(scene.camera.height) {
     if (scene.lights.size() > kMaxLights)
         throw InputError("light", fmt::format("the scene has {} lights", scene.lights.size()),
                          fmt::format("at most {} for real-time frames", kMaxLights));
@@ -55,13 +54,13 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
     const std::string what =
         fmt::format("a frame of {} x {} pixels and {} lights", width_, height_, scene.lights.size());
     if (context.softwareRasteriser())
-        requireMemory(what, (targets_ * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
+        requireMemory(what, (kTargets * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
                                 static_cast<double>(height_));
     clearGlErrors();
     framebuffer_ = GlFramebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
-    std::array<GLenum, kMaxTargets> buffers{};
-    for (int i = 0; i < targets_; ++i) {
+    std::array<GLenum, kTargets> buffers{};
+    for (int i = 0; i < kTargets; ++i) {
         textures_.push_back(makeTarget(GL_RGBA32F, width_, height_));
         buffers[static_cast<size_t>(i)] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
         glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[static_cast<size_t>(i)], GL_TEXTURE_2D,
@@ -69,7 +68,7 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
     }
     depth_ = makeTarget(GL_DEPTH_COMPONENT32F, width_, height_);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
-    glDrawBuffers(targets_, buffers.data());
+    glDrawBuffers(kTargets, buffers.data());
     checkGl(what);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
     if (status != GL_FRAMEBUFFER_COMPLETE)
@@ -83,7 +82,7 @@ void FrameTarget::begin() const {
                                   static_cast<float>(scene_.background.y),
                                   static_cast<float>(scene_.background.z), 0};
     const GLfloat zero[] = {0, 0, 0, 0}, farthest = 1;
-    for (int i = 0; i < targets_; ++i)
+    for (int i = 0; i < kTargets; ++i)
         glClearBufferfv(GL_COLOR, i, i == 0 ? background : zero);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
@@ -98,7 +97,7 @@ std::vector<float> FrameTarget::readTarget(int target) const {
 }
 
 Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-                        const std::vector<std::string>& channels) const {
+                        const std::vector<std::string>& channels, bool bentBase) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
     Frame frame(width_, height_);
     const auto wanted = [&](std::string_view row) {
@@ -156,21 +155,22 @@ Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrig
             all[i] = lookups[i] + p[3];
         });
     }
-    if (wanted("shadow.<light>")) readShadows(frame, coverage);
+    const std::vector<float> surface = readTarget(4);
+    if (bentBase) {
+        const auto a = plane("curvature.a"), b = plane("curvature.b"), cross = plane("curvature.cross");
+        forEachHit(surface, [&](size_t i, const float* p) { a[i] = p[1], b[i] = p[2], cross[i] = p[3]; });
+    }
+    if (wanted("shadow.<light>")) readShadows(frame, surface, coverage);
     return frame;
 }
 
-void FrameTarget::readShadows(Frame& frame, const std::vector<float>& coverage) const {
-    for (int target = kFixedTargets; target < targets_; ++target) {
-        const std::vector<float> shadows = readTarget(target);
-        for (size_t k = 0; k < kLightsPerTarget; ++k) {
-            const size_t light = static_cast<size_t>(target - kFixedTargets) * kLightsPerTarget + k;
-            if (light >= scene_.lights.size()) return;
-            const auto plane = frame.add(shadowChannel(scene_.lights[light].name));
-            forEachPixel(width_, height_, shadows, [&](size_t i, const float* p) {
-                if (coverage[i] > 0) plane[i] = p[k];
-            });
-        }
+void FrameTarget::readShadows(Frame& frame, const std::vector<float>& surface,
+                              const std::vector<float>& coverage) const {
+    for (size_t light = 0; light < scene_.lights.size(); ++light) {
+        const auto plane = frame.add(shadowChannel(scene_.lights[light].name));
+        forEachPixel(width_, height_, surface, [&](size_t i, const float* p) {
+            if (coverage[i] > 0) plane[i] = static_cast<float>(static_cast<unsigned>(p[0]) >> light & 1u);
+        });
     }
 }
 

@@ -11,15 +11,10 @@
 
 namespace plumbline {
 
-/// Draw buffers: four for the channels every frame has, the rest four lights each. 8 is what every driver
-/// offers.
-inline constexpr int kFixedTargets = 4, kMaxTargets = 8, kLightsPerTarget = 4;
-inline constexpr int kMaxLights = (kMaxTargets - kFixedTargets) * kLightsPerTarget;
-
-/// Number of draw buffers for so many lights.
-inline int targetCount(size_t lightCount) {
-    return kFixedTargets + (static_cast<int>(lightCount) + kLightsPerTarget - 1) / kLightsPerTarget;
-}
+/// Draw buffers; shaders/shading.glsl says what each holds. 8 is what every driver offers.
+inline constexpr int kTargets = 5;
+/// As many as a scene file may have. Shadows share one float, a bit a light: whole numbers up to 2^24 are exact.
+inline constexpr int kMaxLights = 16;
 
 class FrameTarget {
   public:
@@ -29,16 +24,18 @@ class FrameTarget {
     /// Binds the targets and clears them to a miss everywhere.
     void begin() const;
     /// Reads every channel back. `origin` is added to positions and, by object, `stOrigins` to st; `channels`
-    /// (rows of the channel table) says which to keep, all if empty.
+    /// (rows of the channel table) says which to keep, all if empty; those of the curvature are there for a base that
+    /// bends.
     Frame read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-               const std::vector<std::string>& channels) const;
+               const std::vector<std::string>& channels, bool bentBase) const;
 
   private:
     std::vector<float> readTarget(int target) const;
-    void readShadows(Frame& frame, const std::vector<float>& coverage) const;
+    void readShadows(Frame& frame, const std::vector<float>& surface,
+                     const std::vector<float>& coverage) const;
 
     const Scene& scene_;
-    int width_, height_, targets_;
+    int width_, height_;
     GlFramebuffer framebuffer_;
     std::vector<GlTexture> textures_;
     GlTexture depth_;

@@ -22,7 +22,9 @@ constexpr GLint kHeightMapUnit = 0, kColorMapUnit = 1;
 /// As the vertex shaders' attributes 0 to 7 have it. Triangles share no vertices: each knows the st of its own corners.
 struct VertexData {
     Vec3f position, normal, positionS, positionT;
-    Vec2f st, curvature, cornerA, cornerB, cornerC;
+    Vec2f st;
+    Vec3f curvature;
+    Vec2f cornerA, cornerB, cornerC;
 };
 
 std::vector<VertexData> vertexData(const ProxyMesh& proxy, const Vec3& originWorld, const Vec2& stOrigin) {
@@ -35,7 +37,7 @@ std::vector<VertexData> vertexData(const ProxyMesh& proxy, const Vec3& originWor
         const ProxyVertex& vertex = proxy.vertices[proxy.triangles[i]];
         data.push_back({Vec3f(vertex.position - originWorld), Vec3f(vertex.normal), Vec3f(vertex.positionS),
                         Vec3f(vertex.positionT), Vec2f(vertex.st - stOrigin),
-                        Vec2f(vertex.quadricA, vertex.quadricB), corner(0), corner(1), corner(2)});
+                        Vec3f(vertex.quadricA, vertex.quadricB, 0), corner(0), corner(1), corner(2)});
     }
     return data;
 }
@@ -187,7 +189,7 @@ void GpuScene::upload(const Vec3& originWorld) {
         describeAttribute(2, 3, offsetof(VertexData, positionS));
         describeAttribute(3, 3, offsetof(VertexData, positionT));
         describeAttribute(4, 2, offsetof(VertexData, st));
-        describeAttribute(5, 2, offsetof(VertexData, curvature));
+        describeAttribute(5, 3, offsetof(VertexData, curvature));
         describeAttribute(6, 4, offsetof(VertexData, cornerA)); // A and B
         describeAttribute(7, 2, offsetof(VertexData, cornerC));
         gpu.vertexCount = static_cast<GLsizei>(data.size());

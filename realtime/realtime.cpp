@@ -137,7 +137,7 @@ TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
     const std::vector<Vec2> noOrigins(impl_->scene.objects.size(), Vec2(0));
     result.frame = gpu.target.read(gpu.view.originWorld(),
                                    technique.drawsMicroTriangles() ? noOrigins : gpu.objects.stOrigins(),
-                                   technique.search.channels);
+                                   technique.search.channels, technique.hasBentBase());
     // Not the driver: frames of different backends are equal byte for byte where their pixels are.
     result.frame.metadata = sceneMetadata(impl_->scene);
     result.frame.metadata["renderer"] = "realtime";

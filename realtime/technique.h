@@ -29,6 +29,7 @@ struct Technique {
     /// Text of a harness setting; empty if it doesn't apply.
     std::string choice(const std::string& settingName) const;
     bool drawsMicroTriangles() const { return search.geometry == Geometry::MicroTriangles; }
+    bool hasBentBase() const { return surface && surface->hasInput("quadric"); }
     bool castsShadows() const { return choice("shadow") == "relief"; }
     bool discardsOutsideTriangle() const { return choice("triangle_bounds") == "true"; }
     bool hardwareFilter() const { return choice("filter") == "hardware"; }

@@ -3,7 +3,6 @@
 #include "../scenes/data_folder.h"
 #include "../scenes/error.h"
 #include "baked_input.h"
-#include "frame_target.h"
 
 #include <fmt/format.h>
 
@@ -18,27 +17,10 @@ std::filesystem::path shaderFile(const char* name) {
     return dataFolder() / "realtime" / "shaders" / name;
 }
 
-/// Declares the lights and their draw buffers. GLSL ES wants each output indexed by a constant: the writes
-/// are spelled out.
 std::string lightDeclarations(size_t lightCount) {
-    const size_t slots = std::max<size_t>(lightCount, 1);
-    const int targets = targetCount(lightCount) - kFixedTargets;
-    std::string text =
-        fmt::format("const int kLightCount = {};\nconst int kLightSlots = {};\n"
-                    "uniform vec4 uLights[kLightSlots]; // to-light direction, 0; or position, 1\n",
-                    lightCount, slots);
-    for (int i = 0; i < targets; ++i)
-        text += fmt::format("layout(location = {}) out vec4 outShadow{};\n", kFixedTargets + i, i);
-    text += "void writeShadows(float shadow[kLightSlots]) {\n";
-    for (int i = 0; i < targets; ++i) {
-        text += fmt::format("    outShadow{} = vec4(", i);
-        for (int k = 0; k < kLightsPerTarget; ++k) {
-            const auto light = static_cast<size_t>(i * kLightsPerTarget + k);
-            text += light < lightCount ? fmt::format("shadow[{}]", light) : "0.0";
-            text += k + 1 < kLightsPerTarget ? ", " : ");\n";
-        }
-    }
-    return text + "}\n";
+    return fmt::format("const int kLightCount = {};\nconst int kLightSlots = {};\n"
+                       "uniform vec4 uLights[kLightSlots]; // to-light direction, 0; or position, 1\n",
+                       lightCount, std::max<size_t>(lightCount, 1));
 }
 
 const std::set<std::string>& harnessUniforms() {

@@ -16,7 +16,7 @@ constexpr std::string_view kLightPlaceholder = "<light>";
 
 // On a miss there is no point, normal, coordinate or shadow to speak of: NaN says so, and can't be averaged
 // by mistake. R G B hold the scene's background there; the renderer writes it over the 0 of this table.
-constexpr std::array<ChannelInfo, 21> kChannels{{
+constexpr std::array<ChannelInfo, 24> kChannels{{
     {"R", "", "linear", 0, "red of the shaded colour; the background's on a miss"},
     {"G", "", "linear", 0, "green of the shaded colour; the background's on a miss"},
     {"B", "", "linear", 0, "blue of the shaded colour; the background's on a miss"},
@@ -39,6 +39,11 @@ constexpr std::array<ChannelInfo, 21> kChannels{{
      "those of a baked map: cone ratios, distances, normals, bounds (real time only)"},
     {"cost.iterations", "iterations", "", 0,
      "rounds of the view ray's search until it stopped (real time only)"},
+    {"curvature.a", "1 / world unit", "fragment", kNanF,
+     "A of the base z = -(A x^2 + C x y + B y^2) a technique was given, x along s; 0 on plain objects (real "
+     "time only)"},
+    {"curvature.b", "1 / world unit", "fragment", kNanF, "B of it, y along t (real time only)"},
+    {"curvature.cross", "1 / world unit", "fragment", kNanF, "C of it (real time only)"},
     {"uncertain", "", "", 0, "1 where the reference's own error could change coverage (reference only)"},
     {"uncertain.shadow.<light>", "", "", 0,
      "1 where the reference's own error could change that shadow (reference only)"},

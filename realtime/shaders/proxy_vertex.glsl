@@ -5,7 +5,7 @@ layout(location = 1) in vec3 inNormal;   // world, unit
 layout(location = 2) in vec3 inPositionS; // dS/ds, world units per unit of s
 layout(location = 3) in vec3 inPositionT;
 layout(location = 4) in vec2 inSt;
-layout(location = 5) in vec2 inCurvature; // quadric coefficients A, B
+layout(location = 5) in vec3 inCurvature; // quadric coefficients A, B, cross term
 layout(location = 6) in vec4 inTriangleStAB; // st of the triangle's corners, the same at all three
 layout(location = 7) in vec2 inTriangleStC;
 
@@ -16,7 +16,7 @@ out vec3 vNormal;
 out vec3 vPositionS;
 out vec3 vPositionT;
 out vec2 vSt;
-out vec2 vCurvature;
+out vec3 vCurvature;
 flat out vec4 vTriangleStAB;
 flat out vec2 vTriangleStC;
 

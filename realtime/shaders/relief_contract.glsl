@@ -43,7 +43,7 @@ struct ReliefFrame {
     vec3 positionS;   // world, in the tangent plane: change of position per unit of s
     vec3 positionT;
     vec2 st;          // of the fragment
-    vec2 curvature;   // A, B of the quadric z = -(A x^2 + B y^2), world units^-1
+    vec3 curvature;   // A, B, C of the base z = -(A x^2 + C x y + B y^2), x along positionS, y along positionT; world units^-1
     float depthWorld; // relief depth, world units, > 0
 };
 

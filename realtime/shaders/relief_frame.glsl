@@ -5,7 +5,7 @@ in vec3 vNormal;
 in vec3 vPositionS;
 in vec3 vPositionT;
 in vec2 vSt;
-in vec2 vCurvature;
+in vec3 vCurvature;
 
 uniform float uReliefDepthWorld;
 

@@ -57,5 +57,6 @@ void main() {
         if (dot(point.normal, toLight) > 0.0)
             shadow[i] = kCastShadows ? castShadow(frame, positionRelief, toLight) : 0.0;
     }
-    writePoint(point, point.normal, shadow, vec3(gHeightLookups, gBakedLookups, iterations));
+    writePoint(point, point.normal, shadow, vec3(gHeightLookups, gBakedLookups, iterations),
+               frame.curvature);
 }

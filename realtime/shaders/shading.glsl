@@ -4,6 +4,7 @@ layout(location = 0) out vec4 outColor;    // linear R G B; iterations
 layout(location = 1) out vec4 outPosition; // position (relative), planar depth Z
 layout(location = 2) out vec4 outNormal;   // unit normal, world; look-ups of the height map
 layout(location = 3) out vec4 outTexture;  // s, t; id, 0 where nothing is drawn; look-ups of baked maps
+layout(location = 4) out vec4 outSurface;  // shadows, bit i of the number for light i; curvature
 
 uniform vec3 uColor;
 uniform bool uHasColorMap;
@@ -45,16 +46,20 @@ vec3 colorAt(vec2 st) {
     return mix(lower, upper, weight.y);
 }
 
-// `shadow`: 1 in shadow, 0 lit, one per light. `cost`: look-ups of the height map, of baked maps; iterations.
-void writePoint(SurfacePoint point, vec3 normal, float shadow[kLightSlots], vec3 cost) {
-    float light = kAmbient;
-    for (int i = 0; i < kLightCount; ++i)
+// `shadow`: 1 in shadow, 0 lit, one per light. `cost`: look-ups of the height map, of baked maps; iterations. `curvature`: of
+// the base, A, B and the cross term.
+void writePoint(SurfacePoint point, vec3 normal, float shadow[kLightSlots], vec3 cost, vec3 curvature) {
+    float light = kAmbient, shadowBits = 0.0, bit = 1.0;
+    for (int i = 0; i < kLightCount; ++i) {
         light += max(dot(point.normal, directionToLight(i, point.position)), 0.0) * (1.0 - shadow[i]);
+        shadowBits += bit * shadow[i];
+        bit *= 2.0;
+    }
     float depth = planarDepth(point.position);
     outColor = vec4(colorAt(point.st) * light, cost.z);
     outPosition = vec4(point.position, depth);
     outNormal = vec4(normal, cost.x);
     outTexture = vec4(point.st, uObjectId, cost.y);
-    writeShadows(shadow);
+    outSurface = vec4(shadowBits, curvature);
     gl_FragDepth = clamp((depth - uDepthRange.x) * uDepthRange.y, 0.0, kFarthestHit);
 }

@@ -202,7 +202,7 @@ TEST(TechniqueResult, EglAndOsmesaGiveTheSameBytesOnTheSameRasteriser) {
 
 // --- what the machine can't do -----------------------------------------------------------------------------------------
 
-TEST(Limits, MoreLightsThanDrawBuffersHoldIsAnError) {
+TEST(Limits, MoreLightsThanASceneMayHaveAreAnError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = bumpyScene();
     scene.lights.clear();

@@ -8,13 +8,32 @@ namespace plumbline {
 namespace {
 
 TEST(Frame, EveryConcreteNameHasItsRow) {
-    for (const char* name :
-         {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S", "st.T", "id",
-          "cost.fetches", "cost.fetches.height", "cost.fetches.baked", "cost.iterations", "uncertain"})
+    for (const char* name : {"R",
+                             "G",
+                             "B",
+                             "A",
+                             "Z",
+                             "P.X",
+                             "P.Y",
+                             "P.Z",
+                             "N.X",
+                             "N.Y",
+                             "N.Z",
+                             "st.S",
+                             "st.T",
+                             "id",
+                             "cost.fetches",
+                             "cost.fetches.height",
+                             "cost.fetches.baked",
+                             "cost.iterations",
+                             "curvature.a",
+                             "curvature.b",
+                             "curvature.cross",
+                             "uncertain"})
         EXPECT_EQ(channelInfo(name).name, name);
     EXPECT_EQ(channelInfo("shadow.sun").name, "shadow.<light>");
     EXPECT_EQ(channelInfo("uncertain.shadow.sun").name, "uncertain.shadow.<light>");
-    EXPECT_EQ(channelTable().size(), 21u); // 19 above and the two families
+    EXPECT_EQ(channelTable().size(), 24u); // 22 above and the two families
 }
 
 TEST(Frame, UnknownNamesAreRefused) {

@@ -15,7 +15,7 @@ vec2 searchEnd(float descent, float f) {
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
     vec2 scale = reliefScale(frame);
-    vec2 bend = frame.curvature * scale * scale / frame.depthWorld;
+    vec2 bend = frame.curvature.xy * scale * scale / frame.depthWorld;
     float f = dot(bend, direction.xy * direction.xy);
     bool descends = direction.z * frame.depthWorld > kGrazingCosine;
     vec2 end = descends ? searchEnd(direction.z, f) : vec2(0.0);
@@ -37,5 +37,5 @@ float steepestDescent(ReliefRay ray, float t) {
 // dz/ds of the quadric, x = sx s: the frame of the hit isn't that of the fragment.
 vec2 baseSlope(ReliefFrame frame, vec2 stTravelled) {
     vec2 scaleSquared = vec2(dot(frame.positionS, frame.positionS), dot(frame.positionT, frame.positionT));
-    return -2.0 * frame.curvature * scaleSquared * stTravelled;
+    return -2.0 * frame.curvature.xy * scaleSquared * stTravelled;
 }
