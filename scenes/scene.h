@@ -69,7 +69,9 @@ struct Scene {
     std::vector<SceneObject> objects;
     std::vector<std::string>
         warnings;     // a line each: what a user should know of meshes and maps before trusting figures
-    std::string hash; // of the scene file and every file it names; hexadecimal
+    std::string hash; // of the scene file, every file it names and the changes; hexadecimal
+    std::vector<std::string>
+        changes; // fields that were given other values than the file's: "camera.width=400"
 };
 
 /// The one shading formula: colour * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).

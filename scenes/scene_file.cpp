@@ -9,7 +9,9 @@
 #include "mesh_defects.h"
 #include "obj_file.h"
 #include "read_file.h"
+#include "scene_camera.h"
 #include "scene_creases.h"
+#include "scene_limits.h"
 #include "scene_shape.h"
 #include "toml_file.h"
 
@@ -23,28 +25,32 @@
 namespace plumbline {
 namespace {
 
-constexpr int kLargestSide = 32768; // pixels
-constexpr int64_t kMostPixels = int64_t(1) << 28;
 constexpr size_t kMostLights = 16;
 constexpr size_t kMostObjects = 4096;
-constexpr double kLargestLength = 1e9; // world units: far inside what float buffers hold with their squares
-constexpr double kSmallestLength = 1e-9;
 constexpr double kLargestTile = 1e6;
 constexpr double kSmallestTile = 1e-6;
-// Below this sine of the angle between view direction and up, the picture's roll is rounding noise.
-constexpr double kSmallestUpSine = 1e-6;
 
 class SceneReader {
   public:
     explicit SceneReader(const std::filesystem::path& file)
         : file_(file), text_(readWholeFile(file)), root_(TomlTable::parse(file.string(), text_)) {}
 
+    void change(const std::string& text) {
+        const std::string where = "--scene-set " + text;
+        const size_t equals = text.find('=');
+        if (equals == std::string::npos)
+            throw InputError(where, "has no '='", "PATH=VALUE, for example camera.width=400");
+        root_.change(where, text.substr(0, equals), text.substr(equals + 1));
+        hash_.add(text);
+        scene_.changes.push_back(text);
+    }
+
     Scene read() {
         scene_.name = file_.stem().string();
         scene_.purpose = readPurpose();
         hash_.add(text_);
         scene_.background = root_.vector3("background", 0, 1, Vec3(0));
-        readCamera(root_.table("camera"));
+        scene_.camera = readCamera(root_.table("camera"));
         readLights();
         for (const TomlTable& map : root_.tables("height_map"))
             readMap(map);
@@ -70,44 +76,6 @@ class SceneReader {
         if (purpose.find_first_not_of(" \t\n") == std::string::npos)
             root_.fail("purpose", "is empty", "a sentence that says what the scene is for");
         return purpose;
-    }
-
-    void readCamera(const TomlTable& table) {
-        Camera& camera = scene_.camera;
-        camera.positionWorld = table.vector3("position", -kLargestLength, kLargestLength);
-        camera.targetWorld = table.vector3("target", -kLargestLength, kLargestLength, Vec3(0));
-        camera.upWorld = table.vector3("up", -kLargestLength, kLargestLength, Vec3(0, 1, 0));
-        const std::string projection =
-            table.choice("projection", {"perspective", "orthographic"}, "perspective");
-        if (projection == "perspective") {
-            camera.fovYDegrees = table.number("fov_y_degrees", 1e-3, 179.9, camera.fovYDegrees);
-            if (table.has("view_height")) table.fail("view_height", "belongs to projection \"orthographic\"");
-        } else {
-            camera.projection = Camera::Projection::Orthographic;
-            camera.viewHeight =
-                table.number("view_height", kSmallestLength, kLargestLength, camera.viewHeight);
-            if (table.has("fov_y_degrees"))
-                table.fail("fov_y_degrees", "belongs to projection \"perspective\"");
-        }
-        camera.width = table.integer("width", 1, kLargestSide, camera.width);
-        camera.height = table.integer("height", 1, kLargestSide, camera.height);
-        if (int64_t(camera.width) * camera.height > kMostPixels)
-            table.fail("width", fmt::format("{} x {} pixels are too many", camera.width, camera.height),
-                       "at most 2^28");
-        checkCameraAxes(table);
-        table.finish();
-    }
-
-    void checkCameraAxes(const TomlTable& table) const {
-        const Camera& camera = scene_.camera;
-        const Vec3 view = camera.targetWorld - camera.positionWorld;
-        const double magnitude = std::max(glm::length(camera.positionWorld), glm::length(camera.targetWorld));
-        // Closer than that, the direction is made of the coordinates' last digits.
-        if (glm::length(view) <= 1e-12 * magnitude || !(glm::length(view) > 0))
-            table.fail("target", "is where the camera is", "another place than position");
-        if (!(glm::length(camera.upWorld) > 0)) table.fail("up", "is zero", "a direction");
-        if (glm::length(glm::cross(glm::normalize(view), glm::normalize(camera.upWorld))) < kSmallestUpSine)
-            table.fail("up", "is parallel to the view direction", "a direction that points elsewhere");
     }
 
     /// Names become parts of channel and file names and of columns.
@@ -318,8 +286,11 @@ class SceneReader {
 
 } // namespace
 
-Scene readScene(const std::filesystem::path& file) {
-    return SceneReader(file).read();
+Scene readScene(const std::filesystem::path& file, const SceneChanges& changes) {
+    SceneReader reader(file);
+    for (const std::string& change : changes)
+        reader.change(change);
+    return reader.read();
 }
 
 std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name) {

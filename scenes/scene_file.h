@@ -7,8 +7,13 @@
 
 namespace plumbline {
 
-/// Reads a scene, its meshes and its maps. Throws InputError: "file:line: field: what; expected …".
-Scene readScene(const std::filesystem::path& file);
+/// Fields to be read as if the file had other values there, in order: "object.torus.relief.depth=0.1"
+/// (TomlTable::change). Files named in one are relative to the scene file, as ever.
+using SceneChanges = std::vector<std::string>;
+
+/// Reads a scene, its meshes and its maps. Throws InputError: "file:line: field: what; expected …", or
+/// "--scene-set path=value: what; …" about a change.
+Scene readScene(const std::filesystem::path& file, const SceneChanges& changes = {});
 
 /// One height map of a scene, by the name it has there. Throws InputError: what readScene refuses, or a name that lists those
 /// there are.

@@ -34,6 +34,7 @@ std::map<std::string, std::string> sceneMetadata(const Scene& scene) {
                                                 {"scene", scene.name},
                                                 {"scene_hash", scene.hash},
                                                 {"camera", describe(scene.camera)}};
+    if (!scene.changes.empty()) metadata["scene_changes"] = fmt::format("{}", fmt::join(scene.changes, ", "));
     std::string lights;
     for (const Light& light : scene.lights)
         lights += (lights.empty() ? "" : " ") + light.name;

@@ -11,6 +11,7 @@ namespace plumbline {
 /// Keys, all with string values:
 ///   program                   name and version
 ///   scene, scene_hash         name and Scene::hash
+///   scene_changes             Scene::changes, separated by ", "; only if there are any
 ///   camera                    one line: projection, position, target, up, field of view or view height, size in
 ///                             pixels
 ///   lights                    names, separated by spaces

@@ -29,6 +29,11 @@ class TomlTable {
     /// `fileName` is for messages.
     static TomlTable parse(const std::string& fileName, const std::string& text);
 
+    /// Puts `value`, as TOML writes it, in the place of a field, or adds the field: "camera.width", "object.torus.relief.depth".
+    /// An element of [[tables]] goes by its `name` or its number from 0; the tables on the way must be there. Messages about
+    /// what was put there begin with `where`. Throws InputError that begins so.
+    void change(const std::string& where, const std::string& path, const std::string& value);
+
     bool has(std::string_view key) const;
     std::vector<std::string> keys() const;
 

@@ -36,6 +36,16 @@ void addThreads(CLI::App& command, Arguments& arguments) {
         ->type_name("N");
 }
 
+void addScene(CLI::App& command, std::string& scene, std::vector<std::string>& changes,
+              const std::string& help) {
+    command.add_option("SCENE", scene, help);
+    command
+        .add_option("--scene-set", changes,
+                    "Read the scene with another value in a field, as camera.width=400; may be repeated")
+        ->type_name("PATH=VALUE")
+        ->allow_extra_args(false);
+}
+
 /// `bases`: what --base may be.
 void addReferenceOptions(CLI::App& command, ReferenceArguments& arguments, const char* bases) {
     command
@@ -115,8 +125,8 @@ void addBake(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
 void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     CLI::App* validate =
         app.add_subcommand("validate", "Hold techniques against the displaced truth: metrics and report");
-    validate->add_option("SCENE", arguments.validate.reference.scene,
-                         fmt::format("A scene file or a name of the library (default: {})", kDefaultScene));
+    addScene(*validate, arguments.validate.reference.scene, arguments.validate.reference.sceneChanges,
+             fmt::format("A scene file or a name of the library (default: {})", kDefaultScene));
     validate
         ->add_option("-o", arguments.validate.output, "Folder of the results (default: plumbline-out/SCENE)")
         ->type_name("DIR");
@@ -129,16 +139,18 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     });
 
     CLI::App* reference = app.add_subcommand("reference", "Write the exact frame of a scene");
-    reference->add_option("SCENE", arguments.reference.scene, "A scene file or a name of the library")
-        ->required();
+    addScene(*reference, arguments.reference.scene, arguments.reference.sceneChanges,
+             "A scene file or a name of the library");
+    reference->get_option("SCENE")->required();
     reference->add_option("-o", arguments.reference.output, "The frame's file")->type_name("FILE.exr");
     addReferenceOptions(*reference, arguments.reference, "limit|proxy");
     addThreads(*reference, arguments);
     reference->callback([&] { run = [&] { return runReference(arguments.reference); }; });
 
     CLI::App* realtime = app.add_subcommand("realtime", "Write the frame of one technique");
-    realtime->add_option("SCENE", arguments.realtime.scene, "A scene file or a name of the library")
-        ->required();
+    addScene(*realtime, arguments.realtime.scene, arguments.realtime.sceneChanges,
+             "A scene file or a name of the library");
+    realtime->get_option("SCENE")->required();
     realtime->add_option("-o", arguments.realtime.output, "The frame's file")->type_name("FILE.exr");
     addRealtimeOptions(*realtime, arguments.realtime);
     addThreads(*realtime, arguments);

@@ -210,6 +210,7 @@ std::string reportPage(const Results& results, const ReportPictures& pictures) {
     setIfAny(page, "purpose", results.scene.purpose);
     page.set("program", results.program);
     setIfAny(page, "hash", results.scene.hash);
+    setIfAny(page, "changes", fmt::format("{}", fmt::join(results.scene.changes, ", ")));
     page.set("width", std::to_string(results.scene.width));
     page.set("height", std::to_string(results.scene.height));
     page.set("reference_picture", pictures.reference);

@@ -20,6 +20,7 @@ inline constexpr int kResultsSchema = 1;
 
 struct SceneSummary {
     std::string name, purpose, hash;
+    std::vector<std::string> changes; // fields given other values than the file's
     int width = 0, height = 0;
 };
 

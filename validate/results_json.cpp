@@ -147,6 +147,7 @@ std::string toJson(const Results& results) {
                      {"hash", scene.hash},
                      {"width", scene.width},
                      {"height", scene.height}};
+    if (!scene.changes.empty()) json["scene"]["changes"] = scene.changes;
     if (results.proxy)
         json["base"] = "both";
     else

@@ -59,6 +59,24 @@ json withoutMeasurements(json results) {
     return results;
 }
 
+TEST_F(Validate, ASceneReadWithOtherValuesIsTheSceneThatHasThem) {
+    // Also in the process that draws; the frames differ in their metadata alone.
+    const std::string text = readFile(writeSmallScene());
+    ASSERT_EQ(validate("changed", {"--technique", "linear", "--scene-set", "camera.width=64", "--scene-set",
+                                   "object.torus.relief.depth=0.05"})
+                  .exitCode,
+              0);
+    writeFile(folder_ / "small.toml", withLine(text, "width = 96", "width = 64"));
+    ASSERT_EQ(validate("narrow", {"--technique", "linear", "--scene-set", "object.torus.relief.depth=0.05"})
+                  .exitCode,
+              0);
+    const json changed = resultsOf("changed"), narrow = resultsOf("narrow");
+    EXPECT_EQ(changed["scene"]["changes"], json({"camera.width=64", "object.torus.relief.depth=0.05"}));
+    EXPECT_EQ(changed["scene"]["width"], 64);
+    EXPECT_EQ(withoutMeasurements(changed)["techniques"], withoutMeasurements(narrow)["techniques"]);
+    EXPECT_THAT(readFile(folder_ / "changed/report/index.html"), HasSubstr("changed: camera.width=64"));
+}
+
 TEST_F(Validate, AllTechniquesOfTheSmallScene) {
     writeSmallScene();
     const Outcome made = validate("out");

@@ -23,7 +23,8 @@ inline constexpr int kDefaultTimeLimitSeconds = 60, kLongestTimeLimitSeconds = 8
 inline constexpr const char* kDrawWorkerCommand = "draw-worker";
 
 struct ReferenceArguments {
-    std::string scene = kDefaultScene; // path or library name
+    std::string scene = kDefaultScene;     // path or library name
+    std::vector<std::string> sceneChanges; // PATH=VALUE, scenes/scene_file.h
     std::optional<std::filesystem::path> output;
     int rate = 0;                       // segments per control edge; 0: chosen
     std::optional<std::string> memory;  // "256M"; nullopt: the reference's own default
@@ -33,6 +34,7 @@ struct ReferenceArguments {
 
 struct RealtimeArguments {
     std::string scene = kDefaultScene;
+    std::vector<std::string> sceneChanges;
     std::vector<std::string> techniques;
     std::vector<std::string> settings; // key=value, for all of them
     std::optional<std::filesystem::path> output;

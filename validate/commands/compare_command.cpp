@@ -34,8 +34,12 @@ Results compareFiles(const CompareArguments& arguments, const Frame& reference, 
 
     Results results;
     results.program = programName();
-    results.scene = {metadataOf(reference, "scene", arguments.reference.stem().string()), "",
-                     metadataOf(reference, "scene_hash", ""), reference.width(), reference.height()};
+    results.scene = {metadataOf(reference, "scene", arguments.reference.stem().string()),
+                     "",
+                     metadataOf(reference, "scene_hash", ""),
+                     {},
+                     reference.width(),
+                     reference.height()};
     if (const std::string base = metadataOf(reference, "base", ""); base == "limit" || base == "proxy")
         results.base = base;
     results.reference = fromFile(reference, arguments.reference.string());

@@ -18,7 +18,7 @@ int runRealtime(const RealtimeArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
     const std::filesystem::path sceneFile = findScene(arguments.scene);
-    const Scene scene = readScene(sceneFile);
+    const Scene scene = readScene(sceneFile, arguments.sceneChanges);
     printWarnings(scene.warnings);
     const auto settings = parseSettings(arguments.settings);
     const auto requests = chosenTechniques(arguments.techniques, settings);

@@ -10,7 +10,7 @@ namespace plumbline {
 int runReference(const ReferenceArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
-    const Scene scene = readScene(findScene(arguments.scene));
+    const Scene scene = readScene(findScene(arguments.scene), arguments.sceneChanges);
     printWarnings(scene.warnings);
     ReferenceOptions options = referenceOptions(arguments);
     options.base = parseBase(arguments.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;

@@ -107,7 +107,7 @@ ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame) {
 }
 
 SceneSummary summaryOf(const Scene& scene) {
-    return {scene.name, scene.purpose, scene.hash, scene.camera.width, scene.camera.height};
+    return {scene.name, scene.purpose, scene.hash, scene.changes, scene.camera.width, scene.camera.height};
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {

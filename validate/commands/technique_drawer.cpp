@@ -10,6 +10,7 @@ WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene&
                             const RealtimeArguments& arguments) {
     WorkerOptions options;
     options.sceneFile = sceneFile;
+    options.sceneChanges = scene.changes;
     options.sceneHash = scene.hash;
     options.gl = glOptions(arguments);
     options.threads = arguments.threads;

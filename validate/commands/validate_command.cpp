@@ -7,13 +7,12 @@
 #include "../output_files.h"
 #include "../report.h"
 #include "shared.h"
-#include "technique_drawer.h"
+#include "trial.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <set>
 
@@ -63,14 +62,6 @@ struct OutputFolder {
     }
 };
 
-std::vector<std::string> limitsOf(const TechniqueRequest& request) {
-    try {
-        return techniqueInfo(request).limits;
-    } catch (const InputError&) {
-        return {};
-    }
-}
-
 /// The true frame, and with both bases the other one.
 struct References {
     std::string base; // of `frame`: "limit" or "proxy"
@@ -80,20 +71,6 @@ struct References {
     std::optional<Frame> proxyFrame;       // with both: drawn on the proxy
     ReferenceSummary proxySummary;
 };
-
-/// Frees what drew the frame unless `kept` takes it.
-Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progress& progress,
-                    ReferenceSummary& summary, std::unique_ptr<ReferenceScene>* kept) {
-    const char* where = options.base == Base::Proxy ? "reference on the proxy" : "reference";
-    progress.step(fmt::format("{}: tessellating", where));
-    auto reference = std::make_unique<ReferenceScene>(scene, options);
-    printWarnings(reference->stats().warnings);
-    progress.step(fmt::format("{}: tracing", where));
-    Frame frame = reference->render();
-    summary = summaryOf(reference->stats(), frame);
-    if (kept) *kept = std::move(reference);
-    return frame;
-}
 
 /// The proxy goes first, so that its micro-triangles are gone before those on the limit surface, which the
 /// control technique may need, are made: memory never holds both.
@@ -127,81 +104,20 @@ void dropDepth(Comparison& comparison) {
     comparison.testDepth = {};
 }
 
-/// One technique held against the reference frame.
-struct Trial {
-    TechniqueOutcome outcome;
-    Frame frame;
-    std::vector<std::string> warnings;
-    int exitCode = kExitDone;
-};
-
-Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
-                   TechniqueDrawer& drawer, const References& references) {
-    Trial trial;
-    trial.outcome.name = displayName(request, settings);
-    trial.outcome.limits = limitsOf(request);
-    try {
-        const auto* microMeshes =
-            drawsMicroTriangles(request) && references.scene ? &references.scene->microMeshes() : nullptr;
-        TechniqueResult result = drawer.draw(request, settings, microMeshes);
-        trial.outcome.parameters = result.parameters;
-        trial.outcome.backend = result.backend;
-        trial.outcome.renderer = result.renderer;
-        trial.outcome.msMedian = result.msMedian;
-        trial.outcome.msRuns = result.msRuns;
-        trial.outcome.timer = result.timer;
-        trial.warnings = result.warnings;
-        trial.outcome.bakeMs = result.bakeMs;
-        trial.outcome.bakeBytes = static_cast<double>(result.bakeBytes);
-        trial.frame = std::move(result.frame);
-    } catch (const InputError& error) {
-        trial.outcome.error = error.what();
-        trial.exitCode = kExitBadInput;
-    } catch (const MachineError& error) {
-        trial.outcome.error = error.what();
-        trial.exitCode = kExitMachine;
-    }
-    return trial;
-}
-
-/// Covered pixels with a value that isn't finite: a technique could hide its errors there.
-size_t brokenPixels(const Frame& frame) {
-    const bool hasCoverage = frame.has("A");
-    const auto covered = frame.channel(hasCoverage ? "A" : "id");
-    std::vector<bool> broken(frame.pixelCount(), false);
-    for (const char* name : {"Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S", "st.T"}) {
-        if (!frame.has(name)) continue;
-        const auto plane = frame.channel(name);
-        for (size_t i = 0; i < plane.size(); ++i)
-            if (covered[i] > 0 && !std::isfinite(plane[i])) broken[i] = true;
-    }
-    return static_cast<size_t>(std::count(broken.begin(), broken.end(), true));
-}
-
 /// Compares, paints and writes the frame, side by side: each of it takes longer than many techniques take to draw.
 void judge(Trial& trial, const References& references, const Scene& scene, OutputFolder& output,
            Report& report) {
-    const auto against = [&](const Frame& reference) {
-        return compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);
-    };
     const std::filesystem::path file = output.newFrameFile(trial.outcome.name);
-    tbb::parallel_invoke(
-        [&] { writeFrame(trial.frame, file); },
-        [&] {
-            trial.outcome.comparison = against(references.frame);
-            if (const size_t broken = brokenPixels(trial.frame); broken > 0)
-                trial.warnings.push_back(fmt::format(
-                    "{}: {} covered pixels have a position, depth, normal or st that is no number; "
-                    "no figure counts them",
-                    trial.outcome.name, broken));
-            trial.outcome.comparison.notes.insert(trial.outcome.comparison.notes.end(),
-                                                  trial.warnings.begin(), trial.warnings.end());
-            report.addTechnique(trial.outcome, references.frame, trial.frame);
-            dropDepth(trial.outcome.comparison);
-            if (!references.proxyFrame) return;
-            trial.outcome.againstProxy = against(*references.proxyFrame);
-            dropDepth(*trial.outcome.againstProxy);
-        });
+    tbb::parallel_invoke([&] { writeFrame(trial.frame, file); },
+                         [&] {
+                             compareTrial(trial, references.frame, scene);
+                             report.addTechnique(trial.outcome, references.frame, trial.frame);
+                             dropDepth(trial.outcome.comparison);
+                             if (!references.proxyFrame) return;
+                             trial.outcome.againstProxy = compareFrames(*references.proxyFrame, trial.frame,
+                                                                        objectsOf(scene), scene.camera);
+                             dropDepth(*trial.outcome.againstProxy);
+                         });
 }
 
 /// Frames and pictures of the references.
@@ -220,7 +136,7 @@ int runValidate(const ValidateArguments& arguments) {
     Progress progress;
     progress.step("reading the scene");
     const std::filesystem::path sceneFile = findScene(arguments.reference.scene);
-    const Scene scene = readScene(sceneFile);
+    const Scene scene = readScene(sceneFile, arguments.reference.sceneChanges);
     printWarnings(scene.warnings);
     const auto settings = parseSettings(arguments.realtime.settings);
     const auto requests = chosenTechniques(arguments.realtime.techniques, settings);
@@ -256,7 +172,8 @@ int runValidate(const ValidateArguments& arguments) {
     for (const TechniqueRequest& request : requests) {
         progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
                                   displayName(request, settings)));
-        Trial trial = tryTechnique(request, settings, drawer, references);
+        Trial trial = tryTechnique(request, settings, drawer,
+                                   references.scene ? &references.scene->microMeshes() : nullptr);
         if (!trial.outcome.error) judge(trial, references, scene, output, report);
         for (const std::string& warning : trial.warnings)
             if (warned.insert(warning).second) printWarnings({warning});

@@ -51,7 +51,7 @@ void sendPrintsToStderr() {
 
 /// The file may be another by the time a new process is started.
 Scene readSameScene(const WorkerSetup& setup) {
-    Scene scene = readScene(setup.scene);
+    Scene scene = readScene(setup.scene, setup.sceneChanges);
     if (scene.hash != setup.sceneHash)
         throw InputError(setup.scene.string(), "the scene changed during the run",
                          "the files it had at the start");

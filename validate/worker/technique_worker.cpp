@@ -79,7 +79,8 @@ TechniqueWorker::~TechniqueWorker() {
 void TechniqueWorker::start() {
     connection_ = std::make_unique<Connection>(options_, MessageSocket::makePair());
     try {
-        connection_->socket.send(toJson(WorkerSetup{options_.sceneFile, options_.sceneHash, options_.gl}));
+        connection_->socket.send(
+            toJson(WorkerSetup{options_.sceneFile, options_.sceneChanges, options_.sceneHash, options_.gl}));
     } catch (const ConnectionLost&) {
         // It ended already; whoever waits for it will say how.
     }

@@ -14,7 +14,8 @@ namespace plumbline {
 
 struct WorkerOptions {
     std::filesystem::path sceneFile;
-    std::string sceneHash; // Scene::hash of that file
+    std::vector<std::string> sceneChanges; // Scene::changes
+    std::string sceneHash;                 // Scene::hash of the file with them
     GlOptions gl;
     int threads = 0; // --threads; 0: all
     int timeLimitSeconds = kDefaultTimeLimitSeconds;

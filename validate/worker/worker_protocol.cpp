@@ -50,16 +50,15 @@ Frame emptyFrame(const json& value) {
 } // namespace
 
 json toJson(const WorkerSetup& setup) {
-    return {{"scene", setup.scene.native()},
-            {"scene_hash", setup.sceneHash},
-            {"gl_backend", setup.gl.backend},
-            {"gl_device", setup.gl.device},
-            {"timing_budget_ms", setup.gl.timingBudgetMs}};
+    return {{"scene", setup.scene.native()}, {"scene_changes", setup.sceneChanges},
+            {"scene_hash", setup.sceneHash}, {"gl_backend", setup.gl.backend},
+            {"gl_device", setup.gl.device},  {"timing_budget_ms", setup.gl.timingBudgetMs}};
 }
 
 WorkerSetup workerSetup(const json& value) {
     WorkerSetup setup;
     setup.scene = value.at("scene").get<std::string>();
+    setup.sceneChanges = value.at("scene_changes").get<std::vector<std::string>>();
     setup.sceneHash = value.at("scene_hash");
     setup.gl.backend = value.at("gl_backend");
     setup.gl.device = value.at("gl_device");

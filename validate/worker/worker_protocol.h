@@ -18,7 +18,8 @@ inline constexpr std::string_view kPhaseReady = "ready"; // scene read, OpenGL s
 
 struct WorkerSetup {
     std::filesystem::path scene;
-    std::string sceneHash; // the scene is refused if it has another by now
+    std::vector<std::string> sceneChanges; // Scene::changes
+    std::string sceneHash;                 // the scene is refused if it has another by now
     GlOptions gl;
 };
 nlohmann::json toJson(const WorkerSetup& setup);
