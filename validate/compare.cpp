@@ -20,6 +20,7 @@ MetricSet computeMetrics(const FramePair& pair, ObjectSelection selection, const
                          const std::string& noDepthReason) {
     MetricSet metrics;
     metrics.silhouette = computeSilhouetteIou(pair, selection);
+    metrics.contour = computeContourDistance(pair, selection);
     metrics.depth =
         computeDepthError(pair, selection, comparison.referenceDepth, comparison.testDepth, noDepthReason);
     for (const std::string& light : lightsOf(pair))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../scenes/camera.h"
+#include "contour_distance.h"
 #include "depth_error.h"
 #include "fetch_cost.h"
 #include "normal_angle.h"
@@ -18,6 +19,7 @@ namespace plumbline {
 /// Every metric over one selection of objects.
 struct MetricSet {
     SilhouetteIou silhouette;
+    ContourDistance contour;
     DepthError depth;
     std::map<std::string, ShadowAgreement> shadow; // by light
     NormalAngle normal;

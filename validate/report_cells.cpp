@@ -60,6 +60,8 @@ data metricHeads(const std::set<std::string>& lights) {
     addHead(heads, "silhouette IoU", "");
     addHead(heads, "missing", "px");
     addHead(heads, "extra", "px");
+    addHead(heads, "outline off", "mean, px");
+    addHead(heads, "outline off", "95 %, px");
     addHead(heads, "depth bias", "relief depth");
     addHead(heads, "depth RMSE", "relief depth");
     addHead(heads, "depth p99", "relief depth");
@@ -77,6 +79,7 @@ data metricCells(const MetricSet& metrics, const std::set<std::string>& lights) 
     data cells{data::type::list};
     cells << cell(metrics.silhouette.iou, metrics.silhouette.iouRange, "{:.5f}")
           << cell(metrics.silhouette.missingPx) << cell(metrics.silhouette.extraPx)
+          << cell(metrics.contour.meanPx, "{:.2f}") << cell(metrics.contour.hausdorff95Px, "{:.2f}")
           << cell(metrics.depth.relief.bias, "{:+.4f}") << cell(metrics.depth.relief.rmse, "{:.4f}")
           << cell(metrics.depth.relief.p99, "{:.4f}") << cell(metrics.depth.badpix5pct, "{:.4f}");
     for (const std::string& light : lights) {

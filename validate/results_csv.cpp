@@ -47,6 +47,7 @@ Row makeRow(const Subject& subject, const std::string& object, const std::string
     row.add("light", light);
     row.add("reference", subject.reference);
     row.add("silhouette", valuesOf(metrics.silhouette));
+    row.add("silhouette", valuesOf(metrics.contour));
     row.add("depth", valuesOf(metrics.depth));
     row.add("shadow", valuesOf(shadow));
     row.add("normal", valuesOf(metrics.normal));

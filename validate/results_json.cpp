@@ -44,7 +44,10 @@ Json toGroup(const MetricValues& values) {
 }
 
 void addMetrics(Json& json, const MetricSet& metrics) {
-    json["silhouette"] = toGroup(valuesOf(metrics.silhouette));
+    Group silhouette;
+    silhouette.add(valuesOf(metrics.silhouette));
+    silhouette.add(valuesOf(metrics.contour));
+    json["silhouette"] = silhouette.json();
     json["depth"] = toGroup(valuesOf(metrics.depth));
     json["shadow"] = Json::object();
     for (const auto& [light, agreement] : metrics.shadow)

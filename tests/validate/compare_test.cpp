@@ -35,6 +35,7 @@ TEST(Compare, AFrameWithItself) {
     set(frame, "shadow.sun", 3, 3, 1);
     const MetricSet metrics = compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, std::nullopt).pooled;
     EXPECT_EQ(*metrics.silhouette.iou, 1);
+    EXPECT_EQ(*metrics.contour.hausdorff95Px, 0);
     EXPECT_EQ(*metrics.depth.world.max, 0);
     EXPECT_EQ(*metrics.depth.relief.rmse, 0);
     EXPECT_EQ(*metrics.shadow.at("sun").agreement, 1);

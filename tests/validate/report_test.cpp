@@ -111,6 +111,9 @@ TEST(ReportPage, SaysWhatAPersonMustKnow) {
     EXPECT_THAT(page, HasSubstr("broken.glsl:3"));
     EXPECT_THAT(page, HasSubstr(">0.50000<small>0.47059–0.50000</small>"));
     EXPECT_THAT(page, HasSubstr(">0.7500<small>0.7500–0.8750</small>"));
+    EXPECT_THAT(page, HasSubstr("outline off<small>mean, px"));
+    EXPECT_THAT(
+        page, HasSubstr("<td>4</td><td>4</td><td>0.60</td><td>1.00</td>")); // 4 missing, 4 extra, 12 px in 20
     EXPECT_THAT(page, HasSubstr("title=\"the test frame has no channel cost.fetches\">–"));
     EXPECT_THAT(page, HasSubstr("12.5 ms, median of 5 (wall clock around glFinish)"));
 }

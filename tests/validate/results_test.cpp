@@ -42,7 +42,8 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
     for (const char* key : {"name", "parameters", "gl", "silhouette", "depth", "shadow", "normal", "st",
                             "cost", "objects", "error"})
         EXPECT_TRUE(technique.contains(key)) << key;
-    for (const char* key : {"iou", "iou_low", "iou_high", "missing_px", "extra_px", "uncertain_px"})
+    for (const char* key : {"iou", "iou_low", "iou_high", "missing_px", "extra_px", "uncertain_px",
+                            "contour_mean_px", "hausdorff95_px", "contour_reference_px", "contour_test_px"})
         EXPECT_TRUE(technique["silhouette"].contains(key)) << key;
     for (const char* key : {"domain_px", "bias", "mae", "rmse", "p50", "p95", "p99", "max", "rmse_relief",
                             "badpix_1pct", "badpix_5pct", "badpix_25pct", "uncertain_px"})
@@ -62,7 +63,9 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
 
 // sampleReference: object 1 covers columns 1 2 3 of rows 1 … 4. Shifted right by one, two columns of four
 // stay. One pixel of nothing may be the object: 8/17 at worst. The one shadow of the reference, at (2, 2), is
-// uncertain; the test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8.
+// uncertain; the test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8. Its contour is all but the two
+// pixels inside; to the moved one it is 1 from column 1 and from the two pixels of column 3 off the corners, 0 from the rest:
+// 6 of 10, and as many back.
 TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     EXPECT_EQ(technique["silhouette"]["iou"], 8.0 / 16.0);
@@ -74,6 +77,10 @@ TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     EXPECT_EQ(technique["shadow"]["sun"]["agreement_high"], 7.0 / 8.0);
     EXPECT_EQ(technique["depth"]["uncertain_px"], 0);
     EXPECT_EQ(technique["silhouette"]["missing_px"], 4);
+    EXPECT_EQ(technique["silhouette"]["contour_mean_px"], 12.0 / 20.0);
+    EXPECT_EQ(technique["silhouette"]["hausdorff95_px"], 1.0);
+    EXPECT_EQ(technique["silhouette"]["contour_reference_px"], 10);
+    EXPECT_EQ(technique["silhouette"]["contour_test_px"], 10);
     EXPECT_EQ(technique["depth"]["domain_px"], 8);
     EXPECT_EQ(technique["depth"]["max"], 0.0);
 }
