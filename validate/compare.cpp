@@ -58,6 +58,11 @@ void noteMissingChannels(const FramePair& pair, const std::string& noDepthReason
             notes.push_back(missing + ": no st figures");
             break;
         }
+    for (const char* channel : {"R", "G", "B"})
+        if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
+            notes.push_back(missing + ": no figures of the picture");
+            break;
+        }
     for (const ObjectInfo& object : pair.objects())
         if (!object.reliefDepth)
             notes.push_back(fmt::format(
@@ -96,12 +101,16 @@ Comparison compareFrames(const Frame& reference, const Frame& test, const std::v
 
     const std::vector<size_t> relief = pair.reliefObjects();
     std::vector<MetricSet> ofObjects(pair.objects().size());
-    tbb::parallel_for(size_t(0), pair.objects().size() + 1, [&](size_t task) {
+    tbb::parallel_for(size_t(0), pair.objects().size() + 2, [&](size_t task) {
         if (task == 0) {
             comparison.pooled = computeMetrics(pair, relief, comparison, noDepthReason);
             return;
         }
-        const size_t index = task - 1;
+        if (task == 1) {
+            comparison.image = computeImageError(pair);
+            return;
+        }
+        const size_t index = task - 2;
         ofObjects[index] = computeMetrics(pair, std::span(&index, 1), comparison, noDepthReason);
     });
     for (const size_t index : relief)

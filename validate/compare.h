@@ -5,6 +5,7 @@
 #include "contour_distance.h"
 #include "depth_error.h"
 #include "fetch_cost.h"
+#include "image_error.h"
 #include "normal_angle.h"
 #include "search_iterations.h"
 #include "shadow_agreement.h"
@@ -16,7 +17,7 @@
 
 namespace plumbline {
 
-/// Every metric over one selection of objects.
+/// Every metric over one selection of objects: all but that of the whole picture.
 struct MetricSet {
     SilhouetteIou silhouette;
     ContourDistance contour;
@@ -35,6 +36,7 @@ struct ObjectComparison {
 
 struct Comparison {
     MetricSet pooled;
+    ImageError image;                       // of the whole picture
     std::vector<ObjectComparison> objects;  // in the order of the scene
     std::vector<std::string> pooledObjects; // names of those pooled
     std::vector<std::string> notes;         // what is missing, and what that rules out; a sentence each

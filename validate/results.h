@@ -73,7 +73,7 @@ std::string toJson(const Results& results);
 
 /// RFC 4180, a head line, then a row a technique x reference x object x light; object "(pooled)" first.
 /// `reference` is the base of the one held against; with both, the gap between them comes first, as the
-/// technique "(base gap)". A scene without lights gets rows with an empty light; an absent figure is an empty
+/// technique "(base gap)". Figures of the whole picture stand in the pooled rows only. A scene without lights gets rows with an empty light; an absent figure is an empty
 /// cell; a technique that failed has one row with its error.
 std::string toCsv(const Results& results);
 

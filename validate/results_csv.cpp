@@ -29,6 +29,10 @@ struct Row {
         for (const MetricValue& entry : values)
             cells.emplace_back(prefix + "." + entry.key, cell(entry));
     }
+    void addEmpty(const std::string& prefix, const MetricValues& values) {
+        for (const MetricValue& entry : values)
+            cells.emplace_back(prefix + "." + entry.key, "");
+    }
 };
 
 /// What a row is of, beyond its object and light.
@@ -39,8 +43,9 @@ struct Subject {
     Figure msMedian = {}, bakeMs = {}, bakeBytes = {};
 };
 
+/// `image`: of the pooled row; nullptr: empty cells.
 Row makeRow(const Subject& subject, const std::string& object, const std::string& light,
-            const MetricSet& metrics, const ShadowAgreement& shadow) {
+            const MetricSet& metrics, const ShadowAgreement& shadow, const ImageError* image) {
     Row row;
     row.add("technique", subject.technique);
     row.add("object", object);
@@ -52,6 +57,10 @@ Row makeRow(const Subject& subject, const std::string& object, const std::string
     row.add("shadow", valuesOf(shadow));
     row.add("normal", valuesOf(metrics.normal));
     row.add("st", valuesOf(metrics.st));
+    if (image)
+        row.add("image", valuesOf(*image));
+    else
+        row.addEmpty("image", valuesOf(ImageError{}));
     row.add("cost", valuesOf(metrics.cost));
     row.add("cost", valuesOf(metrics.iterations));
     row.add("cost", {{"bake_ms", subject.bakeMs},
@@ -70,20 +79,21 @@ std::string textOf(const Row& row, bool head) {
     return line + "\r\n";
 }
 
-void addRows(std::string& csv, const Subject& subject, const std::string& object, const MetricSet& metrics) {
+void addRows(std::string& csv, const Subject& subject, const std::string& object, const MetricSet& metrics,
+             const ImageError* image) {
     for (const auto& [light, shadow] : metrics.shadow)
-        csv += textOf(makeRow(subject, object, light, metrics, shadow), false);
-    if (metrics.shadow.empty()) csv += textOf(makeRow(subject, object, "", metrics, {}), false);
+        csv += textOf(makeRow(subject, object, light, metrics, shadow, image), false);
+    if (metrics.shadow.empty()) csv += textOf(makeRow(subject, object, "", metrics, {}, image), false);
 }
 
 void addRows(std::string& csv, const Subject& subject, const Comparison& comparison) {
-    addRows(csv, subject, "(pooled)", comparison.pooled);
+    addRows(csv, subject, "(pooled)", comparison.pooled, &comparison.image);
     for (const ObjectComparison& object : comparison.objects)
-        addRows(csv, subject, object.object.name, object.metrics);
+        addRows(csv, subject, object.object.name, object.metrics, nullptr);
 }
 
 std::string failedRow(const Subject& subject) {
-    Row row = makeRow(subject, "(pooled)", "", {}, {});
+    Row row = makeRow(subject, "(pooled)", "", {}, {}, nullptr);
     for (auto& [name, text] : row.cells)
         if (name != "technique" && name != "object" && name != "error")
             text.clear(); // counts of nothing are no zeros
@@ -93,7 +103,7 @@ std::string failedRow(const Subject& subject) {
 } // namespace
 
 std::string toCsv(const Results& results) {
-    std::string csv = textOf(makeRow({}, "", "", {}, {}), true);
+    std::string csv = textOf(makeRow({}, "", "", {}, {}, nullptr), true);
     if (results.proxy) addRows(csv, {"(base gap)", results.base}, results.proxy->gap);
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {

@@ -56,6 +56,12 @@ void addMetrics(Json& json, const MetricSet& metrics) {
     json["st"] = toGroup(valuesOf(metrics.st));
 }
 
+void addPooled(Json& json, const Comparison& comparison) {
+    json["pooled_objects"] = comparison.pooledObjects;
+    addMetrics(json, comparison.pooled);
+    json["image"] = toGroup(valuesOf(comparison.image));
+}
+
 void addCost(Json& json, const MetricSet& metrics, const MetricValues& more) {
     MetricValues values = valuesOf(metrics.cost);
     for (const MetricValues& further : {valuesOf(metrics.iterations), more})
@@ -75,8 +81,8 @@ Json toJson(const ObjectComparison& object, bool withCost) {
 
 /// Without cost: two references have none, and a technique's doesn't depend on what it is held against.
 Json toJson(const Comparison& comparison) {
-    Json json{{"pooled_objects", comparison.pooledObjects}};
-    addMetrics(json, comparison.pooled);
+    Json json;
+    addPooled(json, comparison);
     json["objects"] = Json::array();
     for (const ObjectComparison& object : comparison.objects)
         json["objects"].push_back(toJson(object, false));
@@ -91,8 +97,7 @@ Json toJson(const TechniqueOutcome& technique) {
         json["error"] = *technique.error;
         return json;
     }
-    json["pooled_objects"] = technique.comparison.pooledObjects;
-    addMetrics(json, technique.comparison.pooled);
+    addPooled(json, technique.comparison);
     addCost(json, technique.comparison.pooled,
             {{"ms_median", technique.msMedian},
              {"bake_ms", technique.bakeMs},

@@ -56,6 +56,8 @@ TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
     EXPECT_THAT(result.notes, Contains(HasSubstr("no shadow figures for sun")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no normal figures")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no st figures")));
+    EXPECT_THAT(result.notes,
+                Contains(HasSubstr("the test frame has no channel R: no figures of the picture")));
     EXPECT_EQ(*result.pooled.silhouette.iou, 1);
     EXPECT_FALSE(result.pooled.depth.world.mae);
     EXPECT_FALSE(result.pooled.shadow.at("sun").agreement);

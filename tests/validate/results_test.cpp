@@ -40,7 +40,7 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
 
     const json& technique = results.at("techniques").at(0);
     for (const char* key : {"name", "parameters", "gl", "silhouette", "depth", "shadow", "normal", "st",
-                            "cost", "objects", "error"})
+                            "image", "cost", "objects", "error"})
         EXPECT_TRUE(technique.contains(key)) << key;
     for (const char* key : {"iou", "iou_low", "iou_high", "missing_px", "extra_px", "uncertain_px",
                             "contour_mean_px", "hausdorff95_px", "contour_reference_px", "contour_test_px"})
@@ -54,6 +54,10 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
         EXPECT_TRUE(technique["shadow"]["sun"].contains(key)) << key;
     EXPECT_TRUE(technique["normal"].contains("mean_degrees"));
     EXPECT_TRUE(technique["st"].contains("mean_texels"));
+    for (const char* key :
+         {"domain_px", "psnr_db", "rmse", "badpix_2codes", "badpix_2codes_px", "invalid_px"})
+        EXPECT_TRUE(technique["image"].contains(key)) << key;
+    EXPECT_FALSE(technique["objects"][0].contains("image"));
     EXPECT_EQ(technique["cost"].at("ms_median"), 12.5);
     EXPECT_EQ(technique["cost"].at("timer"), "wall clock around glFinish");
     EXPECT_TRUE(technique["error"].is_null());
@@ -76,6 +80,9 @@ TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     EXPECT_EQ(technique["shadow"]["sun"]["agreement_low"], 6.0 / 8.0);
     EXPECT_EQ(technique["shadow"]["sun"]["agreement_high"], 7.0 / 8.0);
     EXPECT_EQ(technique["depth"]["uncertain_px"], 0);
+    EXPECT_EQ(technique["image"]["domain_px"], 48);
+    EXPECT_EQ(technique["image"]["badpix_2codes_px"],
+              2); // the white pixel of the reference, and where it went
     EXPECT_EQ(technique["silhouette"]["missing_px"], 4);
     EXPECT_EQ(technique["silhouette"]["contour_mean_px"], 12.0 / 20.0);
     EXPECT_EQ(technique["silhouette"]["hausdorff95_px"], 1.0);
@@ -136,7 +143,7 @@ TEST(ResultsJson, BothBases) {
     EXPECT_EQ(technique["against_proxy"]["silhouette"]["iou"], 8.0 / 12.0);
     EXPECT_EQ(technique["against_proxy"]["silhouette"]["extra_px"], 4);
     for (const json* comparison : {&gap, &technique["against_proxy"]}) {
-        for (const char* group : {"pooled_objects", "silhouette", "depth", "shadow", "normal", "st"})
+        for (const char* group : {"pooled_objects", "silhouette", "depth", "shadow", "normal", "st", "image"})
             EXPECT_TRUE(comparison->contains(group)) << group;
         EXPECT_FALSE(comparison->contains("cost"));
     }
@@ -214,6 +221,10 @@ TEST(ResultsCsv, ARowPerTechniqueObjectAndLight) {
     const auto column =
         static_cast<size_t>(std::find(rows[0].begin(), rows[0].end(), "silhouette.iou") - rows[0].begin());
     EXPECT_EQ(rows[1].at(column), "0.5");
+    const auto picture =
+        static_cast<size_t>(std::find(rows[0].begin(), rows[0].end(), "image.domain_px") - rows[0].begin());
+    EXPECT_EQ(rows[1].at(picture), "48");
+    EXPECT_EQ(rows[2].at(picture), ""); // no figure of an object
     EXPECT_EQ(rows[4].at(column), "");
     EXPECT_EQ(rows[4].at(column + 1), ""); // counts of a failed technique are no zeros
 }

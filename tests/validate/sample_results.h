@@ -11,6 +11,8 @@ inline Frame sampleReference() {
     paintRectangle(frame, 1, 1, 4, 5, 1, 2.0f);
     paintRectangle(frame, 4, 1, 7, 5, 2, 2.5f);
     set(frame, "shadow.sun", 2, 2, 1);
+    for (const char* color : {"R", "G", "B"})
+        set(frame, color, 5, 2, 1);
     addUncertainty(frame);
     set(frame, "uncertain", 0, 0, 1); // nothing in either frame: may be one more pixel that is missing
     set(frame, "uncertain.shadow.sun", 2, 2, 1);
