@@ -39,7 +39,7 @@ inline Results sampleResults(const std::string& techniqueName = "linear_binary")
     const Frame reference = sampleReference(), test = shiftedRight(reference);
     Results results;
     results.program = "plumbline 0.1.0";
-    results.scene = {"painted", "A scene <of> paint & \"quotes\"", "abc123", 8, 6};
+    results.scene = {"painted", "A scene <of> paint & \"quotes\"", "abc123", {}, 8, 6};
     results.reference.microTriangles = 1234567;
     results.reference.tessellateMs = 1.5;
     results.reference.buildMs = 2.5;
