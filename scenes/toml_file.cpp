@@ -356,6 +356,25 @@ std::vector<std::string> TomlTable::texts(std::string_view key,
     return result;
 }
 
+std::vector<std::string> TomlTable::scalars(std::string_view key) const {
+    const TomlValue* value = find(key);
+    if (!value) failMissing(key, "a number, a text, true, false, or an array of them");
+    const auto* array = value->as<TomlValue::Array>();
+    std::vector<std::string> result;
+    for (const TomlValue& element : array ? *array : TomlValue::Array{*value}) {
+        if (const auto* text = element.as<std::string>()) {
+            if (text->find_first_of("\"\\\n") != std::string::npos)
+                fail(key, "holds " + describe(element), "a text of one line, without quotes and backslashes");
+            result.push_back('"' + *text + '"');
+        } else if (element.as<bool>() || element.as<int64_t>() || element.as<double>()) {
+            result.push_back(describe(element));
+        } else {
+            fail(key, "holds " + describe(element), "numbers, texts, true or false");
+        }
+    }
+    return result;
+}
+
 TomlTable TomlTable::table(std::string_view key) const {
     const TomlValue* value = find(key);
     if (!value) failMissing(key, fmt::format("a table [{}]", joinPath(node_->path, key)));

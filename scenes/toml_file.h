@@ -53,6 +53,8 @@ class TomlTable {
     /// An array of texts.
     std::vector<std::string> texts(std::string_view key,
                                    std::optional<std::vector<std::string>> fallback = {}) const;
+    /// A number, text or boolean, or an array of them: each as TOML writes it ("0.5", "\"text\"").
+    std::vector<std::string> scalars(std::string_view key) const;
     /// `[key]` or `key = { … }`.
     TomlTable table(std::string_view key) const;
     /// `[[key]]` or `key = [{ … }, …]`, in the order of the file; empty if there is none.

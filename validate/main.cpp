@@ -24,6 +24,7 @@ struct Arguments {
     ValidateArguments validate;
     CompareArguments compare;
     BakeArguments bake;
+    StudyArguments study;
     std::string listed;
     int threads = 0; // 0: as many as the machine has
     int parent = 0;  // of a drawing process
@@ -121,6 +122,34 @@ void addBake(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     command->callback([&] { run = [&] { return runBake(arguments.bake); }; });
 }
 
+void addStudy(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
+    StudyArguments& study = arguments.study;
+    CLI::App* command =
+        app.add_subcommand("study", "Sweep scenes, their values and techniques; tables and plots of it");
+    command->require_subcommand(1);
+    const auto addCommon = [&](CLI::App& sub) {
+        sub.add_option("STUDY", study.study, "A study file or a name of validate/studies/")->required();
+        sub.add_option("-o", study.output, "Folder of its results (default: plumbline-out/study-NAME)")
+            ->type_name("DIR");
+        sub.add_flag("--yes", study.yes, "Also with more than 2000 cases");
+    };
+    CLI::App* sweep = command->add_subcommand("run", "Work out every case that isn't known yet");
+    addCommon(*sweep);
+    sweep->add_option("--jobs", study.jobs, "Cases at a time (default: as many as there are cores)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    sweep->add_option("--gl", study.glBackend, "auto, egl or osmesa")->type_name("BACKEND");
+    sweep->add_option("--device", study.glDevice, "EGL device")->check(CLI::Range(0, 1023))->type_name("N");
+    addThreads(*sweep, arguments);
+    sweep->callback([&] {
+        arguments.study.threads = arguments.threads;
+        run = [&] { return runStudy(arguments.study); };
+    });
+    CLI::App* report = command->add_subcommand("report", "Tables and plots of the cases worked out so far");
+    addCommon(*report);
+    report->callback([&] { run = [&] { return runStudyReport(arguments.study); }; });
+}
+
 /// Adds the commands to `app`; the one chosen stores what is to be run in `run`.
 void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     CLI::App* validate =
@@ -167,6 +196,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
     addBake(app, arguments, run);
+    addStudy(app, arguments, run);
 
     CLI::App* list = app.add_subcommand("list", "List scenes, techniques, metrics or kinds of baked maps");
     list->add_option("WHAT", arguments.listed, "scenes, techniques, metrics or bakes")->required();
@@ -180,6 +210,10 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     worker->add_option("PARENT", arguments.parent, "");
     worker->add_option("--threads", arguments.threads, "");
     worker->callback([&] { run = [&] { return runDrawWorker(arguments.parent); }; });
+    CLI::App* studyCase = app.add_subcommand(kStudyCaseCommand, "")->group(""); // hidden
+    studyCase->add_option("PARENT", arguments.parent, "");
+    studyCase->add_option("--threads", arguments.threads, "");
+    studyCase->callback([&] { run = [&] { return runStudyCase(arguments.parent); }; });
 }
 
 /// A message of CLI11 as one of ours, with a guess at what was meant.
@@ -203,7 +237,7 @@ InputError usageError(const CLI::App& app, const CLI::ParseError& error) {
 
 /// CLI11 would only say that a command is missing.
 void requireCommand(const CLI::App& app, const std::string& first) {
-    if (first == kDrawWorkerCommand) return;
+    if (first == kDrawWorkerCommand || first == kStudyCaseCommand) return;
     std::vector<std::string> names;
     for (const CLI::App* command : app.get_subcommands({}))
         if (!command->get_group().empty()) names.push_back(command->get_name());

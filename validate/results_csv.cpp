@@ -1,19 +1,10 @@
+#include "csv_text.h"
 #include "results.h"
 
 #include <fmt/format.h>
 
 namespace plumbline {
 namespace {
-
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"') result += '"';
-        result += c;
-    }
-    return result + "\"";
-}
 
 std::string cell(const MetricValue& entry) {
     if (const auto* count = std::get_if<uint64_t>(&entry.value)) return std::to_string(*count);
@@ -24,7 +15,7 @@ std::string cell(const MetricValue& entry) {
 /// Columns of one row: name and text. Built the same way for the head and for every row, so they can't part.
 struct Row {
     std::vector<std::pair<std::string, std::string>> cells;
-    void add(const std::string& name, const std::string& text) { cells.emplace_back(name, quoted(text)); }
+    void add(const std::string& name, const std::string& text) { cells.emplace_back(name, text); }
     void add(const std::string& prefix, const MetricValues& values) {
         for (const MetricValue& entry : values)
             cells.emplace_back(prefix + "." + entry.key, cell(entry));
@@ -71,12 +62,10 @@ Row makeRow(const Subject& subject, const std::string& object, const std::string
 }
 
 std::string textOf(const Row& row, bool head) {
-    std::string line;
-    for (size_t i = 0; i < row.cells.size(); ++i) {
-        if (i > 0) line += ",";
-        line += head ? row.cells[i].first : row.cells[i].second;
-    }
-    return line + "\r\n";
+    std::vector<std::string> texts;
+    for (const auto& [name, text] : row.cells)
+        texts.push_back(head ? name : text);
+    return csvLine(texts);
 }
 
 void addRows(std::string& csv, const Subject& subject, const std::string& object, const MetricSet& metrics,

@@ -21,6 +21,8 @@ inline constexpr const char* kDefaultScene = "small_torus";
 inline constexpr int kDefaultTimeLimitSeconds = 60, kLongestTimeLimitSeconds = 86400;
 /// By this command the program draws techniques for itself (worker/); --help doesn't list it.
 inline constexpr const char* kDrawWorkerCommand = "draw-worker";
+/// Likewise, for a case of a study.
+inline constexpr const char* kStudyCaseCommand = "study-case";
 
 struct ReferenceArguments {
     std::string scene = kDefaultScene;     // path or library name
@@ -70,6 +72,16 @@ struct BakeArguments {
     std::optional<uint64_t> rays;                // so many
 };
 
+struct StudyArguments {
+    std::string study;                           // path, or a name in validate/studies/
+    std::optional<std::filesystem::path> output; // folder
+    int jobs = 0;                                // cases at a time; 0: as many as there are cores
+    int threads = 0;                             // of all of them together; 0: all cores
+    bool yes = false;                            // also very many cases
+    std::string glBackend = "auto";
+    int glDevice = -1;
+};
+
 int runValidate(const ValidateArguments& arguments);
 int runReference(const ReferenceArguments& arguments);
 int runRealtime(const RealtimeArguments& arguments);
@@ -78,6 +90,10 @@ int runBake(const BakeArguments& arguments);
 /// `what`: scenes, techniques, metrics or bakes.
 int runList(const std::string& what);
 int runDoctor();
+int runStudy(const StudyArguments& arguments);
+int runStudyReport(const StudyArguments& arguments);
+/// `parent`: as for runDrawWorker.
+int runStudyCase(int parent);
 /// `parent`: the process that started this one and is served by it.
 int runDrawWorker(int parent);
 

@@ -35,19 +35,6 @@ size_t brokenPixels(const Frame& frame) {
 
 } // namespace
 
-Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progress& progress,
-                    ReferenceSummary& summary, std::unique_ptr<ReferenceScene>* kept) {
-    const char* where = options.base == Base::Proxy ? "reference on the proxy" : "reference";
-    progress.step(fmt::format("{}: tessellating", where));
-    auto reference = std::make_unique<ReferenceScene>(scene, options);
-    printWarnings(reference->stats().warnings);
-    progress.step(fmt::format("{}: tracing", where));
-    Frame frame = reference->render();
-    summary = summaryOf(reference->stats(), frame);
-    if (kept) *kept = std::move(reference);
-    return frame;
-}
-
 Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
                    TechniqueDrawer& drawer, const std::vector<MicroMesh>* microMeshes) {
     Trial trial;

@@ -1,16 +1,11 @@
-// What validate and study do for each frame: the reference drawn, a technique drawn and held against it.
+// What validate and study do for each technique: draw it, hold it against the reference.
 #pragma once
 
 #ifdef PLUMBLINE_GL
-#include "../../reference/reference.h"
 #include "shared.h"
 #include "technique_drawer.h"
 
 namespace plumbline {
-
-/// Draws the reference and says so; frees what drew it unless `kept` takes it.
-Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progress& progress,
-                    ReferenceSummary& summary, std::unique_ptr<ReferenceScene>* kept);
 
 /// One technique's frame and figures.
 struct Trial {

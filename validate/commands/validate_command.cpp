@@ -72,6 +72,20 @@ struct References {
     ReferenceSummary proxySummary;
 };
 
+/// Frees what drew the frame unless `kept` takes it.
+Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progress& progress,
+                    ReferenceSummary& summary, std::unique_ptr<ReferenceScene>* kept) {
+    const char* where = options.base == Base::Proxy ? "reference on the proxy" : "reference";
+    progress.step(fmt::format("{}: tessellating", where));
+    auto reference = std::make_unique<ReferenceScene>(scene, options);
+    printWarnings(reference->stats().warnings);
+    progress.step(fmt::format("{}: tracing", where));
+    Frame frame = reference->render();
+    summary = summaryOf(reference->stats(), frame);
+    if (kept) *kept = std::move(reference);
+    return frame;
+}
+
 /// The proxy goes first, so that its micro-triangles are gone before those on the limit surface, which the
 /// control technique may need, are made: memory never holds both.
 References drawReferences(const Scene& scene, ReferenceOptions options, BaseChoice choice,

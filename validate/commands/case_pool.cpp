@@ -1,0 +1,108 @@
+#include "case_pool.h"
+
+#include "../../scenes/error.h"
+#include "../worker/child_process.h"
+#include "../worker/serve_parent.h"
+#include "../worker/worker_descriptor.h"
+#include "commands.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <unistd.h>
+
+namespace plumbline {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::chrono::milliseconds
+    kEnding(5000); // a process whose end of the socket is closed is as good as gone
+
+/// "again": a later run is to try it again, for the reason may have gone.
+json failure(const std::string& text, bool again) {
+    return {{"error", text}, {"again", again}};
+}
+
+json replyOf(const StudyCase& studyCase, const CaseOptions& options) {
+    auto [socket, theirs] = MessageSocket::makePair();
+    ChildProcess process("/proc/self/exe",
+                         {"plumbline", kStudyCaseCommand, std::to_string(::getpid()), "--threads",
+                          std::to_string(options.threads)},
+                         theirs.descriptor(), kWorkerDescriptor);
+    theirs = MessageSocket(-1); // the process has its own; else its end would go unseen
+    try {
+        socket.send(caseRequest(studyCase, options));
+        const json reply = socket.receive();
+        if (!reply.contains("error")) return reply.at("result");
+        // Input stays wrong until someone changes it, and then the case has another name.
+        const json& error = reply.at("error");
+        return failure(error.at("text"), !error.at("is_input").get<bool>());
+    } catch (const ConnectionLost&) {
+        process.waitForEnd(kEnding);
+        return failure(fmt::format("its process ended ({})", process.howItEnded()), true);
+    }
+}
+
+json outcomeOf(const StudyCase& studyCase, const CaseOptions& options) {
+    const auto start = std::chrono::steady_clock::now();
+    json outcome = replyOf(studyCase, options);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    outcome["seconds"] = spent.count();
+    outcome["scene"] = studyCase.scene;
+    outcome["values"] = studyCase.values;
+    outcome["changes"] = studyCase.changes;
+    if (!outcome.contains("error")) outcome["error"] = nullptr;
+    return outcome;
+}
+
+} // namespace
+
+void runCases(const std::vector<StudyCase>& cases, int jobs, const CaseOptions& options,
+              const CaseDone& done) {
+    std::atomic<size_t> next{0};
+    std::mutex mutex;
+    std::exception_ptr problem;
+    // Linux ends a process with the thread that started it: each stays until its processes are done.
+    const auto work = [&] {
+        for (size_t i = next++; i < cases.size(); i = next++) {
+            try {
+                const json outcome = outcomeOf(cases[i], options);
+                const std::lock_guard lock(mutex);
+                if (!problem) done(cases[i], outcome);
+            } catch (...) {
+                const std::lock_guard lock(mutex);
+                problem = std::current_exception();
+                next = cases.size();
+            }
+        }
+    };
+    std::vector<std::thread> threads;
+    for (int i = 0; i < jobs; ++i)
+        threads.emplace_back(work);
+    for (std::thread& thread : threads)
+        thread.join();
+    if (problem) std::rethrow_exception(problem);
+}
+
+int serveStudyCase(int parent) {
+    return serveParent(parent, kStudyCaseCommand, [](const MessageSocket& socket) {
+        const json request = socket.receive();
+        try {
+            socket.send(json{{"result", runCase(request)}});
+        } catch (const InputError& error) {
+            socket.send(json{{"error", {{"text", error.what()}, {"is_input", true}}}});
+        } catch (const ConnectionLost&) {
+            throw;
+        } catch (const std::exception& error) {
+            socket.send(json{{"error", {{"text", error.what()}, {"is_input", false}}}});
+        }
+    });
+}
+
+} // namespace plumbline

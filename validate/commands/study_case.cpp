@@ -1,0 +1,146 @@
+#include "study_case.h"
+
+#include "../../realtime/technique.h"
+#include "../../scenes/content_hash.h"
+#include "../../scenes/data_folder.h"
+#include "../../scenes/error.h"
+#include "../../scenes/scene_metadata.h"
+#include "../frame_metadata.h"
+#include "trial.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The outcomes as results.json has them.
+json resultsOf(const Scene& scene, const ReferenceSummary& reference,
+               std::vector<TechniqueOutcome> outcomes) {
+    return json::parse(
+        toJson(Results{programName(), summaryOf(scene), "limit", reference, {}, std::move(outcomes)}));
+}
+
+size_t indexOf(const std::vector<std::string>& names, const std::string& name) {
+    return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// The second technique's frame held against the first's, as if that were the truth.
+json comparePair(const Trial& first, const Trial& second, const Scene& scene,
+                 const ReferenceSummary& reference) {
+    TechniqueOutcome outcome;
+    outcome.name = second.outcome.name;
+    for (const Trial* trial : {&first, &second})
+        if (trial->outcome.error) outcome.error = trial->outcome.error;
+    if (!outcome.error)
+        outcome.comparison = compareFrames(first.frame, second.frame, objectsOf(scene), scene.camera);
+    return resultsOf(scene, reference, {std::move(outcome)})["techniques"][0];
+}
+
+/// Contents of every file below a folder, in the order of their names.
+void addFolder(ContentHash& hash, const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        hash.add(file.filename().string());
+        hash.addFile(file);
+    }
+}
+
+} // namespace
+
+json caseRequest(const StudyCase& studyCase, const CaseOptions& options) {
+    std::vector<std::string> names;
+    for (const StudyTechnique& technique : studyCase.grid->techniques)
+        names.push_back(technique.name);
+    json pairs = json::array();
+    for (const StudyPair& pair : studyCase.grid->pairs) {
+        const auto nameOf = [&](const std::string& label) {
+            return std::find_if(studyCase.grid->techniques.begin(), studyCase.grid->techniques.end(),
+                                [&](const StudyTechnique& technique) { return technique.label == label; })
+                ->name;
+        };
+        pairs.push_back({nameOf(pair.first), nameOf(pair.second)});
+    }
+    return {{"scene", studyCase.sceneFile.native()},
+            {"changes", studyCase.changes},
+            {"techniques", names},
+            {"settings", studyCase.grid->settings},
+            {"pairs", pairs},
+            {"timing_budget_ms", studyCase.grid->timingBudgetMs},
+            {"memory", options.memory},
+            {"error_px", options.errorPx},
+            {"gl", options.glBackend},
+            {"device", options.glDevice},
+            {"threads", options.threads},
+            {"time_limit", options.timeLimitSeconds}};
+}
+
+json runCase(const json& request) {
+    const fs::path sceneFile = request.at("scene").get<std::string>();
+    const Scene scene = readScene(sceneFile, request.at("changes").get<SceneChanges>());
+    const auto names = request.at("techniques").get<std::vector<std::string>>();
+    const auto settings = parseSettings(request.at("settings").get<std::vector<std::string>>());
+    const std::vector<TechniqueRequest> techniques = chosenTechniques(names, settings);
+
+    ReferenceArguments referenceArguments;
+    referenceArguments.memory = request.at("memory").get<std::string>();
+    if (const std::string errorPx = request.at("error_px"); !errorPx.empty())
+        referenceArguments.errorPx = errorPx;
+    ReferenceOptions options = referenceOptions(referenceArguments);
+    options.microAttributes = std::any_of(techniques.begin(), techniques.end(), drawsMicroTriangles);
+    ReferenceScene reference(scene, options);
+    const Frame truth = reference.render();
+    const ReferenceSummary summary = summaryOf(reference.stats(), truth);
+
+    RealtimeArguments realtime;
+    realtime.glBackend = request.at("gl");
+    realtime.glDevice = request.at("device");
+    realtime.threads = request.at("threads");
+    realtime.timeLimitSeconds = request.at("time_limit");
+    WorkerOptions worker = workerOptions(sceneFile, scene, realtime);
+    worker.gl.timingBudgetMs = request.at("timing_budget_ms");
+    TechniqueDrawer drawer(scene, worker, techniques);
+    std::vector<Trial> trials;
+    json result{{"techniques", json::array()}, {"pairs", json::array()}};
+    for (size_t i = 0; i < techniques.size(); ++i) {
+        Trial& trial =
+            trials.emplace_back(tryTechnique(techniques[i], settings, drawer, &reference.microMeshes()));
+        if (!trial.outcome.error) compareTrial(trial, truth, scene);
+        json results = resultsOf(scene, summary, {trial.outcome});
+        result["techniques"].push_back({{"name", names[i]}, {"result", results["techniques"][0]}});
+        result["reference"] = results["reference"];
+    }
+    for (const json& pair : request.at("pairs")) {
+        const std::string first = pair.at(0), second = pair.at(1);
+        result["pairs"].push_back({{"first", first},
+                                   {"second", second},
+                                   {"result", comparePair(trials[indexOf(names, first)],
+                                                          trials[indexOf(names, second)], scene, summary)}});
+    }
+    return result;
+}
+
+std::string techniquesHash(const StudyGrid& grid) {
+    ContentHash hash;
+    const fs::path realtime = dataFolder() / "realtime";
+    addFolder(hash, realtime / "shaders");
+    addFolder(hash, realtime / "surfaces");
+    for (const StudyTechnique& technique : grid.techniques) {
+        hash.add(technique.name);
+        addFolder(hash, techniqueFolder(parseTechnique(technique.name).search));
+    }
+    for (const std::string& setting : grid.settings)
+        hash.add(setting);
+    for (const StudyPair& pair : grid.pairs)
+        hash.add(pair.first + "\n" + pair.second);
+    return hash.hexadecimal();
+}
+
+} // namespace plumbline

@@ -1,0 +1,14 @@
+// Text of comma-separated values, RFC 4180.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+/// In quotes where it needs them.
+std::string csvCell(const std::string& text);
+/// Ends with CR LF.
+std::string csvLine(const std::vector<std::string>& texts);
+
+} // namespace plumbline

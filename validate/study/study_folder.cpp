@@ -1,0 +1,78 @@
+#include "study_folder.h"
+
+#include "../../scenes/error.h"
+#include "../../scenes/read_file.h"
+#include "../../scenes/replace_file.h"
+#include "../output_files.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace plumbline {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr const char* kMark = "study.json";
+
+/// Name of the study whose results are there; nothing if there are none.
+std::optional<std::string> studyIn(const fs::path& folder) {
+    std::error_code error;
+    if (!fs::is_regular_file(folder / kMark, error)) return std::nullopt;
+    const json mark = json::parse(readWholeFile(folder / kMark), nullptr, false);
+    const bool good = mark.is_object() && mark.contains("study") && mark["study"].is_string();
+    if (!good) throw InputError((folder / kMark).string(), "is damaged", "another folder for the results");
+    return mark["study"].get<std::string>();
+}
+
+void refuseOther(const fs::path& folder, const std::string& found, const Study& study) {
+    if (found != study.name)
+        throw InputError(folder.string(), fmt::format("holds the results of study '{}'", found),
+                         fmt::format("those of '{}', or an empty folder", study.name), "-o names another");
+}
+
+} // namespace
+
+StudyFolder::StudyFolder(fs::path folder, const Study& study) : folder_(std::move(folder)) {
+    std::error_code error;
+    if (const auto found = studyIn(folder_))
+        refuseOther(folder_, *found, study);
+    else if (fs::is_directory(folder_, error) && !fs::is_empty(folder_, error))
+        throw InputError(folder_.string(), "holds files that are no study's",
+                         "an empty folder, or a new one");
+    requireWritableFolder(folder_);
+    requireWritableFolder(folder_ / "cases");
+    replaceFile(folder_ / kMark, json{{"study", study.name}}.dump() + "\n");
+}
+
+StudyFolder StudyFolder::open(fs::path folder, const Study& study) {
+    const auto found = studyIn(folder);
+    if (!found)
+        throw InputError(folder.string(), "holds no results of a study",
+                         fmt::format("the folder of 'plumbline study run {}'", study.name));
+    refuseOther(folder, *found, study);
+    return StudyFolder(std::move(folder));
+}
+
+fs::path StudyFolder::fileOf(const StudyCase& studyCase) const {
+    return folder_ / "cases" / (studyCase.id + ".json");
+}
+
+std::optional<json> StudyFolder::outcomeOf(const StudyCase& studyCase) const {
+    std::error_code error;
+    const fs::path file = fileOf(studyCase);
+    if (!fs::is_regular_file(file, error)) return std::nullopt;
+    json outcome = json::parse(readWholeFile(file), nullptr, false);
+    // Written whole or not at all: a damaged one was damaged by something else, and is made again.
+    if (!outcome.is_object() || !outcome.contains("error") || outcome.value("again", false))
+        return std::nullopt;
+    return outcome;
+}
+
+void StudyFolder::store(const StudyCase& studyCase, const json& outcome) const {
+    replaceFile(fileOf(studyCase), outcome.dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+}
+
+} // namespace plumbline

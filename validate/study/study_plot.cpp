@@ -1,0 +1,159 @@
+#include "study_plot.h"
+
+#include "../../scenes/error.h"
+#include "../../scenes/replace_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace plumbline {
+namespace {
+
+// Told apart also by those who see no red or green, and by point shapes: Okabe and Ito 2008, without the yellow, which
+// is pale on white.
+const std::vector<std::string> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                       "#56b4e9", "#e69f00", "#000000"};
+
+constexpr int kPanelWidth = 340, kPanelHeight = 260, kPanelsInRow = 3, kHead = 60; // pixels
+
+std::string quoted(const std::string& text) {
+    std::string result = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') result += '\\';
+        result += c == '\n' ? ' ' : c;
+    }
+    return result + "\"";
+}
+
+/// Values of an axis as numbers; where one isn't, their places 1, 2, 3.
+struct Positions {
+    std::vector<std::string> texts;
+    std::vector<double> numbers;
+    bool named = false;
+
+    explicit Positions(std::vector<std::string> values) : texts(std::move(values)) {
+        for (const std::string& text : texts) {
+            char* end = nullptr;
+            numbers.push_back(std::strtod(text.c_str(), &end));
+            named |= text.empty() || *end != '\0';
+        }
+        if (!named) return;
+        for (size_t i = 0; i < numbers.size(); ++i)
+            numbers[i] = static_cast<double>(i + 1);
+    }
+    std::string tics() const {
+        std::string list;
+        for (size_t i = 0; i < texts.size(); ++i)
+            list += fmt::format("{}{} {}", i > 0 ? ", " : "", quoted(texts[i]), numbers[i]);
+        return fmt::format("set xtics ({})\n", list);
+    }
+};
+
+/// A grouping's values in the study's order, those only that rows have.
+std::vector<std::string> present(const StudyGrid& grid, const std::string& grouping,
+                                 const std::vector<StudyRow>& rows, const StudyRows& choice) {
+    std::vector<std::string> values = groupValues(grid, grouping);
+    std::erase_if(values, [&](const std::string& value) {
+        return std::none_of(rows.begin(), rows.end(), [&](const StudyRow& row) {
+            return isChosen(row, choice) && row.figures.contains(choice.figure) &&
+                   groupOf(row, grouping) == value;
+        });
+    });
+    return values;
+}
+
+/// The lines of one panel: data blocks first, then the plot command.
+std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const std::vector<StudyRow>& rows,
+                        const Positions& x, const std::vector<std::string>& lines, size_t panel) {
+    const StudyCells cells = cellsOf(rows, choice, plot.lines, plot.x);
+    std::string data, command;
+    for (size_t line = 0; line < lines.size(); ++line) {
+        std::string points;
+        for (size_t i = 0; i < x.texts.size(); ++i) {
+            const auto found = cells.values.find({lines[line], x.texts[i]});
+            const bool drawable = found != cells.values.end() && (!plot.logY || found->second > 0);
+            if (drawable) points += fmt::format("{} {}\n", x.numbers[i], found->second);
+        }
+        if (points.empty()) continue;
+        const std::string block = fmt::format("$p{}l{}", panel, line);
+        data += fmt::format("{} << EOD\n{}EOD\n", block, points);
+        command += fmt::format("{}{} using 1:2 with linespoints lw 1.5 pt {} ps 0.6 lc rgb \"{}\" notitle",
+                               command.empty() ? "plot " : ", ", block, 4 + 2 * (line % 5) + line / 5,
+                               kColors[line % kColors.size()]);
+    }
+    if (command.empty()) return "set multiplot next\n";
+    return data + command + "\n";
+}
+
+} // namespace
+
+std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
+                          const std::string& file) {
+    const StudyGrid& grid = gridNamed(study, plot.data.grid);
+    const Positions x(groupValues(grid, plot.x));
+    const std::vector<std::string> lines = present(grid, plot.lines, rows, plot.data);
+    const std::vector<std::string> panels =
+        plot.panels.empty() ? std::vector<std::string>{""} : present(grid, plot.panels, rows, plot.data);
+    if (lines.empty() || panels.empty()) return {};
+    const int columns = std::min<int>(kPanelsInRow, static_cast<int>(panels.size()));
+    const int panelRows = (static_cast<int>(panels.size()) + columns - 1) / columns;
+    const int height = panelRows * kPanelHeight + kHead,
+              width = std::max(columns * kPanelWidth, 2 * kPanelWidth);
+    // Above the panels the title, and the key of all of them.
+    const double top = 1 - static_cast<double>(kHead) / height;
+    std::string script =
+        fmt::format("set terminal svg size {},{} font \"sans-serif,12\" noenhanced background \"#ffffff\"\n"
+                    "set output {}\n"
+                    "set label 1 {} at screen 0.5,{:.4f} center font \"sans-serif,14\"\n",
+                    width, height, quoted(file), quoted(plot.title), 1 - 14.0 / height);
+    for (size_t i = 0; i < lines.size(); ++i)
+        script += fmt::format(
+            "set label {} {} at screen {:.4f},{:.4f} left textcolor rgb \"{}\" point pt {} ps 0.8 lc rgb "
+            "\"{}\" offset 1,0\n",
+            i + 2, quoted(lines[i]), 0.03 + 0.94 * static_cast<double>(i) / static_cast<double>(lines.size()),
+            1 - 40.0 / height, kColors[i % kColors.size()], 4 + 2 * (i % 5) + i / 5,
+            kColors[i % kColors.size()]);
+    script += fmt::format("set multiplot layout {},{} margins 0.08,0.98,{:.4f},{:.4f} spacing 0.09,{:.4f}\n",
+                          panelRows, columns, 50.0 / height, top - 20.0 / height, 75.0 / height);
+    script += "set grid lc rgb \"#dddddd\"\nset border lc rgb \"#444444\"\nset offsets graph 0.03, graph "
+              "0.03, 0, 0\n";
+    script += fmt::format("set xlabel {}\nset ylabel {} offset 1.5,0\nset format y \"%g\"\n", quoted(plot.x),
+                          quoted(plot.data.statistic + " " + plot.data.figure));
+    if (plot.logX && !x.named) script += "set logscale x\n";
+    if (plot.logY) script += "set logscale y\n";
+    script += x.tics();
+    for (size_t panel = 0; panel < panels.size(); ++panel) {
+        StudyRows choice = plot.data;
+        if (!plot.panels.empty()) choice.where[plot.panels] = {panels[panel]};
+        script += fmt::format("set title {} offset 0,-0.6\n", quoted(panels[panel]));
+        script += panelScript(plot, choice, rows, x, lines, panel);
+        if (panel == 0) script += fmt::format("unset for [i=1:{}] label i\n", lines.size() + 1);
+    }
+    return script + "unset multiplot\nset output\n";
+}
+
+void requireGnuplot() {
+    if (std::system("gnuplot --version >/dev/null 2>&1") != 0)
+        throw MachineError("study report", "gnuplot isn't there",
+                           "it for the plots: apt install gnuplot-nox");
+}
+
+bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
+              const std::filesystem::path& file) {
+    if (gnuplotScript(study, plot, rows, file.string()).empty()) return false;
+    replaceFile(file, [&](const std::filesystem::path& temporary) {
+        const std::string script = gnuplotScript(study, plot, rows, temporary.string());
+        FILE* gnuplot = ::popen("gnuplot", "w");
+        const bool written = gnuplot && std::fputs(script.c_str(), gnuplot) >= 0;
+        const int status = gnuplot ? ::pclose(gnuplot) : -1;
+        if (!written || status != 0 || !std::filesystem::exists(temporary))
+            throw MachineError("gnuplot", fmt::format("plot '{}' failed", plot.name), "gnuplot 5 or later");
+    });
+    return true;
+}
+
+} // namespace plumbline

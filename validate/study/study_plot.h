@@ -1,0 +1,20 @@
+// Plots of a study, as SVG, by gnuplot (Debian's gnuplot-nox).
+#pragma once
+
+#include "study_results.h"
+
+namespace plumbline {
+
+/// Throws MachineError if gnuplot isn't there.
+void requireGnuplot();
+
+/// Draws one plot to `file`. Throws InputError for a figure that no row has, MachineError if gnuplot fails. False: no row is chosen, nothing
+/// was drawn.
+bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
+              const std::filesystem::path& file);
+
+/// What it reads: for tests, and for whoever wants another size.
+std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
+                          const std::string& file);
+
+} // namespace plumbline

@@ -1,0 +1,162 @@
+#include "study_report.h"
+
+#include "../../scenes/data_folder.h"
+#include "../../scenes/error.h"
+#include "../../scenes/read_file.h"
+#include "../../scenes/replace_file.h"
+#include "../../scenes/scene_metadata.h"
+#include "../output_files.h"
+#include "study_plot.h"
+
+#include <fmt/format.h>
+#include <kainjow/mustache.hpp>
+
+#include <algorithm>
+#include <set>
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+using kainjow::mustache::data;
+
+/// A table's texts: head and rows, the first cell of each the group's name.
+struct TableTexts {
+    std::string title, note;
+    std::vector<std::string> head;
+    std::vector<std::vector<std::string>> rows;
+};
+
+std::string describeWhere(const StudyRows& choice) {
+    std::string text = fmt::format("{} of {}", choice.statistic, choice.figure);
+    if (choice.against != "reference") text += ", against " + choice.against;
+    for (const auto& [key, values] : choice.where)
+        text += fmt::format("; {} {}", key, fmt::join(values, ", "));
+    return text;
+}
+
+TableTexts textsOf(const Study& study, const StudyTable& table, const std::vector<StudyRow>& rows) {
+    const StudyGrid& grid = gridNamed(study, table.data.grid);
+    const StudyCells cells = cellsOf(rows, table.data, table.rows, table.columns);
+    std::set<std::string> usedRows, usedColumns;
+    for (const auto& [key, value] : cells.values) {
+        usedRows.insert(key.first);
+        usedColumns.insert(key.second);
+    }
+    TableTexts texts{table.title, describeWhere(table.data), {table.rows + " \\ " + table.columns}, {}};
+    for (const std::string& column : groupValues(grid, table.columns))
+        if (usedColumns.contains(column)) texts.head.push_back(column);
+    for (const std::string& name : groupValues(grid, table.rows)) {
+        if (!usedRows.contains(name)) continue;
+        std::vector<std::string> line{name};
+        for (const std::string& column : groupValues(grid, table.columns)) {
+            if (!usedColumns.contains(column)) continue;
+            const auto found = cells.values.find({name, column});
+            line.push_back(found == cells.values.end() ? "–" : fmt::format("{:.4g}", found->second));
+        }
+        texts.rows.push_back(std::move(line));
+    }
+    return texts;
+}
+
+std::string markdownOf(const TableTexts& table) {
+    const auto cell = [](std::string text) {
+        for (size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+            text.insert(at, "\\");
+        return text;
+    };
+    const auto line = [&](const std::vector<std::string>& texts) {
+        std::string result = "|";
+        for (const std::string& text : texts)
+            result += " " + cell(text) + " |";
+        return result + "\n";
+    };
+    std::string text = fmt::format("### {}\n\n{}.\n\n", table.title, table.note) + line(table.head) + "|";
+    for (size_t i = 0; i < table.head.size(); ++i)
+        text += i == 0 ? "---|" : "--:|";
+    text += "\n";
+    for (const auto& row : table.rows)
+        text += line(row);
+    return text + "\n";
+}
+
+data listOfTexts(const std::vector<std::string>& texts) {
+    data list{data::type::list};
+    for (const std::string& text : texts) {
+        data entry{data::type::object};
+        entry.set("text", text);
+        list << entry;
+    }
+    return list;
+}
+
+data dataOf(const TableTexts& table) {
+    data entry{data::type::object};
+    entry.set("title", table.title);
+    entry.set("note", table.note);
+    entry.set("head", listOfTexts(table.head));
+    data rows{data::type::list};
+    for (const auto& row : table.rows) {
+        data line{data::type::object};
+        line.set("name", row.front());
+        line.set("cells", listOfTexts({row.begin() + 1, row.end()}));
+        rows << line;
+    }
+    entry.set("rows", rows);
+    return entry;
+}
+
+/// Failures, each once with the number of times it came.
+std::vector<std::string> errorsOf(const std::vector<StudyRow>& rows) {
+    std::map<std::string, size_t> counts;
+    for (const StudyRow& row : rows)
+        if (!row.error.empty())
+            ++counts[row.technique.empty() ? row.error : row.technique + ": " + row.error];
+    std::vector<std::string> texts;
+    for (const auto& [error, count] : counts)
+        texts.push_back(fmt::format("{} × {}", count, error));
+    return texts;
+}
+
+} // namespace
+
+void writeStudyReport(const Study& study, const std::vector<StudyRow>& rows, size_t cases, size_t missing,
+                      const fs::path& folder) {
+    if (!study.plots.empty()) requireGnuplot();
+    requireWritableFolder(folder);
+    data page{data::type::object};
+    page.set("title", study.title);
+    page.set("purpose", study.purpose);
+    page.set("program", programName());
+    page.set("cases", std::to_string(cases));
+    if (missing > 0) page.set("missing", std::to_string(missing));
+    page.set("errors", listOfTexts(errorsOf(rows)));
+
+    data plots{data::type::list}, tables{data::type::list};
+    for (const StudyPlot& plot : study.plots) {
+        const std::string file = plot.name + ".svg";
+        if (!drawPlot(study, plot, rows, folder / file)) continue;
+        data entry{data::type::object};
+        entry.set("title", plot.title);
+        entry.set("note", describeWhere(plot.data));
+        entry.set("file", file);
+        plots << entry;
+    }
+    std::string markdown;
+    for (const StudyTable& table : study.tables) {
+        const TableTexts texts = textsOf(study, table, rows);
+        if (texts.rows.empty()) continue;
+        markdown += markdownOf(texts);
+        tables << dataOf(texts);
+    }
+    page.set("plots", plots);
+    page.set("tables", tables);
+    const fs::path layoutFile = dataFolder() / "validate" / "report" / "study.mustache";
+    kainjow::mustache::mustache layout(readWholeFile(layoutFile));
+    if (!layout.is_valid())
+        throw MachineError(layoutFile.string(), layout.error_message(), "a valid template");
+    replaceFile(folder / "tables.md", markdown);
+    replaceFile(folder / "index.html", layout.render(page));
+}
+
+} // namespace plumbline
