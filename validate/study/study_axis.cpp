@@ -25,8 +25,7 @@ std::vector<std::string> valuesOfRange(const TomlTable& table) {
         const double t = static_cast<double>(i) / (steps - 1);
         const double value =
             log ? range.x * std::pow(range.y / range.x, t) : range.x + t * (range.y - range.x);
-        values.push_back(
-            fmt::format("{:.6g}", value)); // six digits: what one would write, and what tables show
+        values.push_back(fmt::format("{:.9g}", value)); // without the noise of the last digits
     }
     return values;
 }

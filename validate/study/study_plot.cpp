@@ -18,7 +18,16 @@ namespace {
 const std::vector<std::string> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                        "#56b4e9", "#e69f00", "#000000"};
 
-constexpr int kPanelWidth = 340, kPanelHeight = 260, kPanelsInRow = 3, kHead = 60; // pixels
+constexpr int kPanelWidth = 340, kPanelHeight = 260, kPanelsInRow = 3, kHead = 64; // pixels
+
+const std::string& colorOf(size_t line) {
+    return kColors[line % kColors.size()];
+}
+
+/// Of gnuplot's svg terminal: hollow squares, circles, triangles …, then filled ones.
+size_t pointOf(size_t line) {
+    return 4 + 2 * (line % 5) + line / 5 % 2;
+}
 
 std::string quoted(const std::string& text) {
     std::string result = "\"";
@@ -51,6 +60,16 @@ struct Positions {
             list += fmt::format("{}{} {}", i > 0 ? ", " : "", quoted(texts[i]), numbers[i]);
         return fmt::format("set xtics ({})\n", list);
     }
+    /// All of them, with a little room.
+    std::string range(bool log) const {
+        const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
+        if (log && *low > 0) {
+            const double room = std::pow(*high / *low, 0.05) + (*high > *low ? 0 : 1);
+            return fmt::format("set xrange [{}:{}]\n", *low / room, *high * room);
+        }
+        const double room = *high > *low ? 0.05 * (*high - *low) : 1;
+        return fmt::format("set xrange [{}:{}]\n", *low - room, *high + room);
+    }
 };
 
 /// A grouping's values in the study's order, those only that rows have.
@@ -82,8 +101,7 @@ std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const st
         const std::string block = fmt::format("$p{}l{}", panel, line);
         data += fmt::format("{} << EOD\n{}EOD\n", block, points);
         command += fmt::format("{}{} using 1:2 with linespoints lw 1.5 pt {} ps 0.6 lc rgb \"{}\" notitle",
-                               command.empty() ? "plot " : ", ", block, 4 + 2 * (line % 5) + line / 5,
-                               kColors[line % kColors.size()]);
+                               command.empty() ? "plot " : ", ", block, pointOf(line), colorOf(line));
     }
     if (command.empty()) return "set multiplot next\n";
     return data + command + "\n";
@@ -103,35 +121,35 @@ std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::
     const int panelRows = (static_cast<int>(panels.size()) + columns - 1) / columns;
     const int height = panelRows * kPanelHeight + kHead,
               width = std::max(columns * kPanelWidth, 2 * kPanelWidth);
-    // Above the panels the title, and the key of all of them.
-    const double top = 1 - static_cast<double>(kHead) / height;
-    std::string script =
-        fmt::format("set terminal svg size {},{} font \"sans-serif,12\" noenhanced background \"#ffffff\"\n"
-                    "set output {}\n"
-                    "set label 1 {} at screen 0.5,{:.4f} center font \"sans-serif,14\"\n",
-                    width, height, quoted(file), quoted(plot.title), 1 - 14.0 / height);
+    // Above the panels the title, what is drawn, and the key of all of them.
+    std::string script = fmt::format(
+        "set terminal svg size {},{} font \"sans-serif,12\" noenhanced background \"#ffffff\"\nset output "
+        "{}\n"
+        "set label 1 {} at screen 0.5,{:.4f} center font \"sans-serif,14\"\n"
+        "set label 2 {} at screen 0.5,{:.4f} center textcolor rgb \"#555555\"\n",
+        width, height, quoted(file), quoted(plot.title), 1 - 14.0 / height,
+        quoted(plot.data.statistic + " of " + plot.data.figure + " over " + plot.x), 1 - 32.0 / height);
     for (size_t i = 0; i < lines.size(); ++i)
-        script += fmt::format(
-            "set label {} {} at screen {:.4f},{:.4f} left textcolor rgb \"{}\" point pt {} ps 0.8 lc rgb "
-            "\"{}\" offset 1,0\n",
-            i + 2, quoted(lines[i]), 0.03 + 0.94 * static_cast<double>(i) / static_cast<double>(lines.size()),
-            1 - 40.0 / height, kColors[i % kColors.size()], 4 + 2 * (i % 5) + i / 5,
-            kColors[i % kColors.size()]);
-    script += fmt::format("set multiplot layout {},{} margins 0.08,0.98,{:.4f},{:.4f} spacing 0.09,{:.4f}\n",
-                          panelRows, columns, 50.0 / height, top - 20.0 / height, 75.0 / height);
-    script += "set grid lc rgb \"#dddddd\"\nset border lc rgb \"#444444\"\nset offsets graph 0.03, graph "
-              "0.03, 0, 0\n";
-    script += fmt::format("set xlabel {}\nset ylabel {} offset 1.5,0\nset format y \"%g\"\n", quoted(plot.x),
-                          quoted(plot.data.statistic + " " + plot.data.figure));
+        script += fmt::format("set label {} {} at screen {:.4f},{:.4f} left textcolor rgb \"{}\" point pt {} "
+                              "ps 0.8 lc rgb \"{}\" offset 1,0\n",
+                              i + 3, quoted(lines[i]),
+                              0.03 + 0.94 * static_cast<double>(i) / static_cast<double>(lines.size()),
+                              1 - 56.0 / height, colorOf(i), pointOf(i), colorOf(i));
+    script += fmt::format("set multiplot layout {},{} margins 0.07,0.98,{:.4f},{:.4f} spacing 0.07,{:.4f}\n",
+                          panelRows, columns, 32.0 / height, 1 - (kHead + 24.0) / height, 62.0 / height);
+    script += "set grid lc rgb \"#dddddd\"\nset border lc rgb \"#444444\"\nset tics font "
+              "\"sans-serif,10\"\nset format y \"%g\"\n";
     if (plot.logX && !x.named) script += "set logscale x\n";
     if (plot.logY) script += "set logscale y\n";
-    script += x.tics();
+    script += x.tics() + x.range(plot.logX && !x.named);
     for (size_t panel = 0; panel < panels.size(); ++panel) {
         StudyRows choice = plot.data;
         if (!plot.panels.empty()) choice.where[plot.panels] = {panels[panel]};
-        script += fmt::format("set title {} offset 0,-0.6\n", quoted(panels[panel]));
+        const bool isValue = plot.panels != "scene" && plot.panels != "technique" && !plot.panels.empty();
+        script += fmt::format("set title {} offset 0,-0.7\n",
+                              quoted(isValue ? plot.panels + " " + panels[panel] : panels[panel]));
         script += panelScript(plot, choice, rows, x, lines, panel);
-        if (panel == 0) script += fmt::format("unset for [i=1:{}] label i\n", lines.size() + 1);
+        if (panel == 0) script += fmt::format("unset for [i=1:{}] label i\n", lines.size() + 2);
     }
     return script + "unset multiplot\nset output\n";
 }

@@ -1,0 +1,170 @@
+// Studies as a user runs them: interrupted, killed, gone on with, with cases that fail.
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <gmock/gmock.h>
+
+namespace plumbline::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class StudyRun : public EndToEnd {
+  protected:
+    /// Cases of `width` pixels: one of each of the torus' depths.
+    void writeStudy(const std::string& depths, const std::string& width = "48") const {
+        writeFile(folder_ / "tiny.toml", R"(title = "Tiny"
+purpose = "For tests"
+memory = "64M"
+[[grid]]
+name = "main"
+scenes = ["small.toml"]
+scene_set = ["camera.height=36", "camera.width=)" +
+                                             width +
+                                             R"("]
+[[grid.axis]]
+name = "depth"
+field = "object.torus.relief.depth"
+values = [)" + depths + R"(]
+[[grid.technique]]
+label = "linear"
+name = "linear:linear_steps=4"
+[[grid.technique]]
+label = "binary"
+name = "linear_binary"
+[[grid.pair]]
+first = "binary"
+second = "linear"
+[[table]]
+title = "Depth"
+rows = "technique"
+columns = "depth"
+figure = "depth.rmse"
+)");
+        writeSmallScene();
+    }
+    size_t caseFiles() const {
+        const auto files = filesBelow(folder_ / "out" / "cases");
+        return static_cast<size_t>(std::count_if(
+            files.begin(), files.end(), [](const std::string& file) { return file.ends_with(".json"); }));
+    }
+};
+
+/// Lines of a CSV file that have `text`.
+size_t linesWith(const std::string& csv, const std::string& text) {
+    size_t count = 0;
+    for (size_t begin = 0; begin < csv.size();) {
+        const size_t end = std::min(csv.find('\n', begin), csv.size());
+        count += csv.substr(begin, end - begin).find(text) != std::string::npos;
+        begin = end + 1;
+    }
+    return count;
+}
+
+TEST_F(StudyRun, WorksOutEachCaseOnceAndReportsThem) {
+    writeStudy("0.02, 0.05");
+    const Outcome first = run({"study", "run", "tiny.toml", "-o", "out"});
+    ASSERT_EQ(first.exitCode, 0) << first.err;
+    EXPECT_THAT(first.out, HasSubstr("2 cases: 2 worked out in"));
+    const std::string csv = readFile(folder_ / "out/results.csv");
+    EXPECT_EQ(linesWith(csv, ",linear,reference,"), 2u);
+    EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
+    EXPECT_EQ(linesWith(csv, ",linear,binary,"), 2u); // the pair
+    EXPECT_EQ(linesWith(csv, "small.toml,0.05,"), 3u);
+
+    writeStudy("0.02, 0.05, 0.1");
+    EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out, HasSubstr("3 cases: 1 worked out in"));
+    const Outcome again = run({"study", "run", "tiny.toml", "-o", "out"});
+    EXPECT_THAT(again.out, HasSubstr("3 cases: 0 worked out in 0 s, 3 known before, 0 failed"));
+
+    const Outcome report = run({"study", "report", "tiny.toml", "-o", "out"});
+    EXPECT_EQ(report.out, "out/report/index.html\n") << report.err;
+    EXPECT_THAT(readFile(folder_ / "out/report/index.html"), HasSubstr("<th scope=\"row\">binary</th>"));
+}
+
+TEST_F(StudyRun, AFailingCaseIsRecordedAndTheOthersRunOn) {
+    writeStudy("0.02, -1, 0.05");
+    const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_THAT(outcome.out, HasSubstr("3 cases: 3 worked out"));
+    EXPECT_THAT(outcome.out, HasSubstr("1 failed"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("--scene-set object.torus.relief.depth=-1: is -1; expected a number from 0"));
+    const std::string csv = readFile(folder_ / "out/results.csv");
+    EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
+    EXPECT_EQ(linesWith(csv, "is -1; expected"), 1u);
+    // What was wrong is still wrong: not tried again.
+    EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out,
+                HasSubstr("0 worked out in 0 s, 3 known before, 1 failed"));
+}
+
+TEST_F(StudyRun, KilledItGoesOnWhereItWas) {
+    // Pictures that take about a second each.
+    writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09", "4000");
+    const Running running = startProgram({"study", "run", "tiny.toml", "-o", "out", "--jobs", "1"}, folder_);
+    ASSERT_TRUE(waitUntil([&] { return caseFiles() >= 2; }, 60));
+    const std::vector<pid_t> children = childrenOf(running.process);
+    ASSERT_EQ(sendSignal(running.process, SIGKILL), 0);
+    EXPECT_EQ(finish(running).signal, SIGKILL);
+    for (const pid_t child : children)
+        EXPECT_TRUE(waitUntil([&] { return isGone(child); }, 10)) << "a case outlives its study";
+    const size_t known = caseFiles();
+    ASSERT_LT(known, 8u) << "all done before it was killed";
+    const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(8 - known) + " worked out"));
+    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(known) + " known before, 0 failed"));
+}
+
+TEST_F(StudyRun, InterruptedItEndsAtOnce) {
+    writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09", "4000");
+    const Running running = startProgram({"study", "run", "tiny.toml", "-o", "out"}, folder_, {}, true);
+    ASSERT_TRUE(waitUntil([&] { return caseFiles() >= 1; }, 60));
+    const std::vector<pid_t> children = childrenOf(running.process);
+    ASSERT_EQ(sendSignalToGroup(running.process, SIGINT), 0);
+    EXPECT_TRUE(waitUntil([&] { return isGone(running.process); }, 2));
+    EXPECT_EQ(finish(running).signal, SIGINT);
+    for (const pid_t child : children)
+        EXPECT_TRUE(waitUntil([&] { return isGone(child); }, 10));
+    // What was finished can be shown.
+    EXPECT_EQ(run({"study", "report", "tiny.toml", "-o", "out"}).exitCode, 0);
+    EXPECT_THAT(readFile(folder_ / "out/report/index.html"), HasSubstr("cases have no results yet"));
+}
+
+TEST_F(StudyRun, BadStudiesAreRefusedBeforeAnythingIsDone) {
+    const auto errorOf = [&](const std::vector<std::string>& arguments) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.exitCode, 2);
+        EXPECT_EQ(outcome.out, "");
+        return outcome.err;
+    };
+    writeStudy("0.02");
+    const std::string study = readFile(folder_ / "tiny.toml");
+    writeFile(folder_ / "tiny.toml", withLine(study, "values = [0.02]", "values = [0.02]\nfiled = 3"));
+    EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
+                HasSubstr("grid.axis.filed: unknown field"));
+    writeFile(folder_ / "tiny.toml", withLine(study, "name = \"linear_binary\"", "name = \"linear_binry\""));
+    EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
+                HasSubstr("did you mean 'linear_binary'?"));
+    writeFile(folder_ / "tiny.toml",
+              withLine(study, "values = [0.02]", "range = [0.01, 1]\nsteps = 1000000"));
+    EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
+                HasSubstr("tiny.toml: has 1000000 cases; expected at most 2000 without --yes"));
+    writeFile(folder_ / "tiny.toml", study);
+    EXPECT_EQ(filesBelow(folder_).size(), 2u); // study and scene: nothing was left behind
+    EXPECT_EQ(errorOf({"study", "report", "tiny.toml", "-o", "out"}),
+              "out: holds no results of a study; expected the folder of 'plumbline study run tiny'\n");
+    EXPECT_THAT(errorOf({"study", "run", "nosuch"}),
+                HasSubstr("neither a file nor a study is called 'nosuch'"));
+    writeFile(folder_ / "other.toml", study);
+    ASSERT_EQ(run({"study", "run", "other.toml", "-o", "out"}).exitCode, 0);
+    EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
+                HasSubstr("holds the results of study 'other'"));
+    EXPECT_THAT(errorOf({"study-case", "1"}), HasSubstr("'study-case' is for the program itself"));
+}
+
+} // namespace
+} // namespace plumbline::test
