@@ -1,6 +1,7 @@
 #include "face_role.h"
 
 #include "../scenes/camera.h"
+#include "../scenes/displaced_surface.h"
 #include "edge_screen.h"
 
 #include <tbb/parallel_for.h>
@@ -69,8 +70,9 @@ bool shadowReaches(const Ball& ball, const Light& light, const std::vector<Halfs
 class Placer {
   public:
     Placer(const Scene& scene, const BaseSurface& surface, const Relief* relief)
-        : scene_(scene), surface_(surface), rays_(scene.camera), screen_(Screen::ofCamera(scene.camera)),
-          volume_(viewVolume(scene.camera)), closed_(isClosed(surface)) {
+        : scene_(scene), surface_(surface), relief_(relief), rays_(scene.camera),
+          screen_(Screen::ofCamera(scene.camera)), volume_(viewVolume(scene.camera)),
+          hidesBacks_(isClosed(surface) && !(relief && relief->axisWorld)) {
         if (!relief) return;
         low_ = relief->offset - relief->depth * relief->map->mostDepth();
         high_ = relief->offset - relief->depth * relief->map->leastDepth();
@@ -80,12 +82,12 @@ class Placer {
         FacePlace result;
         Bounds bounds;
         std::vector<Vec3> points;
-        bool turnedAway = closed_;
+        bool turnedAway = hidesBacks_;
         for (const auto& at : surface_.tessellateFace(face, kLooks).samples) {
             evaluator.setPatch(at.patch);
             const BasePoint base = evaluator.point(at.u, at.v);
             for (const double height : {low_, high_}) {
-                points.push_back(base.position + base.normal * height);
+                points.push_back(base.position + reliefDirection(base, relief_) * height);
                 bounds.add(points.back());
             }
             turnedAway &= glm::dot(base.normal, rays_.towardsCamera(base.position)) < kTurnedAway;
@@ -130,10 +132,11 @@ class Placer {
 
     const Scene& scene_;
     const BaseSurface& surface_;
+    const Relief* relief_;
     CameraRays rays_;
     Screen screen_;
     std::vector<Halfspace> volume_;
-    bool closed_;
+    bool hidesBacks_; // closed, and P faces about where its base does: along an axis it may face anywhere
     double low_ = 0, high_ = 0;
 };
 

@@ -20,7 +20,7 @@ struct FacePlace {
 };
 
 /// Per face of one object. Judged from spheres around the faces with all their relief can reach. A closed object's faces that turn
-/// away from the camera everywhere, by more than kTurnedAway, count as not seen.
+/// away from the camera everywhere, by more than kTurnedAway, count as not seen, unless its relief goes along an axis.
 std::vector<FacePlace> placeFaces(const Scene& scene, const BaseSurface& surface, const Relief* relief);
 
 } // namespace plumbline

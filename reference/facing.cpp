@@ -50,15 +50,17 @@ double reachAlongSurface(double errorWorld, double cosine) {
 
 bool facesThroughout(const BaseSample& base, const Relief* relief, double radiusWorld, const Vec3& towards,
                      double side) {
-    const double area = glm::length(glm::cross(base.positionU, base.positionV));
-    const double lengthU = glm::length(base.positionU), lengthV = glm::length(base.positionV);
+    const ReliefDirection k = sampleReliefDirection(base, relief);
+    const AcrossRelief across = tangentsAcross(base, relief);
+    const double area = glm::length(glm::cross(across.byU, across.byV));
+    const double lengthU = glm::length(across.byU), lengthV = glm::length(across.byV);
     if (!(area > 0)) return false;
     // How far u and v go within the radius.
     const double reachU = radiusWorld * lengthV / area, reachV = radiusWorld * lengthU / area;
     const double turn = glm::length(base.normalU) * reachU + glm::length(base.normalV) * reachV;
     const Vec2 st = textureCoordinates(base, relief);
     const double height = displacement(st, relief);
-    const Vec3 a = base.positionU + base.normalU * height, b = base.positionV + base.normalV * height;
+    const Vec3 a = base.positionU + k.alongU * height, b = base.positionV + k.alongV * height;
     const double level = side * glm::dot(glm::cross(a, b), towards);
     const double margin = turn * glm::length(a) * glm::length(b);
     if (!relief || relief->map->leastDepth() == relief->map->mostDepth()) return level > margin;
@@ -70,8 +72,8 @@ bool facesThroughout(const BaseSample& base, const Relief* relief, double radius
     if (!gradientsWithin(map, texelCoordinates(map, st),
                          glm::abs(texelsU) * reachU + glm::abs(texelsV) * reachV, box))
         return false;
-    const double byHeightU = side * glm::dot(glm::cross(base.normal, b), towards);
-    const double byHeightV = side * glm::dot(glm::cross(a, base.normal), towards);
+    const double byHeightU = side * glm::dot(glm::cross(k.along, b), towards);
+    const double byHeightV = side * glm::dot(glm::cross(a, k.along), towards);
     double least = kInfinity, steepest = 0;
     for (const double s : {box.low.x, box.high.x})
         for (const double t : {box.low.y, box.high.y}) {

@@ -14,8 +14,8 @@ double reachAlongSurface(double errorWorld, double cosine);
 /// `radiusWorld` of the place of `base`: then a line along it meets the surface there at most once, and the surface doesn't
 /// shadow itself. False where that isn't certain.
 ///
-/// P_u x P_v = (A + n h_u) x (B + n h_v), with A and B the derivatives at constant height, is linear in the map's gradient: it is
-/// smallest at a corner of the box of gradients the texels around have. A, B and n are taken to turn with the base's curvature.
+/// P_u x P_v = (A + k h_u) x (B + k h_v), with A and B the derivatives at constant height and k the relief's direction, is linear in the map's gradient: it is
+/// smallest at a corner of the box of gradients the texels around have. A, B and k are taken to turn with the base's curvature.
 bool facesThroughout(const BaseSample& base, const Relief* relief, double radiusWorld,
                      const Vec3& towardsWorld, double side);
 

@@ -95,13 +95,13 @@ std::optional<PolishedHit> Polisher::polish(const Ray& ray, const PatchPlace& st
 
 PolishedHit Polisher::first(const Ray& ray, const PolishedHit& hit, double reachWorld) {
     const BaseSample& base = hit.sample.base;
-    const double uu = glm::dot(base.positionU, base.positionU), uv = glm::dot(base.positionU, base.positionV),
-                 vv = glm::dot(base.positionV, base.positionV), determinant = uu * vv - uv * uv;
+    const AcrossRelief across = tangentsAcross(base, relief_);
+    const double uu = glm::dot(across.byU, across.byU), uv = glm::dot(across.byU, across.byV),
+                 vv = glm::dot(across.byV, across.byV), determinant = uu * vv - uv * uv;
     PolishedHit first = hit;
     if (!(determinant > 0)) return first;
-    // Below the ray, a step before the hit: the step's part along the base, in u and v.
-    const double alongU = -glm::dot(ray.direction, base.positionU),
-                 alongV = -glm::dot(ray.direction, base.positionV);
+    // Below the ray, a step before the hit: the step's part across the relief's direction, in u and v.
+    const double alongU = -glm::dot(ray.direction, across.byU), alongV = -glm::dot(ray.direction, across.byV);
     const Vec2 byWorld = Vec2(alongU * vv - alongV * uv, alongV * uu - alongU * uv) / determinant;
     for (int step = 1; step <= kStartsBefore; ++step) {
         const double before = reachWorld * step / kStartsBefore;

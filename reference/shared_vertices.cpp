@@ -19,7 +19,7 @@ constexpr double kSamePlace = 0x1p-30;
 /// What one face says of a shared place.
 struct Opinion {
     Vec3 position;       // of the base
-    Vec3 direction;      // unit normal
+    Vec3 direction;      // of the relief, unit
     double displacement; // along it
     Vec2 st;
     Vec3 displaced() const { return position + direction * displacement; }
@@ -190,7 +190,7 @@ class SharedVertexBuilder {
         evaluator.setPatch(at.patch);
         const BasePoint base = evaluator.point(at.uv.x, at.uv.y);
         const Vec2 st = textureCoordinates(base, relief_);
-        return {base.position, base.normal, displacement(st, relief_), st};
+        return {base.position, reliefDirection(base, relief_), displacement(st, relief_), st};
     }
 
     /// `at` was the last patch set.

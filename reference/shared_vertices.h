@@ -20,7 +20,7 @@ struct MicroVertex {
 
 class SharedVertices {
   public:
-    /// Displaced by the mean of what the faces around say, along the mean of their normals: where texture coordinates
+    /// Displaced by the mean of what the faces around say, along the mean of their directions: where texture coordinates
     /// tear the surface, or a crease has two normals, it is welded. Under Seams::Open faces that disagree about a place
     /// each have their own. `attributes`: fill normals and st, the first face's. Parallel.
     SharedVertices(const BaseSurface& surface, const Relief* relief, const Rates& rates, bool attributes);

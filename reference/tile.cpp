@@ -21,7 +21,7 @@ TileVertex sampleVertex(const BaseSurface::Evaluator& evaluator, const Relief* r
     const BasePoint point = evaluator.point(uv.x, uv.y);
     TileVertex vertex;
     vertex.base = point.position;
-    vertex.normal = point.normal;
+    vertex.direction = reliefDirection(point, relief);
     if (!relief) return vertex;
     const Vec2 st = textureCoordinates(point, relief);
     vertex.map = {texelCoordinates(*relief->map, st), relief->map->depth(st)};
@@ -37,12 +37,13 @@ Vec2 bendOfCells(const PatchLattice& lattice, const Relief& relief, const BaseSu
     return texels / (4.0 * lattice.columns * lattice.rows);
 }
 
-/// Bows of S and n along one edge of a cell.
+/// Bows of S and k along one edge of a cell.
 struct Bows {
-    double base = 0, normal = 0;
-    void add(const TileVertex& from, const TileVertex& to, const BasePoint& middle) {
+    double base = 0, direction = 0;
+    void add(const TileVertex& from, const TileVertex& to, const BasePoint& middle, const Relief* relief) {
         base = std::max(base, glm::length(middle.position - 0.5 * (from.base + to.base)));
-        normal = std::max(normal, glm::length(middle.normal - 0.5 * (from.normal + to.normal)));
+        const Vec3 along = reliefDirection(middle, relief);
+        direction = std::max(direction, glm::length(along - 0.5 * (from.direction + to.direction)));
     }
 };
 
@@ -80,8 +81,8 @@ class TileMeasure {
             }
         const Vec3 corner = glm::abs(tile_.at(column0, row0).base);
         coordinate = std::max({corner.x, corner.y, corner.z}) + columns_ * largestCell_;
-        const double bow = kBowMargin * (bows_.base + bows_.normal * largestHeight_);
-        const double covariance = 0.25 * kBowMargin * normalRange_ * heightRange;
+        const double bow = kBowMargin * (bows_.base + bows_.direction * largestHeight_);
+        const double covariance = 0.25 * kBowMargin * directionRange_ * heightRange;
         const double depth = relief_ ? relief_->depth : 0;
         if (relief_)
             map += (tile_.bend.x + tile_.bend.y) * coarsest_ *
@@ -106,14 +107,14 @@ class TileMeasure {
     void addEdge(int column, int row, int toColumn, int toRow) {
         const TileVertex &from = tile_.at(column, row), &to = tile_.at(toColumn, toRow);
         if (from.base == to.base) return; // snapped onto one another
-        bows_.add(from, to, middle(column, row, toColumn, toRow));
-        normalRange_ = std::max(normalRange_, glm::length(from.normal - to.normal));
+        bows_.add(from, to, middle(column, row, toColumn, toRow), relief_);
+        directionRange_ = std::max(directionRange_, glm::length(from.direction - to.direction));
         largestCell_ = std::max(largestCell_, glm::length(from.base - to.base));
     }
 
     void measureBase() {
         bows_ = {};
-        normalRange_ = largestCell_ = 0;
+        directionRange_ = largestCell_ = 0;
         const int stride = std::clamp(std::min(columns_, rows_) / 2, 1, kBowStride);
         for (int row = row0_ + stride / 2; row < row0_ + rows_; row += stride)
             for (int column = column0_ + stride / 2; column < column0_ + columns_; column += stride) {
@@ -160,7 +161,7 @@ class TileMeasure {
     const BaseSurface::Evaluator& evaluator_;
     int column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
     Bows bows_;
-    double normalRange_ = 0, largestCell_ = 0;
+    double directionRange_ = 0, largestCell_ = 0;
     double largestHeight_ = 0; // the relief can reach, either way
     double coarsest_ = 1;      // steps a cell along a coarse side is wide
 };

@@ -16,10 +16,10 @@ inline constexpr int kTileGrids = 8;
 
 struct TileVertex {
     Vec3 base{0};      // S, world
-    Vec3 normal{0};    // n, unit
+    Vec3 direction{0}; // k, unit: the normal, or the relief's axis
     MapPoint map;      // texel coordinates and d; zero without a relief
-    double height = 0; // displacement along n, world units
-    Vec3 displaced() const { return base + normal * height; }
+    double height = 0; // displacement along k, world units
+    Vec3 displaced() const { return base + direction * height; }
 };
 
 struct Tile {
@@ -45,9 +45,9 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
 /// Bound on the distance between the surface and the place of the same (u, v) on the micro-triangles of the tile's cells
 /// [column0, column0 + columns) x [row0, row0 + rows), world units.
 ///
-/// With weights w over a micro-triangle's corners, S, n, h at them and P = S + n h,
-///     P - sum w P = (S - sum w S) + (n - sum w n) h + (sum w n)(h - sum w h) + sum w n (sum w h - h_k):
-/// the bows of S and of n, measured at the middles of the edges of some cells, with kBowMargin on top; that of h from the
+/// With weights w over a micro-triangle's corners, S, k, h at them and P = S + k h,
+///     P - sum w P = (S - sum w S) + (k - sum w k) h + (sum w k)(h - sum w h) + sum w k_i (sum w h - h_i):
+/// the bows of S and of k (an axis has none), measured at the middles of the edges of some cells, with kBowMargin on top; that of h from the
 /// texels, exactly where st is linear over a cell (map_deviation.h), with what its bend can add elsewhere; and a covariance, a quarter of the product of the ranges at most.
 struct TileError {
     double world;

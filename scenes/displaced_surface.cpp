@@ -23,6 +23,22 @@ Vec2 textureCoordinates(const BasePoint& base, const Relief* relief) {
     return relief ? relief->tile * base.uv + relief->uvOffset : base.uv;
 }
 
+Vec3 reliefDirection(const BasePoint& base, const Relief* relief) {
+    return relief && relief->axisWorld ? *relief->axisWorld : base.normal;
+}
+
+ReliefDirection sampleReliefDirection(const BaseSample& base, const Relief* relief) {
+    if (relief && relief->axisWorld) return {*relief->axisWorld, Vec3(0), Vec3(0)};
+    return {base.normal, base.normalU, base.normalV};
+}
+
+AcrossRelief tangentsAcross(const BaseSample& base, const Relief* relief) {
+    if (!relief || !relief->axisWorld) return {base.positionU, base.positionV};
+    const Vec3& axis = *relief->axisWorld;
+    return {base.positionU - axis * glm::dot(base.positionU, axis),
+            base.positionV - axis * glm::dot(base.positionV, axis)};
+}
+
 double displacement(const Vec2& st, const Relief* relief) {
     return relief ? relief->offset - relief->depth * relief->map->depth(st) : 0.0;
 }
@@ -35,11 +51,12 @@ DisplacedSample displace(const BaseSample& base, const Relief* relief) {
     const double height = relief->offset - relief->depth * map.depth;
     const double heightU = -relief->depth * glm::dot(map.gradient, relief->tile * base.uvU);
     const double heightV = -relief->depth * glm::dot(map.gradient, relief->tile * base.uvV);
-    const Vec3 positionU = base.positionU + base.normalU * height + base.normal * heightU;
-    const Vec3 positionV = base.positionV + base.normalV * height + base.normal * heightV;
+    const ReliefDirection k = sampleReliefDirection(base, relief);
+    const Vec3 positionU = base.positionU + k.alongU * height + k.along * heightU;
+    const Vec3 positionV = base.positionV + k.alongV * height + k.along * heightV;
     const Vec3 cross = glm::cross(positionU, positionV);
     const double length = glm::length(cross);
-    return {base.position + base.normal * height,      positionU, positionV,
+    return {base.position + k.along * height,          positionU, positionV,
             length > 0 ? cross / length : base.normal, st,        map.depth};
 }
 

@@ -87,7 +87,7 @@ class ProxyBuilder {
   private:
     struct Place {
         Vec3 position{0};
-        Vec3 normalSum{0};
+        Vec3 directionSum{0}; // of the relief
         bool sampled = false;
         std::vector<size_t> ring;
     };
@@ -130,7 +130,7 @@ class ProxyBuilder {
         Place& here = places_[place];
         if (!here.sampled) here.position = base.position;
         here.sampled = true;
-        here.normalSum += base.normal;
+        here.directionSum += reliefDirection(base, relief_);
         proxy_.vertices.push_back(vertex);
     }
 
@@ -151,13 +151,13 @@ class ProxyBuilder {
                 if (i != j) places_[placeOf(index(i))].ring.push_back(placeOf(index(j)));
     }
 
-    /// One position per place, moved by the offset along the mean normal, so that the proxy closes where it
+    /// One position per place, moved by the offset along the mean direction of the relief, so that the proxy closes where it
     /// did.
     void pushOut() {
         const double offset = relief_ ? relief_->offset : 0;
         for (Place& place : places_) {
-            const double length = glm::length(place.normalSum);
-            if (length > 0) place.position += place.normalSum * (offset / length);
+            const double length = glm::length(place.directionSum);
+            if (length > 0) place.position += place.directionSum * (offset / length);
             std::sort(place.ring.begin(), place.ring.end());
             place.ring.erase(std::unique(place.ring.begin(), place.ring.end()), place.ring.end());
         }

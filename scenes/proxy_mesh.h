@@ -1,5 +1,5 @@
 // The polygon proxy the real-time module draws: the limit surface sampled at `proxyRate` segments per control
-// edge, pushed out by the relief's offset. World space throughout.
+// edge, pushed out by the relief's offset, along the normals or the relief's axis. World space throughout.
 #pragma once
 
 #include "scene.h"
@@ -7,7 +7,7 @@
 namespace plumbline {
 
 struct ProxyVertex {
-    Vec3 position; // on the limit surface + normal * offset
+    Vec3 position; // on the limit surface + k * offset (displaced_surface.h)
     Vec3 normal;   // unit, of the limit surface
     /// dS/ds and dS/dt of the limit surface, per unit of the tiled st: tangents times the mapping scales sx, sy.
     /// Not necessarily at a right angle to each other; zero where the map from st to space is singular.

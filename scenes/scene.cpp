@@ -44,6 +44,10 @@ Mat4 SceneObject::worldFromObject() const {
     return matrix;
 }
 
+Vec3 SceneObject::axisWorld() const {
+    return rotation(rotateDegrees)[2];
+}
+
 ControlMesh SceneObject::meshWorld() const {
     ControlMesh world = mesh;
     const Mat3 turn = rotation(rotateDegrees);

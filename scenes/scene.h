@@ -31,7 +31,7 @@ enum class Base { Limit, Proxy };
 /// normals. Weld: the mean of both, the surface stays closed. Open: each face keeps its own, the surface gapes.
 enum class Seams { Weld, Open };
 
-/// P = S + n * (offset - depth * d(st)), st = tile * uv + uvOffset.
+/// P = S + k * (offset - depth * d(st)), st = tile * uv + uvOffset, k the surface's unit normal n(u,v) or one axis for all of it.
 struct Relief {
     std::shared_ptr<const HeightMap> map; // never null; `constant` in the file becomes a 1x1 map
     double depth = 0;                     // world units, >= 0
@@ -39,6 +39,7 @@ struct Relief {
     Vec2 tile{1, 1};
     Vec2 uvOffset{0, 0};
     Seams seams = Seams::Weld;
+    std::optional<Vec3> axisWorld{}; // k, unit; none: along the normal
 };
 
 struct SceneObject {
@@ -54,6 +55,8 @@ struct SceneObject {
     std::shared_ptr<const ColorMap> colorMap; // null: `color`
 
     Mat4 worldFromObject() const;
+    /// The object's own +z in world space, unit: turned, not scaled.
+    Vec3 axisWorld() const;
     /// The mesh with points and normals in world space.
     ControlMesh meshWorld() const;
     /// Colour of the surface at st, linear.

@@ -248,6 +248,8 @@ class SceneReader {
             table.fail("tile", fmt::format("is [{}, {}]", relief.tile.x, relief.tile.y), "neither of them 0");
         relief.uvOffset = table.vector2("uv_offset", -kLargestTile, kLargestTile, Vec2(0));
         relief.seams = table.choice("seams", {"weld", "open"}, "weld") == "open" ? Seams::Open : Seams::Weld;
+        if (table.choice("along", {"normal", "axis"}, "normal") == "axis")
+            relief.axisWorld = object.axisWorld();
         table.finish();
         object.relief = relief;
     }

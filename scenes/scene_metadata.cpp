@@ -45,6 +45,7 @@ std::map<std::string, std::string> sceneMetadata(const Scene& scene) {
         metadata[key + "name"] = object.name;
         if (!object.relief) continue;
         metadata[key + "relief_depth"] = fmt::format("{}", object.relief->depth);
+        if (object.relief->axisWorld) metadata[key + "relief_axis"] = text(*object.relief->axisWorld);
         metadata[key + "map_texels"] =
             fmt::format("{} {}", object.relief->map->width(), object.relief->map->height());
         metadata[key + "map_wrap"] =

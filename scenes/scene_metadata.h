@@ -16,7 +16,8 @@ namespace plumbline {
 ///                             pixels
 ///   lights                    names, separated by spaces
 ///   object.<id>.name          <id> is the value of the frame's id channel, from 1
-///   object.<id>.relief_depth  world units; only objects with a relief have it and the two that follow
+///   object.<id>.relief_depth  world units; only objects with a relief have it and the three that follow
+///   object.<id>.relief_axis   "x y z", unit, world: what it goes along; absent where that is the normal
 ///   object.<id>.map_texels    "width height" of the relief map
 ///   object.<id>.map_wrap      "repeat clamp": along s and t
 /// validate/frame_metadata.h reads them back.

@@ -150,6 +150,7 @@ class TearFinder {
     }
 
     bool isTornByNormals(const Side& a, const Side& b) const {
+        if (relief_.axisWorld) return false; // both displace along it
         const Vec2 a0 = stAtEnd(a, 0), a1 = stAtEnd(a, 1);
         const double size = std::max(relief_.depth, std::abs(relief_.offset));
         for (int i = 0; i <= kNormalSegments; ++i) {

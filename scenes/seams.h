@@ -16,7 +16,7 @@ struct TornEdges {
 
 /// Edges of the control mesh with two faces (or more: the first is held against each other one). Faces without a limit
 /// surface don't count. Places along an edge that are compared: for the map every half texel, 32 to 2048 of them; for
-/// normals 5. Texture coordinates that jump by whole numbers along an axis that repeats aren't looked at: they tear
+/// normals 5, and none where the relief goes along an axis. Texture coordinates that jump by whole numbers along an axis that repeats aren't looked at: they tear
 /// nothing. Two displacements count as one up to 1/256 of the relief's depth.
 ///
 /// The mesh must have uvs.

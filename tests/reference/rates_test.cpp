@@ -3,6 +3,7 @@
 #include "../../scenes/displaced_surface.h"
 #include "../../scenes/obj_file.h"
 #include "../../scenes/scene_file.h"
+#include "../../scenes/shapes.h"
 #include "micro_mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -128,6 +129,29 @@ TEST(Rates, NoPlaceIsFartherThanItsBound) {
             EXPECT_LE(worstShareOfBound(object, randomRates(*surface, 8), *surface, 8), 1.0)
                 << "random rates";
         }
+}
+
+// Along an axis k bows nowhere, and those terms of the bound are 0: the rest must hold alone, on bases steep against the axis too.
+TEST(Rates, NoPlaceIsFartherThanItsBoundAlongAnAxis) {
+    std::vector<float> depths;
+    for (int k = 0; k < 64; ++k)
+        depths.push_back(float((k * 37) % 64) / 63.0f);
+    for (const ControlMesh& mesh :
+         {makeQuadric(-0.8, 0.3, 1, 2), makeSphere(1, 2), makeTorus(1, 0.4, 8, 6)}) {
+        SceneObject object;
+        object.name = mesh.name;
+        object.mesh = mesh;
+        object.rotateDegrees = {20, 30, 40};
+        object.relief =
+            Relief{std::make_shared<HeightMap>("noise", 8, 8, depths), 0.2, 0.05, Vec2(1.5), Vec2(0)};
+        object.relief->axisWorld = object.axisWorld();
+        const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
+        SCOPED_TRACE(object.name);
+        for (const int rate : {1, 4, 32})
+            EXPECT_LE(worstShareOfBound(object, uniformRates(*surface, rate), *surface, 7), 1.0)
+                << "rate " << rate;
+        EXPECT_LE(worstShareOfBound(object, randomRates(*surface, 8), *surface, 8), 1.0) << "random rates";
+    }
 }
 
 } // namespace

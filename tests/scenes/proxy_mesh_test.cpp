@@ -105,6 +105,22 @@ TEST(ProxyMesh, OffsetPushesOutAndKeepsItClosed) {
     EXPECT_EQ(open, 2 * 16 * 2); // the two rims
 }
 
+// Along an axis the offset moves the whole proxy, and changes nothing else of it.
+TEST(ProxyMesh, OffsetAlongAnAxisMovesIt) {
+    SceneObject object = cylinder(16, 2, 1.0, 1.0);
+    const ProxyMesh there = buildProxyMesh(object);
+    object.relief->axisWorld = Vec3(0, 0.6, 0.8);
+    object.relief->offset = 0.25;
+    const ProxyMesh moved = buildProxyMesh(object);
+    ASSERT_EQ(there.vertices.size(), moved.vertices.size());
+    for (size_t i = 0; i < there.vertices.size(); ++i) {
+        EXPECT_LT(glm::length(moved.vertices[i].position - there.vertices[i].position - Vec3(0, 0.15, 0.2)),
+                  1e-15);
+        EXPECT_EQ(moved.vertices[i].normal, there.vertices[i].normal);
+        EXPECT_NEAR(moved.vertices[i].quadricA, there.vertices[i].quadricA, 1e-12);
+    }
+}
+
 TEST(ProxyMesh, FacesOfAnySizeAtAnyRate) {
     SceneObject object;
     object.name = "prism";

@@ -1,3 +1,4 @@
+#include "../../scenes/scene_metadata.h"
 #include "scene_file_fixture.h"
 
 #include <fmt/format.h>
@@ -84,6 +85,20 @@ TEST_F(SceneFile, TheShortestSceneTakesItsDefaults) {
     EXPECT_EQ(scene.objects[0].proxyRate, 1);
     EXPECT_EQ(scene.objects[0].scale, 1);
     EXPECT_EQ(scene.objects[0].color, Vec3(0.8));
+}
+
+// The axis is the object's +z, turned by its rotation (10, 20, 30 degrees about x, y, z) but not scaled: cos 20 cos 10 along z.
+TEST_F(SceneFile, ReliefsGoAlongNormalsUnlessAlongTheAxis) {
+    EXPECT_FALSE(read(kWholeScene).objects[0].relief->axisWorld);
+    EXPECT_FALSE(read(with("depth = 0.08", "depth = 0.08, along = \"normal\"")).objects[0].relief->axisWorld);
+    const Scene scene = read(with("depth = 0.08", "depth = 0.08, along = \"axis\""));
+    const std::optional<Vec3>& axis = scene.objects[0].relief->axisWorld;
+    ASSERT_TRUE(axis);
+    EXPECT_NEAR(axis->z, std::cos(radians(20)) * std::cos(radians(10)), 1e-15);
+    EXPECT_NEAR(glm::length(*axis), 1, 1e-15);
+    EXPECT_EQ(sceneMetadata(scene).at("object.1.relief_axis"),
+              fmt::format("{} {} {}", axis->x, axis->y, axis->z));
+    EXPECT_FALSE(sceneMetadata(scene).count("object.2.relief_axis"));
 }
 
 TEST_F(SceneFile, Orthographic) {
@@ -180,6 +195,8 @@ TEST_F(SceneFile, FaultsHaveLineFieldAndHint) {
         {"map = \"stone\"", "map = \"stone\", constant = 0.5", "has both map and constant"},
         {"depth = 0.08", "depth = 0.08, seams = \"wedl\"",
          "object.relief.seams: is the text \"wedl\"; expected weld or open; did you mean 'weld'?"},
+        {"depth = 0.08", "depth = 0.08, along = \"axes\"",
+         "object.relief.along: is the text \"axes\"; expected normal or axis; did you mean 'axis'?"},
         {"constant = 0.5, ", "", "object.relief: has no depths"},
         {"constant = 0.5", "constant = 1.5", "object.relief.constant: is 1.5"},
         {"constant = 0.5", "constant = 0.5, detph = 1", "object.relief.detph: unknown field"},

@@ -127,6 +127,9 @@ TEST(Seams, SharpEdgesTearByTheirNormals) {
     relief.offset = 0.05; // offset - depth * d = 0: nothing moves
     EXPECT_EQ(tornOf(box, Scheme::None, relief).byNormals, 0);
     relief.offset = 0;
+    relief.axisWorld = Vec3(0, 0, 1);
+    EXPECT_EQ(tornOf(box, Scheme::None, relief).byNormals, 0); // one direction for all faces
+    relief.axisWorld.reset();
     EXPECT_EQ(tornOf(box, Scheme::CatmullClark, relief).byNormals, 0); // smooth
     ControlMesh creased = box;
     for (const int to : {1, 2}) // edges of the first face, by its corners
