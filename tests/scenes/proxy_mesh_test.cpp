@@ -1,6 +1,7 @@
 // The proxy against shapes whose answer is known.
 #include "../../scenes/error.h"
 #include "../../scenes/proxy_mesh.h"
+#include "../../scenes/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,22 @@ TEST(ProxyMesh, QuadricOfACylinderIsHalfItsCurvature) {
             EXPECT_NEAR(vertex.quadricB * 2 * radius, 0, 0.02);
         }
     }
+}
+
+// The ring of a quadric's apex lies on the quadric, and the fit has nothing left over.
+TEST(ProxyMesh, QuadricOfAQuadricsApexIsExact) {
+    SceneObject object;
+    object.name = "patch";
+    object.mesh = makeQuadric(-2.5, 0.4, 0.5, 4);
+    object.proxyRate = 16;
+    int apexes = 0;
+    for (const ProxyVertex& vertex : buildProxyMesh(object).vertices) {
+        if (glm::length(vertex.position) > 1e-12) continue;
+        ++apexes;
+        EXPECT_NEAR(vertex.quadricA, 2.5, 1e-9); // A > 0 is convex
+        EXPECT_NEAR(vertex.quadricB, -0.4, 1e-9);
+    }
+    EXPECT_EQ(apexes, 4); // of the four faces
 }
 
 TEST(ProxyMesh, MappingScalesAreTheSizeOfATile) {
