@@ -27,35 +27,15 @@ const std::set<std::string> kWords{
     "min", "mix", "mod", "modf", "normalize", "not", "pow", "radians", "reflect", "refract", "round", "sign",
     "sin", "sqrt", "step", "tan", "texture", "transpose", "trunc"};
 
-const std::set<std::string> kHarnessNames{"filter",
-                                          "shadow",
-                                          "shadow_bias",
-                                          "triangle_bounds",
-                                          "reliefDepth",
-                                          "reliefPosition",
-                                          "traceRelief",
-                                          "enterRelief",
-                                          "baseSlope",
-                                          "hitAt",
-                                          "missed",
-                                          "ReliefRay",
-                                          "ReliefHit",
-                                          "ReliefFrame",
-                                          "heightMap",
-                                          "reliefCell",
-                                          "reliefMapSize",
-                                          "reliefMapClamps",
-                                          "cellOf",
-                                          "texelCorners",
-                                          "normalAndDepth",
-                                          "coneOfCell",
-                                          "coneMinOfFour",
-                                          "coneBilinear",
-                                          "depthBounds",
-                                          "countIteration",
-                                          "steepestDescent",
-                                          "distanceOfVoxel",
-                                          "coneOfNearestTexel"};
+const std::set<std::string> kHarnessNames{
+    "filter",          "shadow",          "shadow_bias",       "triangle_bounds",
+    "coefficients",    "reliefDepth",     "reliefPosition",    "traceRelief",
+    "enterRelief",     "frameAt",         "descentAt",         "hitAt",
+    "missed",          "ReliefRay",       "ReliefHit",         "ReliefFrame",
+    "heightMap",       "reliefCell",      "reliefMapSize",     "reliefMapClamps",
+    "cellOf",          "texelCorners",    "normalAndDepth",    "coneOfCell",
+    "coneMinOfFour",   "coneBilinear",    "depthBounds",       "countIteration",
+    "steepestDescent", "distanceOfVoxel", "coneOfNearestTexel"};
 
 bool isWordCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';

@@ -19,13 +19,20 @@ constexpr double kShallowestRelief = 1e-9;
 // Texture units.
 constexpr GLint kHeightMapUnit = 0, kColorMapUnit = 1;
 
-/// As the vertex shaders' attributes 0 to 7 have it. Triangles share no vertices: each knows the st of its own corners.
+constexpr GLuint kCurvatureAttribute = 5;
+
+/// As the vertex shaders' attributes 0 to 7 have it, the curvature as one of three. Triangles share no vertices: each knows the st of
+/// its own corners.
 struct VertexData {
     Vec3f position, normal, positionS, positionT;
     Vec2f st;
-    Vec3f curvature;
+    Vec3f ringTwoTerms, ringThreeTerms, limit;
     Vec2f cornerA, cornerB, cornerC;
 };
+
+Vec3f asVector(const QuadricCoefficients& quadric) {
+    return {quadric.a, quadric.b, quadric.c};
+}
 
 std::vector<VertexData> vertexData(const ProxyMesh& proxy, const Vec3& originWorld, const Vec2& stOrigin) {
     std::vector<VertexData> data;
@@ -37,7 +44,8 @@ std::vector<VertexData> vertexData(const ProxyMesh& proxy, const Vec3& originWor
         const ProxyVertex& vertex = proxy.vertices[proxy.triangles[i]];
         data.push_back({Vec3f(vertex.position - originWorld), Vec3f(vertex.normal), Vec3f(vertex.positionS),
                         Vec3f(vertex.positionT), Vec2f(vertex.st - stOrigin),
-                        Vec3f(vertex.quadricA, vertex.quadricB, 0), corner(0), corner(1), corner(2)});
+                        asVector(vertex.ringQuadric.twoTerms), asVector(vertex.ringQuadric.threeTerms),
+                        asVector(vertex.limitQuadric), corner(0), corner(1), corner(2)});
     }
     return data;
 }
@@ -189,7 +197,6 @@ void GpuScene::upload(const Vec3& originWorld) {
         describeAttribute(2, 3, offsetof(VertexData, positionS));
         describeAttribute(3, 3, offsetof(VertexData, positionT));
         describeAttribute(4, 2, offsetof(VertexData, st));
-        describeAttribute(5, 3, offsetof(VertexData, curvature));
         describeAttribute(6, 4, offsetof(VertexData, cornerA)); // A and B
         describeAttribute(7, 2, offsetof(VertexData, cornerC));
         gpu.vertexCount = static_cast<GLsizei>(data.size());
@@ -197,6 +204,29 @@ void GpuScene::upload(const Vec3& originWorld) {
     }
     glBindVertexArray(0);
     proxies_.clear();
+    useCurvature(CurvatureSet::RingTwoTerms);
+}
+
+void GpuScene::useCurvature(CurvatureSet set) const {
+    for (const GpuObject& gpu : objects_) {
+        glBindVertexArray(gpu.vertexArray.get());
+        glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.get());
+        switch (set) { // a third component that isn't there reads as 0
+        case CurvatureSet::RingTwoTerms:
+            describeAttribute(kCurvatureAttribute, 2, offsetof(VertexData, ringTwoTerms));
+            break;
+        case CurvatureSet::RingThreeTerms:
+            describeAttribute(kCurvatureAttribute, 3, offsetof(VertexData, ringThreeTerms));
+            break;
+        case CurvatureSet::LimitTwoTerms:
+            describeAttribute(kCurvatureAttribute, 2, offsetof(VertexData, limit));
+            break;
+        case CurvatureSet::LimitThreeTerms:
+            describeAttribute(kCurvatureAttribute, 3, offsetof(VertexData, limit));
+            break;
+        }
+    }
+    glBindVertexArray(0);
 }
 
 void GpuScene::setUniforms(size_t index, const GlProgram& program) const {

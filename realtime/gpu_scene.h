@@ -4,6 +4,7 @@
 #include "../scenes/proxy_mesh.h"
 #include "../scenes/scene.h"
 #include "baked_input.h"
+#include "curvature_set.h"
 #include "gl_context.h"
 #include "gl_objects.h"
 #include "gl_program.h"
@@ -52,6 +53,8 @@ class GpuScene {
     std::vector<Vec2> stOrigins() const;
     /// Sends the vertices, relative to the origin a view chose.
     void upload(const Vec3& originWorld);
+    /// For the draws to come; RingTwoTerms until then.
+    void useCurvature(CurvatureSet set) const;
 
   private:
     void addObject(const SceneObject& object, const GlContext& context);

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kSurfaceInputs{"quadric"}, kShadows{"relief", "none"},
+const std::vector<std::string> kSurfaceInputs{"quadric", "quadric_full"}, kShadows{"relief", "none"},
     kGeometries{"proxy", "micro_triangles"};
 
 /// The parts a technique and a surface have in common; the caller asks for the rest before rejectUnknown().
@@ -160,8 +160,14 @@ Manifest readSurfaceManifest(const fs::path& folder) {
     Fields fields(manifest.file, table, "");
     readCommon(manifest.file, fields, manifest);
     checkInputs(fields, table, manifest, kSurfaceInputs);
+    if (manifest.inputs.size() > 1)
+        fields.fail(table.get("inputs"), "a base is given one quadric", listOf(kSurfaceInputs));
     manifest.shadows = fields.texts("shadows", kShadows, true);
     if (manifest.shadows.empty()) fields.fail(table.get("shadows"), "shadows is empty", listOf(kShadows));
+    if (const toml::node* node = fields.find("variant_of")) {
+        manifest.variantOf = fields.text("variant_of");
+        fields.checkChoice(*node, "variant_of", manifest.variantOf, surfaceNames());
+    }
     fields.rejectUnknown();
     checkShader(manifest);
     return manifest;

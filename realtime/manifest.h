@@ -46,15 +46,18 @@ struct Manifest {
     std::string title, citation;
     Geometry geometry = Geometry::Proxy;
     std::vector<std::string>
-        inputs; // "height", kinds of baked maps, parameters that choose between such kinds
+        inputs; // "height", kinds of baked maps, parameters that choose between such kinds; of a surface, "quadric" (without cross term), "quadric_full" or nothing
     std::vector<std::string> surfaces;           // of a technique: those it composes with
     std::map<std::string, std::string> refusals; // of a technique: why not, by surface
+    std::string variantOf;                       // of a surface: the one it does otherwise; may be empty
     std::vector<std::string> shadows;            // "none", "relief": what the harness may do with it
     std::vector<std::string> channels; // of a technique: what its frames hold; empty = every channel
     std::vector<std::string> limits;
     std::vector<Parameter> parameters;
 
     bool hasInput(const std::string& input) const;
+    /// Of a surface: whether its base is a quadric.
+    bool isBent() const { return hasInput("quadric") || hasInput("quadric_full"); }
     /// FOLDER/NAME.glsl.
     std::filesystem::path shaderFile() const { return folder / (name + ".glsl"); }
 };

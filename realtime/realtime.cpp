@@ -127,6 +127,7 @@ TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
     const CurrentContext current(*impl_->context);
     GpuState& gpu = *impl_->gpu;
     const BakeCost bakes = gpu.objects.prepareBaked(technique.bakedKinds());
+    if (technique.hasBentBase()) gpu.objects.useCurvature(technique.curvatureSet());
     if (onPhase) onPhase(kPhaseDrawing);
     const FrameTime time = impl_->drawTechnique(technique, microMeshes);
 

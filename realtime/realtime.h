@@ -59,6 +59,17 @@ struct TechniqueInfo {
 /// Every technique of realtime/techniques/, sorted by name.
 std::vector<TechniqueInfo> listTechniques();
 
+struct SurfaceInfo {
+    std::string name, title, citation;
+    std::string variantOf;           // the surface it does otherwise; may be empty
+    std::vector<std::string> inputs; // "quadric" (without cross term), "quadric_full", or nothing
+    std::vector<std::string> shadows;
+    std::vector<TechniqueInfo::Parameter> parameters;
+    std::vector<std::string> limits;
+};
+/// Every surface of realtime/surfaces/, sorted by name.
+std::vector<SurfaceInfo> listSurfaces();
+
 struct TechniqueResult {
     std::string name;                              // as in every result: search@surface:changed=parameters
     std::map<std::string, std::string> parameters; // all of them, with the values used

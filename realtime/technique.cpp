@@ -76,6 +76,11 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
     bounds.meaning =
         "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)";
     parameters.push_back(bounds);
+    if (surface.isBent())
+        parameters.push_back(
+            choiceParameter("coefficients", {"ring", "limit"},
+                            "the base's quadric: fitted to the vertices around, as in RP-351, or "
+                            "with the curvature of the limit surface"));
     return parameters;
 }
 
@@ -201,6 +206,13 @@ std::vector<std::string> Technique::bakedKinds() const {
             if (parameter.name == input) kinds.push_back(parameter.format(value));
     }
     return kinds;
+}
+
+CurvatureSet Technique::curvatureSet() const {
+    const bool full = surface->hasInput("quadric_full");
+    if (choice("coefficients") == "limit")
+        return full ? CurvatureSet::LimitThreeTerms : CurvatureSet::LimitTwoTerms;
+    return full ? CurvatureSet::RingThreeTerms : CurvatureSet::RingTwoTerms;
 }
 
 const Technique::Setting* Technique::harness(const std::string& settingName) const {

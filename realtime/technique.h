@@ -2,6 +2,7 @@
 // value.
 #pragma once
 
+#include "curvature_set.h"
 #include "manifest.h"
 #include "realtime.h"
 
@@ -22,14 +23,16 @@ struct Technique {
     std::optional<Manifest> surface;     // none for micro_triangles
     std::vector<Setting> shaderSettings; // of search and surface: become constants of the shader
     std::vector<Setting>
-        harnessSettings; // filter, shadow, shadow_bias, triangle_bounds, as far as they apply
+        harnessSettings; // filter, shadow, shadow_bias, triangle_bounds, coefficients, as far as they apply
     std::string name;    // as in every result
 
     const Setting* harness(const std::string& settingName) const;
     /// Text of a harness setting; empty if it doesn't apply.
     std::string choice(const std::string& settingName) const;
     bool drawsMicroTriangles() const { return search.geometry == Geometry::MicroTriangles; }
-    bool hasBentBase() const { return surface && surface->hasInput("quadric"); }
+    bool hasBentBase() const { return surface && surface->isBent(); }
+    /// The quadrics its base is given; only where it is bent.
+    CurvatureSet curvatureSet() const;
     bool castsShadows() const { return choice("shadow") == "relief"; }
     bool discardsOutsideTriangle() const { return choice("triangle_bounds") == "true"; }
     bool hardwareFilter() const { return choice("filter") == "hardware"; }

@@ -41,6 +41,14 @@ void parseSettings(const std::string& text, const std::string& list, TechniqueRe
     }
 }
 
+std::vector<TechniqueInfo::Parameter> parametersOf(const Manifest& manifest) {
+    std::vector<TechniqueInfo::Parameter> parameters;
+    for (const Parameter& parameter : manifest.parameters)
+        parameters.push_back({parameter.name, parameter.typeName(), parameter.unit, parameter.meaning,
+                              parameter.format(parameter.defaultValue), parameter.rangeText()});
+    return parameters;
+}
+
 TechniqueInfo infoOf(const Manifest& manifest) {
     TechniqueInfo info;
     info.name = manifest.name;
@@ -53,9 +61,7 @@ TechniqueInfo infoOf(const Manifest& manifest) {
     info.shadows = manifest.shadows;
     info.limits = manifest.limits;
     info.drawsMicroTriangles = manifest.geometry == Geometry::MicroTriangles;
-    for (const Parameter& parameter : manifest.parameters)
-        info.parameters.push_back({parameter.name, parameter.typeName(), parameter.unit, parameter.meaning,
-                                   parameter.format(parameter.defaultValue), parameter.rangeText()});
+    info.parameters = parametersOf(manifest);
     return info;
 }
 
@@ -102,6 +108,16 @@ std::vector<TechniqueInfo> listTechniques() {
     std::vector<TechniqueInfo> infos;
     for (const std::string& name : techniqueNames())
         infos.push_back(infoOf(readTechniqueManifest(techniquesFolder() / name)));
+    return infos;
+}
+
+std::vector<SurfaceInfo> listSurfaces() {
+    std::vector<SurfaceInfo> infos;
+    for (const std::string& name : surfaceNames()) {
+        const Manifest manifest = readSurfaceManifest(surfacesFolder() / name);
+        infos.push_back({manifest.name, manifest.title, manifest.citation, manifest.variantOf,
+                         manifest.inputs, manifest.shadows, parametersOf(manifest), manifest.limits});
+    }
     return infos;
 }
 

@@ -80,6 +80,7 @@ StageSources reliefSources(const Technique& technique, size_t lightCount) {
         sources.fragment.addFile(shaderFile(bakedFamily(kind).shader));
     sources.fragment.addFile(shaderFile("relief_frame.glsl"));
     sources.fragment.addFile(shaderFile("relief_main.glsl"));
+    if (technique.hasBentBase()) sources.fragment.addFile(shaderFile("quadric_base.glsl"));
     sources.fragment.addText("(parameters)", technique.glslConstants());
     sources.fragment.addFile(technique.surface->shaderFile());
     sources.fragment.addFile(technique.search.shaderFile());

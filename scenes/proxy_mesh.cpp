@@ -10,63 +10,27 @@ namespace plumbline {
 
 namespace {
 
-// A determinant below this fraction of its largest possible value counts as zero. (The absolute bound of 0.001 in the
-// listing of Watt and Policarpo (2005), chapter 5, would reject every small mesh: a ring of radius 0.3 on a unit sphere has 3e-4.)
+// A determinant below this fraction of its largest possible value counts as zero.
 constexpr double kSingularFraction = 1e-6;
 // Where the map from uv to space is singular at a corner (a pole), the derivatives are taken this far inside
 // the patch.
 constexpr double kNudge = 0x1p-10;
 
 struct Derivatives {
-    Vec3 byS, byT;
+    Vec3 byS{0}, byT{0}, normalByS{0}, normalByT{0};
 };
 
-/// dS/ds and dS/dt from dS/du, dS/dv and the Jacobian of st by (u,v); nothing where that is singular.
+/// Derivatives by s and t from those by u and v and the Jacobian of st by (u,v); nothing where that is singular.
 bool solveDerivatives(const BaseSample& base, const Vec2& tile, Derivatives& result) {
     const Vec2 stU = tile * base.uvU, stV = tile * base.uvV;
     const double determinant = stU.x * stV.y - stU.y * stV.x;
     if (std::abs(determinant) <= kSingularFraction * glm::length(stU) * glm::length(stV)) return false;
     result.byS = (base.positionU * stV.y - base.positionV * stU.y) / determinant;
     result.byT = (base.positionV * stU.x - base.positionU * stV.x) / determinant;
+    result.normalByS = (base.normalU * stV.y - base.normalV * stU.y) / determinant;
+    result.normalByT = (base.normalV * stU.x - base.normalU * stV.x) / determinant;
     return glm::length(result.byS) > 0 && glm::length(result.byT) > 0;
 }
-
-/// Coefficients of z = -(A x^2 + B y^2) through the ring, by least squares.
-class QuadricFit {
-  public:
-    explicit QuadricFit(const ProxyVertex& vertex)
-        : origin_(vertex.position), normal_(vertex.normal), tangent_(vertex.positionS),
-          bitangent_(vertex.positionT) {
-        tangent_ /= glm::length(tangent_);
-        bitangent_ /= glm::length(bitangent_);
-    }
-    void add(const Vec3& neighbour) {
-        const Vec3 offset = neighbour - origin_;
-        // Oblique coordinates by the Gram inverse of two unit vectors (Premecz, Iterative parallax mapping with slope information, section 1.1).
-        const double cosine = glm::dot(tangent_, bitangent_);
-        const double alongT = glm::dot(offset, tangent_), alongB = glm::dot(offset, bitangent_);
-        const double sineSquared = 1 - cosine * cosine;
-        if (sineSquared < kSingularFraction) return;
-        const double x = (alongT - cosine * alongB) / sineSquared,
-                     y = (alongB - cosine * alongT) / sineSquared;
-        const double xx = x * x, yy = y * y, depth = -glm::dot(offset, normal_);
-        m00_ += xx * xx;
-        m01_ += xx * yy;
-        m11_ += yy * yy;
-        r0_ += xx * depth;
-        r1_ += yy * depth;
-    }
-    void solve(double& a, double& b) const {
-        const double determinant = m00_ * m11_ - m01_ * m01_;
-        if (!(determinant > kSingularFraction * m00_ * m11_)) return;
-        a = (r0_ * m11_ - r1_ * m01_) / determinant;
-        b = (r1_ * m00_ - r0_ * m01_) / determinant;
-    }
-
-  private:
-    Vec3 origin_, normal_, tangent_, bitangent_;
-    double m00_ = 0, m01_ = 0, m11_ = 0, r0_ = 0, r1_ = 0;
-};
 
 /// Proxy vertices know which place of the mesh they stand on; several stand on one where faces meet.
 class ProxyBuilder {
@@ -122,10 +86,14 @@ class ProxyBuilder {
                 surface_.patches()[static_cast<size_t>(at.patch)].triangular ? 1.0 / 3 : 0.5;
             const BaseSample inside =
                 evaluator_.sample(at.u + kNudge * (centre - at.u), at.v + kNudge * (centre - at.v));
-            if (!solveDerivatives(inside, tile, derivatives)) derivatives = {Vec3(0), Vec3(0)};
+            if (!solveDerivatives(inside, tile, derivatives)) derivatives = Derivatives{};
         }
         vertex.positionS = derivatives.byS;
         vertex.positionT = derivatives.byT;
+        const double offset = relief_ ? relief_->offset : 0;
+        vertex.limitQuadric = quadricOfDerivatives(derivatives.byS + offset * derivatives.normalByS,
+                                                   derivatives.byT + offset * derivatives.normalByT,
+                                                   derivatives.normalByS, derivatives.normalByT);
 
         Place& here = places_[place];
         if (!here.sampled) here.position = base.position;
@@ -166,12 +134,14 @@ class ProxyBuilder {
     }
 
     void fitQuadrics() {
+        std::vector<Vec3> ring;
         for (ProxyVertex& vertex : proxy_.vertices) {
             if (glm::length(vertex.positionS) == 0) continue;
-            QuadricFit fit(vertex);
+            ring.clear();
             for (const size_t neighbour : places_[vertex.place].ring)
-                fit.add(places_[neighbour].position);
-            fit.solve(vertex.quadricA, vertex.quadricB);
+                ring.push_back(places_[neighbour].position);
+            vertex.ringQuadric =
+                fitQuadric({vertex.position, vertex.positionS, vertex.positionT, vertex.normal}, ring);
         }
     }
 

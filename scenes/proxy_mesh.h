@@ -2,6 +2,7 @@
 // edge, pushed out by the relief's offset, along the normals or the relief's axis. World space throughout.
 #pragma once
 
+#include "quadric_fit.h"
 #include "scene.h"
 
 namespace plumbline {
@@ -18,11 +19,11 @@ struct ProxyVertex {
     /// Number of the place of the surface it stands on, below ProxyMesh::placeCount: vertices split there share it, and their
     /// position.
     size_t place = 0;
-    /// Coefficients of the quadric z = -(A x^2 + B y^2) that fits the one-ring (all vertices that share a facet) in
-    /// the frame (x along positionS, y along positionT, z along normal), world units^-1. Oliveira and Policarpo,
-    /// UFRGS RP-351 (2005), section 3.1, with the sign their Eqs 6 and 7 need: A > 0 where the surface is convex
-    /// along s. 0 where the ring doesn't determine them.
-    double quadricA = 0, quadricB = 0;
+    /// Quadrics that bend like the proxy here, x along positionS, y along positionT: fitted to the one-ring (all vertices that
+    /// share a facet); and that of the surface the vertices stand on, the limit surface pushed out by the offset (of a polygon
+    /// mesh, Scheme::None: of its interpolated normals). 0 where the map from st to space is singular.
+    RingFit ringQuadric;
+    QuadricCoefficients limitQuadric;
 };
 
 struct ProxyMesh {

@@ -72,7 +72,9 @@ void addReferenceOptions(CLI::App& command, ReferenceArguments& arguments, const
 void addRealtimeOptions(CLI::App& command, RealtimeArguments& arguments) {
     command
         .add_option("--technique", arguments.techniques,
-                    "SEARCH[@SURFACE][:key=value,…], SEARCH a name or a folder; may be repeated")
+                    "SEARCH[@SURFACE][:key=value,…], SEARCH a name or a folder; may be repeated. Default: "
+                    "all, that is "
+                    "every search on every surface but its variants, those with linear_binary")
         ->type_name("NAME|DIR")
         ->allow_extra_args(false);
     command.add_option("--set", arguments.settings, "A parameter of all techniques; may be repeated")
@@ -198,8 +200,9 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     addBake(app, arguments, run);
     addStudy(app, arguments, run);
 
-    CLI::App* list = app.add_subcommand("list", "List scenes, techniques, metrics or kinds of baked maps");
-    list->add_option("WHAT", arguments.listed, "scenes, techniques, metrics or bakes")->required();
+    CLI::App* list =
+        app.add_subcommand("list", "List scenes, techniques, surfaces, metrics or kinds of baked maps");
+    list->add_option("WHAT", arguments.listed, "scenes, techniques, surfaces, metrics or bakes")->required();
     list->callback([&] { run = [&] { return runList(arguments.listed); }; });
 
     app.add_subcommand("doctor", "Say what this machine can do")->callback([&] {

@@ -5,17 +5,21 @@
 // Below this cosine between a ray and the normal a ray counts as running along the surface: it never gets down into the
 // relief, and dividing by its descent would leave float's range. 1e-4 is 0.006 degrees.
 const float kGrazingCosine = 1e-4;
+// Two tangents are taken as one direction below this squared sine of the angle between them.
+const float kSmallestSineSquared = 1e-6;
 
 // A ray's way through the relief, t from 0 at its entry to 1 at the end of the search interval. Made by the surface.
 struct ReliefRay {
     vec2 st;           // at t = 0
-    vec2 stTravel;     // st at t = 1 minus st at t = 0; st is linear in t on every surface
-    float endDepth;    // d at t = 1: 1, or 0 where the ray has left the relief again
-    float bend;        // d(t) = endDepth t + bend t (1 - t); 0 on a flat base
+    vec2 stTravel;     // st at t = 1 minus st at t = 0; between them reliefPosition knows
+    float endDepth;    // d at t = 1: 1, or less where the ray ends without having come to the bottom: 0 where it has left the relief again
+    float bend;        // where st is linear and d a polynomial in t: d(t) = endDepth t + bend t (1 - t); 0 on a flat base
     float lengthWorld; // from t = 0 to t = 1, world units
     float cosine;      // between the ray and the base's normal at its entry, > 0
     vec2 scaleWorld;   // sx, sy: world units per unit of s and t
     float depthWorld;  // sz: world units per unit of d
+    vec4 surfaceA;     // the surface's own, as surfaceB: a search doesn't read them
+    vec4 surfaceB;
 };
 
 struct ReliefHit {
@@ -26,7 +30,10 @@ struct ReliefHit {
 
 // --- given to a search --------------------------------------------------------------------------------------------
 vec3 reliefPosition(ReliefRay ray, float t); // (s, t, d)
-float steepestDescent(ReliefRay ray, float t); // largest dd/dt from t on to 1, 0 if d only falls: no step is too long by it
+float descentAt(ReliefRay ray, float t);     // dd/dt
+// Largest dd/dt from t on to 1, 0 if d only falls: no step is too long by it. The surfaces whose st is linear and whose d is
+// a polynomial in t have it: flat, quadric, quadric_full.
+float steepestDescent(ReliefRay ray, float t);
 float reliefDepth(vec2 st);                  // the map's depth; one counted look-up
 vec4 reliefCell(ivec2 cell);                 // four texels of the map, reliefMapSize(), reliefMapClamps(): height_map.glsl
 void countIteration();                       // one more round of the search, for cost.iterations; shadow rays don't count
@@ -54,5 +61,6 @@ vec2 reliefScale(ReliefFrame frame) { return vec2(length(frame.positionS), lengt
 // discarded.
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray);
 
-// Change of the base's height along frame.normal per unit of s and t, `stTravelled` away from the fragment.
-vec2 baseSlope(ReliefFrame frame, vec2 stTravelled);
+// The base at the hit at t. Its positionS and positionT are the derivatives of P = base - depthWorld d normal at constant d, its normal
+// the direction depth is measured along.
+ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t);

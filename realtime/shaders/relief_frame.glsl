@@ -9,9 +9,6 @@ in vec3 vCurvature;
 
 uniform float uReliefDepthWorld;
 
-// Two tangents are taken as one direction below this squared sine of the angle between them.
-const float kSmallestSineSquared = 1e-6;
-
 ReliefFrame fragmentFrame() {
     ReliefFrame frame;
     frame.normal = directionOr(vNormal, directionToCamera(vPosition));

@@ -5,11 +5,11 @@ flat in vec2 vTriangleStC;
 
 uniform float uShadowBias; // relief depth
 
-// Normal of P = S - depthWorld * d * normal from its derivatives along s and t.
-vec3 reliefNormal(ReliefFrame frame, vec2 st, vec2 stTravelled) {
-    vec2 slope = baseSlope(frame, stTravelled) - frame.depthWorld * reliefDepthGradient(st);
-    vec3 positionS = frame.positionS + frame.normal * slope.x;
-    vec3 positionT = frame.positionT + frame.normal * slope.y;
+// Normal of P = S - depthWorld * d * normal from its derivatives along s and t; `frame`: of the base at the hit.
+vec3 reliefNormal(ReliefFrame frame, vec2 st) {
+    vec2 fall = frame.depthWorld * reliefDepthGradient(st);
+    vec3 positionS = frame.positionS - frame.normal * fall.x;
+    vec3 positionT = frame.positionT - frame.normal * fall.y;
     vec3 across = cross(directionOr(positionS, vec3(0.0)), directionOr(positionT, vec3(0.0)));
     if (dot(across, frame.normal) < 0.0) across = -across; // mirrored texture coordinates
     return directionOr(across, frame.normal);
@@ -47,7 +47,7 @@ void main() {
 
     SurfacePoint point;
     point.position = vPosition - toCamera * (hit.t * ray.lengthWorld);
-    point.normal = reliefNormal(frame, hit.st, ray.stTravel * hit.t);
+    point.normal = reliefNormal(frameAt(frame, ray, hit.t), hit.st);
     point.st = hit.st;
     vec3 positionRelief = vec3(hit.st, reliefPosition(ray, hit.t).z);
     float shadow[kLightSlots];

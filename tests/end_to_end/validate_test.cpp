@@ -387,6 +387,17 @@ TEST_F(Validate, ARefusedSurfaceIsRefusedWithItsReason) {
     EXPECT_THAT(outcome.err, HasSubstr("'sphere_tracing' has no surface 'quadric': distances in the field"));
 }
 
+TEST_F(Validate, AllHoldsVariantsOfASurfaceWithOneSearch) {
+    writeSmallScene();
+    // What is in `all` already can't be named beside it: `linear` on the variant isn't, `linear_binary` on it is.
+    const Outcome outcome = validate("out", {"--technique", "all", "--technique", "linear@quadric_nearest",
+                                             "--technique", "linear_binary@quadric_nearest"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_THAT(outcome.err, HasSubstr("'linear_binary@quadric_nearest' is named twice"));
+    EXPECT_THAT(validate("out", {"--technique", "all", "--technique", "linear@quadric"}).err,
+                HasSubstr("'linear@quadric' is named twice"));
+}
+
 TEST_F(Validate, AResultNeverReplacesWhatIsRead) {
     writeSmallScene();
     const std::string before = readFile(folder_ / "small.toml");

@@ -143,12 +143,13 @@ std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
     source.addText("(settings)", "const bool kHardwareFilter = false;");
     source.addFile(folder / "shaders" / "height_map.glsl");
     source.addFile(folder / "shaders" / "relief_contract.glsl");
+    source.addFile(folder / "shaders" / "quadric_base.glsl");
     source.addFile(folder / "surfaces" / "quadric" / "quadric.glsl");
     source.addText("(test)",
                    "vec4 evaluate(vec4 a) {\n"
                    "  vec2 end = searchEnd(a.x, a.y);\n"
                    "  ReliefRay ray = ReliefRay(vec2(0.0), vec2(0.0), end.y, a.y * end.x * end.x, end.x, "
-                   "1.0, vec2(1.0), 1.0);\n"
+                   "1.0, vec2(1.0), 1.0, vec4(0.0), vec4(0.0));\n"
                    "  return vec4(end, reliefPosition(ray, 1.0).z, reliefPosition(ray, 0.5).z);\n}");
     return evaluateGlsl(source, descentAndF);
 }

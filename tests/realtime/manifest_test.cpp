@@ -12,9 +12,11 @@ namespace plumbline {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::EndsWith;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 TEST(TechniqueText, SearchSurfaceAndSettings) {
@@ -91,8 +93,8 @@ TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
                             "steps", "tolerance", "triangle_bounds"));
     // No cast shadows on a quadric: nothing for a bias to act on.
     EXPECT_THAT(knownSettings(parseTechnique("linear_binary@quadric")),
-                ElementsAre("binary_steps", "early_exit", "filter", "linear_steps", "shadow", "steps",
-                            "tolerance", "triangle_bounds"));
+                ElementsAre("binary_steps", "coefficients", "early_exit", "filter", "linear_steps", "shadow",
+                            "steps", "tolerance", "triangle_bounds"));
     EXPECT_TRUE(knownSettings(parseTechnique("micro_triangles")).empty());
 }
 
@@ -170,7 +172,8 @@ TEST(Manifest, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(manifestMessage(with("['flat']", "'flat'")),
               "technique.toml:4: surfaces is not a list; expected [\"…\", \"…\"]");
     EXPECT_EQ(manifestMessage(with("['flat']", "[]")),
-              "technique.toml:4: surfaces is empty; expected flat or quadric");
+              "technique.toml:4: surfaces is empty; expected flat, quadric, quadric_full, quadric_nearest or "
+              "quadric_perpendicular");
     EXPECT_EQ(manifestMessage(with("'me'", "7")),
               "technique.toml:2: citation is not a text; expected a text in quotes");
     EXPECT_EQ(
@@ -222,6 +225,42 @@ TEST(Manifest, ASurfaceCanBeRefusedWithAReason) {
     EXPECT_THAT(message("quadrik = 'no'\n"), HasSubstr("did you mean 'quadric'?"));
     EXPECT_THAT(message("quadric = 3\n"),
                 HasSubstr("technique.toml:7: refused_surfaces.quadric is not a text"));
+}
+
+TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
+    const auto message = [](const std::string& inputs, const std::string& rest) {
+        const TemporaryFolder folder;
+        folder.write("bent/surface.toml",
+                     "title = 'Bent'\ncitation = 'me'\nshadows = ['none']\nlimits = []\n" + inputs + rest);
+        folder.write("bent/bent.glsl", "");
+        return messageOf<InputError>([&] {
+            const Manifest manifest = readSurfaceManifest(folder.path() / "bent");
+            EXPECT_TRUE(manifest.isBent());
+            EXPECT_EQ(manifest.variantOf, "quadric");
+        });
+    };
+    const std::string variant = "variant_of = 'quadric'\n";
+    EXPECT_EQ(message("inputs = ['quadric']\n", variant), "");
+    EXPECT_EQ(message("inputs = ['quadric_full']\n", variant), "");
+    EXPECT_THAT(message("inputs = ['quadric', 'quadric_full']\n", variant),
+                HasSubstr("surface.toml:5: a base is given one quadric; expected quadric or quadric_full"));
+    EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 'quadrik'\n"),
+                AllOf(HasSubstr("surface.toml:6: variant_of: 'quadrik' is not known"),
+                      EndsWith("did you mean 'quadric'?")));
+    EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"), HasSubstr("variant_of is not a text"));
+}
+
+TEST(Settings, CoefficientsChooseTheQuadricsOfTheVertices) {
+    const auto set = [](const char* technique) {
+        return resolveTechnique(parseTechnique(technique), {}).curvatureSet();
+    };
+    EXPECT_EQ(set("linear_binary@quadric"), CurvatureSet::RingTwoTerms);
+    EXPECT_EQ(set("linear_binary@quadric:coefficients=limit"), CurvatureSet::LimitTwoTerms);
+    EXPECT_EQ(set("linear_binary@quadric_full"), CurvatureSet::RingThreeTerms);
+    EXPECT_EQ(set("linear_binary@quadric_full:coefficients=limit"), CurvatureSet::LimitThreeTerms);
+    EXPECT_EQ(nameOf("linear_binary@quadric:coefficients=limit"), "linear_binary@quadric:coefficients=limit");
+    EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
+                Not(Contains("coefficients"))); // nothing bent
 }
 
 TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {

@@ -70,16 +70,99 @@ TEST(QuadricFrame, PositionsLieOnTheParabolaUnderTheFragment) {
     EXPECT_GT(compared, 40u);
 }
 
+TEST(QuadricOutline, WhereDepthIsANearestDistanceOrPerpendicularToTheRay) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // The same cylinder. The ray touches the relief where it runs at a right angle to the base's normal there, so that D_U and D_n agree:
+    // D_U gets to D h if cos^2 a >= 4 k D h sin a with k = 1 / (2 R), that is sin a <= sqrt(1 + x^2) - x with x = D h / R, nearer to the
+    // true 1 - x than D_z's 1 / sqrt(1 + 2 x). Errors as above; of 200 steps one
+    // lies within a hundredth of the way of the deepest point, and there d is short by 1e-4 at most.
+    for (const auto& [d, depth] : {std::pair(1.0f, 0.1), std::pair(0.5f, 0.5)})
+        for (const char* surface : {"quadric_perpendicular", "quadric_nearest"}) {
+            const Frame frame = draw(cylinderScene(d, depth), std::string("linear_binary@") + surface +
+                                                                  ":linear_steps=200,binary_steps=16");
+            const double x = d * depth;
+            EXPECT_NEAR(halfWidth(frame), std::sqrt(1 + x * x) - x, 0.005)
+                << surface << " " << d << " " << depth;
+        }
+}
+
+/// A ridged square seen at 45 degrees and a bit from the side.
+Scene planeScene(double depth) {
+    const auto map = std::make_shared<HeightMap>("profile", 5, 1, std::vector<float>{0, 1, 0.3f, 0.7f, 1});
+    return sceneOf(squareObject(2, map, depth), orthographicCamera({-3, 4, 1}, {0, 0, -1}, 1, 64));
+}
+
 TEST(QuadricFrame, OnAPlaneIsTheFlatSurface) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Nothing bends: curvature 0 exactly, so the same samples; only where shadows are cast the frames may differ.
-    const auto map = std::make_shared<HeightMap>("profile", 5, 1, std::vector<float>{0, 1, 0.3f, 0.7f, 1});
-    Scene scene = sceneOf(squareObject(2, map, 0.3), orthographicCamera({-3, 4, 1}, {0, 0, -1}, 1, 64));
-    const Frame flat = draw(scene, "linear_binary:shadow=none"),
-                quadric = draw(scene, "linear_binary@quadric");
-    for (const std::string& name : flat.channelNames())
-        for (size_t i = 0; i < flat.pixelCount(); ++i)
-            ASSERT_NEAR(flat.channel(name)[i], quadric.channel(name)[i], 1e-5) << name;
+    // Nothing bends: curvature 0 exactly, so the same samples to a few roundings; only where shadows are cast the frames may differ.
+    const Frame flat = draw(planeScene(0.3), "linear_binary:shadow=none");
+    for (const char* surface :
+         {"quadric", "quadric_full", "quadric_nearest", "quadric_nearest:texture_from=ray",
+          "quadric:coefficients=limit", "quadric_full:coefficients=limit"}) {
+        const Frame quadric = draw(planeScene(0.3), std::string("linear_binary@") + surface);
+        for (const std::string& name : flat.channelNames())
+            for (size_t i = 0; i < flat.pixelCount(); ++i)
+                ASSERT_NEAR(flat.channel(name)[i], quadric.channel(name)[i], 1e-5) << surface << " " << name;
+    }
+}
+
+TEST(QuadricFrame, PerpendicularToTheRayAPlanesReliefIsShallowerByTheSine) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // D_U of a plane is the depth over the sine between ray and normal, which all rays of this camera share: positions are those of a flat
+    // relief as deep as sz sine.
+    const double sine = std::sqrt(10.0 / 26);
+    const Frame flat = draw(planeScene(0.3 * sine), "linear_binary:shadow=none"),
+                perpendicular = draw(planeScene(0.3), "linear_binary@quadric_perpendicular"),
+                unscaled = draw(planeScene(0.3), "linear_binary:shadow=none");
+    double least = 0;
+    for (const char* name : {"Z", "P.X", "P.Y", "P.Z", "st.S", "st.T", "A"})
+        for (size_t i = 0; i < flat.pixelCount(); ++i) {
+            ASSERT_NEAR(flat.channel(name)[i], perpendicular.channel(name)[i], 1e-5) << name;
+            least =
+                std::max(least, std::abs(double(unscaled.channel(name)[i]) - perpendicular.channel(name)[i]));
+        }
+    EXPECT_GT(least, 0.05); // it isn't the flat surface
+}
+
+TEST(QuadricFrame, ConvexOutlinesStayInsideThePolygons) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // No base of ours puts a fragment where the polygon has none, and all cut something off. The outline of a sphere of radius 1 whose
+    // relief is D h = 0.1 deep is at 0.9; the paraboloids' at 0.913 (D_z) and 0.905; fragments' curvature is fitted to a few per cent.
+    SceneObject sphere;
+    sphere.name = "sphere";
+    sphere.mesh = makeSphere(1, 16);
+    sphere.relief = Relief{std::make_shared<HeightMap>(HeightMap::constant("constant", 0.5)), 0.2, 0,
+                           Vec2(4, 2), Vec2(0)};
+    SceneObject torus = sphere;
+    torus.name = "torus";
+    torus.mesh = makeTorus(1, 0.4, 48, 24);
+    for (const SceneObject& object : {sphere, torus}) {
+        const Scene scene = sceneOf(object, orthographicCamera({0, 5, 0.01}, {0, 0, -1}, 3, 256));
+        const Frame flat = draw(scene, "linear_binary");
+        for (const char* surface : {"quadric", "quadric_full", "quadric_perpendicular", "quadric_nearest",
+                                    "quadric_full:coefficients=limit"}) {
+            const Frame frame = draw(scene, std::string("linear_binary@") + surface);
+            for (int y = 1; y < 255; ++y)
+                for (int x = 1; x < 255; ++x) {
+                    if (frame.channel("A")[pixelAt(frame, x, y)] == 0) continue;
+                    bool near = false;
+                    for (int dy = -1; dy <= 1; ++dy)
+                        for (int dx = -1; dx <= 1; ++dx)
+                            near = near || flat.channel("A")[pixelAt(flat, x + dx, y + dy)] > 0;
+                    ASSERT_TRUE(near) << object.name << " " << surface << " " << x << " " << y;
+                }
+            int covered = 0, whole = 0;
+            for (int x = 0; x < 256; ++x) {
+                covered += frame.channel("A")[pixelAt(frame, x, 128)] > 0;
+                whole += flat.channel("A")[pixelAt(flat, x, 128)] > 0;
+            }
+            if (object.name == "sphere") {
+                EXPECT_NEAR(covered / double(whole), 0.909, 0.02) << surface;
+            } else {
+                EXPECT_LT(covered, whole - 5) << surface;
+            }
+        }
+    }
 }
 
 } // namespace

@@ -23,6 +23,7 @@ ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
     source.addFile(folder / "shaders" / "height_map.glsl");
     source.addFile(folder / "shaders" / "relief_contract.glsl");
     source.addFile(folder / "shaders" / "relief_walk.glsl");
+    source.addFile(folder / "shaders" / "quadric_base.glsl");
     source.addText("(parameters)", technique.glslConstants());
     // Its reliefPosition is that of `flat` to the bit where endDepth is 1 and bend 0.
     source.addFile(folder / "surfaces" / "quadric" / "quadric.glsl");
@@ -31,7 +32,8 @@ ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
         "(test)",
         fmt::format(
             "vec4 evaluate(vec4 a) {{\n"
-            "  ReliefRay ray = ReliefRay(a.xy, a.zw, {:.9e}, {:.9e}, 1.0, {:.9e}, vec2(1.0), 1.0);\n"
+            "  ReliefRay ray = ReliefRay(a.xy, a.zw, {:.9e}, {:.9e}, 1.0, {:.9e}, vec2(1.0), 1.0, "
+            "vec4(0.0), vec4(0.0));\n"
             "  ReliefHit hit = traceRelief(ray);\n"
             "  return vec4(hit.hit ? 1.0 : 0.0, hit.t, float(gIterations), float(gHeightLookups));\n}}",
             path.endDepth, path.bend, path.cosine));

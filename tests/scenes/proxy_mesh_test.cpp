@@ -54,8 +54,8 @@ TEST(ProxyMesh, QuadricOfACylinderIsHalfItsCurvature) {
         const ProxyMesh proxy = buildProxyMesh(cylinder(64, 6, radius, 1.2 * radius));
         ASSERT_EQ(proxy.triangles.size(), 64u * 6 * 2 * 3);
         for (const ProxyVertex& vertex : proxy.vertices) {
-            EXPECT_NEAR(vertex.quadricA * 2 * radius, 1, 0.005); // > 0: convex
-            EXPECT_NEAR(vertex.quadricB * 2 * radius, 0, 0.02);
+            EXPECT_NEAR(vertex.ringQuadric.twoTerms.a * 2 * radius, 1, 0.005); // > 0: convex
+            EXPECT_NEAR(vertex.ringQuadric.twoTerms.b * 2 * radius, 0, 0.02);
         }
     }
 }

@@ -87,7 +87,7 @@ int runReference(const ReferenceArguments& arguments);
 int runRealtime(const RealtimeArguments& arguments);
 int runCompare(const CompareArguments& arguments);
 int runBake(const BakeArguments& arguments);
-/// `what`: scenes, techniques, metrics or bakes.
+/// `what`: scenes, techniques, surfaces, metrics or bakes.
 int runList(const std::string& what);
 int runDoctor();
 int runStudy(const StudyArguments& arguments);

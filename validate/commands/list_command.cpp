@@ -35,6 +35,25 @@ void listBakes() {
 }
 
 #ifdef PLUMBLINE_GL
+void printParameters(const std::vector<TechniqueInfo::Parameter>& parameters) {
+    for (const TechniqueInfo::Parameter& parameter : parameters)
+        fmt::print("    {} = {}  {}{}{}: {}\n", parameter.name, parameter.defaultValue, parameter.type,
+                   parameter.range.empty() ? "" : " " + parameter.range,
+                   parameter.unit.empty() ? "" : ", " + parameter.unit, parameter.meaning);
+}
+
+void listAllSurfaces() {
+    for (const SurfaceInfo& surface : listSurfaces()) {
+        fmt::print("{}: {}\n    source: {}\n", surface.name, surface.title, surface.citation);
+        if (!surface.variantOf.empty()) fmt::print("    variant of: {}\n", surface.variantOf);
+        fmt::print("    shadows: {}\n", fmt::join(surface.shadows, ", "));
+        if (!surface.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(surface.inputs, ", "));
+        printParameters(surface.parameters);
+        for (const std::string& limit : surface.limits)
+            fmt::print("    limit: {}\n", limit);
+    }
+}
+
 void listAllTechniques() {
     for (const TechniqueInfo& technique : listTechniques()) {
         fmt::print("{}: {}\n", technique.name, technique.title);
@@ -45,10 +64,7 @@ void listAllTechniques() {
             fmt::print("    not on {}: {}\n", surface, reason);
         if (!technique.shadows.empty()) fmt::print("    shadows: {}\n", fmt::join(technique.shadows, ", "));
         if (!technique.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(technique.inputs, ", "));
-        for (const TechniqueInfo::Parameter& parameter : technique.parameters)
-            fmt::print("    {} = {}  {}{}{}: {}\n", parameter.name, parameter.defaultValue, parameter.type,
-                       parameter.range.empty() ? "" : " " + parameter.range,
-                       parameter.unit.empty() ? "" : ", " + parameter.unit, parameter.meaning);
+        printParameters(technique.parameters);
         for (const std::string& limit : technique.limits)
             fmt::print("    limit: {}\n", limit);
     }
@@ -56,6 +72,10 @@ void listAllTechniques() {
 #else
 void listAllTechniques() {
     throw MachineError("list techniques", "this program was built without OpenGL (preset no-gl)",
+                       "a build with it");
+}
+void listAllSurfaces() {
+    throw MachineError("list surfaces", "this program was built without OpenGL (preset no-gl)",
                        "a build with it");
 }
 #endif
@@ -67,12 +87,14 @@ int runList(const std::string& what) {
         listScenes();
     else if (what == "techniques")
         listAllTechniques();
+    else if (what == "surfaces")
+        listAllSurfaces();
     else if (what == "metrics")
         listMetrics();
     else if (what == "bakes")
         listBakes();
     else {
-        const std::vector<std::string> choices{"scenes", "techniques", "metrics", "bakes"};
+        const std::vector<std::string> choices{"scenes", "techniques", "surfaces", "metrics", "bakes"};
         throw InputError("list", fmt::format("found '{}'", what), listOf(choices), didYouMean(what, choices));
     }
     return kExitDone;

@@ -10,13 +10,21 @@
 namespace plumbline {
 namespace {
 
+// The one search that variants of a surface are drawn with in `all`: one row tells of a surface, twelve only lengthen the table.
+constexpr const char* kSearchForVariants = "linear_binary";
+
+/// Every search on every surface it composes with that is no variant of another one; variants with one search.
 std::vector<TechniqueRequest> allTechniques() {
+    std::set<std::string> variants;
+    for (const SurfaceInfo& surface : listSurfaces())
+        if (!surface.variantOf.empty()) variants.insert(surface.name);
     std::vector<TechniqueRequest> requests;
     for (const TechniqueInfo& info : listTechniques()) {
         TechniqueRequest request;
         request.search = info.name;
         if (info.surfaces.empty()) requests.push_back(request);
         for (const std::string& surface : info.surfaces) {
+            if (variants.contains(surface) && info.name != kSearchForVariants) continue;
             request.surface = surface;
             requests.push_back(request);
         }

@@ -11,7 +11,7 @@
 // t plus the gap over the ray's descent: on a flat base t = D exactly but for rounding.
 float answerAt(ReliefRay ray, float t, float gap) {
     if (answer == answer_intersection) return t;
-    float descent = ray.endDepth + ray.bend * (1.0 - 2.0 * t);
+    float descent = descentAt(ray, t);
     return descent > kGrazingCosine ? clamp(t + gap / descent, 0.0, 1.0) : t;
 }
 

@@ -1,0 +1,70 @@
+// Depth below a quadric, perpendicular to the ray: D_U (Oliveira, Policarpo, RP-351, Eqs 3 to 6; TECHNIQUES section 2, E14, E15).
+//
+// U is the part of the outward normal N at a right angle to the ray V, made unit: it lies in the plane of N and V. In that plane, x along
+// the ray's way over the tangent plane, z inward, the quadric is z = k x^2 with its curvature k in that direction, and
+//     V = (s, c),  U = (c, -s),  s and c the sine and cosine between ray and inward normal.
+// From P = tau V the distance sigma along U to the quadric solves A sigma^2 + B sigma + C = 0 with
+//     A = k c^2,  B = 2 k tau s c + s,  C = k tau^2 s^2 - tau c:
+// their Eq. 6 with z inward, where -U_z = s (E15: chapter 5 lost it). Its discriminant is s^2 + 4 k c tau. d = sigma / sz: the
+// perpendicular is taken in tangent space, which scaling doesn't keep (E14).
+//
+// Eq. 7 takes over where there is no such point (discriminant < 0: concave), and where the ray runs along N and U has no
+// direction.
+//
+// surfaceA: s (0 where Eq. 7 takes over for good), k, 0, 0.
+
+// Below this sine U is what is left of N after taking away all but 1e-4 of it: three of float's seven digits of direction are gone.
+const float kHeadOnSine = 1e-4;
+
+// sigma, world units, `tau` along the ray. 2 C / (-B -+ root) needs no A: a cylinder or a plane is no 0 / 0.
+float depthAlong(float s, float c, float k, float tau) {
+    float below = tau * (c - k * s * s * tau); // -C, and Eq. 7's depth
+    float discriminant = s * s + 4.0 * k * c * tau;
+    if (s == 0.0 || discriminant < 0.0) return below;
+    return 2.0 * below / (s * (1.0 + 2.0 * k * c * tau) + sqrt(discriminant));
+}
+
+// Where the search ends, world units, and the depth there. sigma = h at the positive root of
+//     k s^2 tau^2 + (2 k s c h - c) tau + h (s + k c^2 h) = 0, whose discriminant is c^2 - 4 k s h;
+// sigma = 0 where the quadric is, tau = c / (k s^2). A concave quadric turns the perpendicular away before sigma reaches h, at
+// tau = s^2 / (-4 k c), if s (2 - s^2) < -4 k c^2 h; sigma was more than twice Eq. 7's depth there, so that Eq. 7 goes on to h.
+vec2 perpendicularEnd(float s, float c, float k, float h) {
+    if (s == 0.0 || (k < 0.0 && s * (2.0 - s * s) < -4.0 * k * c * c * h)) return searchEnd(c / h, k * s * s / h);
+    float discriminant = c * c - 4.0 * k * s * h;
+    if (discriminant < 0.0) return vec2(c / (k * s * s), 0.0);
+    return vec2(2.0 * h * (s + k * c * c * h) / (c * (1.0 - 2.0 * k * s * h) + sqrt(discriminant)), 1.0);
+}
+
+bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
+    vec2 scale = reliefScale(frame);
+    vec2 across = direction.xy * scale; // along the unit tangents, per world unit
+    float c = direction.z * frame.depthWorld;
+    float tangentCosine = dot(frame.positionS, frame.positionT) / max(scale.x * scale.y, 1e-30);
+    float s = sqrt(max(dot(across, across) + 2.0 * tangentCosine * across.x * across.y, 0.0));
+    bool headOn = s < kHeadOnSine;
+    float k = headOn ? 0.0 : quadricFall(frame.curvature, across / s);
+    if (headOn) s = 0.0;
+    vec2 end = c > kGrazingCosine ? perpendicularEnd(s, c, k, frame.depthWorld) : vec2(0.0);
+    ray = ReliefRay(st, direction.xy * end.x, end.y, 0.0, end.x, c, scale, frame.depthWorld, vec4(s, k, 0.0, 0.0), vec4(0.0));
+    return c > kGrazingCosine;
+}
+
+// d is exactly endDepth at t = 1.
+vec3 reliefPosition(ReliefRay ray, float t) {
+    float depth = depthAlong(ray.surfaceA.x, ray.cosine, ray.surfaceA.y, ray.lengthWorld * t) / ray.depthWorld;
+    return vec3(ray.st + ray.stTravel * t, t >= 1.0 ? ray.endDepth : depth);
+}
+
+// From the derivative of A sigma^2 + B sigma + C = 0 by tau; of Eq. 7 where it took over.
+float descentAt(ReliefRay ray, float t) {
+    float s = ray.surfaceA.x, k = ray.surfaceA.y, c = ray.cosine, tau = ray.lengthWorld * t;
+    float discriminant = s * s + 4.0 * k * c * tau;
+    float descent = c - 2.0 * k * s * s * tau;
+    if (s > 0.0 && discriminant > 0.0)
+        descent = (descent - 2.0 * k * s * c * depthAlong(s, c, k, tau)) / sqrt(discriminant);
+    return descent * ray.lengthWorld / ray.depthWorld;
+}
+
+// Of the point below the hit along the fragment's normal, as on `quadric`: the surface D_U = D(s, t) is another one for every ray,
+// and has no frame of its own.
+ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t) { return tiltedFrame(frame, ray.stTravel * t); }
