@@ -103,6 +103,31 @@ Picture iterationsPicture(const Frame& test, double most) {
     });
 }
 
+Rgb curvatureColor(double x) {
+    // The figure's blue, green and red; the green is the palest, so that either sign is told from level by lightness alone.
+    constexpr Rgb kConcave{0, 72, 168}, kLevel{160, 218, 170}, kConvex{196, 56, 16};
+    return mix(kLevel, x < 0 ? kConcave : kConvex, std::min(std::abs(x), 1.0));
+}
+
+double curvatureRange(const Frame& test, const std::string& channel) {
+    const auto id = test.channel("id"), curvature = test.channel(channel);
+    std::vector<float> sizes;
+    for (size_t i = 0; i < test.pixelCount(); ++i)
+        if (id[i] > 0 && std::isfinite(curvature[i])) sizes.push_back(std::abs(curvature[i]));
+    if (sizes.empty()) return 0;
+    const auto rank = sizes.begin() + static_cast<std::ptrdiff_t>((sizes.size() - 1) * 9 / 10);
+    std::nth_element(sizes.begin(), rank, sizes.end());
+    return double(*rank);
+}
+
+Picture curvaturePicture(const Frame& test, const std::string& channel, double range) {
+    const auto id = test.channel("id"), curvature = test.channel(channel);
+    return paint(test, [&](size_t i) {
+        if (!(id[i] > 0)) return palette::kNothing;
+        return std::isfinite(curvature[i]) ? curvatureColor(curvature[i] / range) : palette::kInvalid;
+    });
+}
+
 Picture shadowPicture(const FramePair& pair, const std::string& light) {
     const auto reference = pair.reference().channel(shadowChannel(light));
     const auto test = pair.test().channel(shadowChannel(light));

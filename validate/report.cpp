@@ -69,10 +69,32 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
     return entries;
 }
 
+/// Fig. 5.28 of Watt and Policarpo (2005), chapter 5: one picture along s and one along t, at one range; the cross term where a base has
+/// one.
+void Report::saveCurvature(const std::string& stem, const Frame& test,
+                           std::vector<ReportPicture>& entries) const {
+    const std::vector<std::pair<std::string, std::string>> channels{
+        {"curvature.a", "Base's curvature along s: A"},
+        {"curvature.b", "Base's curvature along t: B"},
+        {"curvature.cross", "Base's cross term C"}};
+    double range = 0;
+    for (const auto& [channel, caption] : channels) {
+        if (!test.has(channel) || !test.has("id")) return;
+        range = std::max(range, curvatureRange(test, channel));
+    }
+    if (!(range > 0)) return; // no base is bent
+    for (const auto& [channel, caption] : channels)
+        if (channel != "curvature.cross" || curvatureRange(test, channel) > 0)
+            entries.push_back({save(stem + "_" + channel, curvaturePicture(test, channel, range)), caption,
+                               Kind::Curvature, fmt::format("{:.3g}", range)});
+}
+
 void Report::addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test) {
     // The number keeps names apart that safeFileName makes equal.
     const std::string stem = fmt::format("{}_{}", pictures_.techniques.size() + 1, technique.name);
-    pictures_.techniques[technique.name] = saveDifferences(stem, technique.comparison, reference, test);
+    std::vector<ReportPicture>& entries = pictures_.techniques[technique.name];
+    entries = saveDifferences(stem, technique.comparison, reference, test);
+    saveCurvature(stem, test, entries);
 }
 
 void Report::addBaseGap(const Comparison& gap, const Frame& reference, const Frame& proxyReference) {

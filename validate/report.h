@@ -31,6 +31,7 @@ class Report {
     std::string save(const std::string& name, const Picture& picture) const;
     std::vector<ReportPicture> saveDifferences(const std::string& stem, const Comparison& comparison,
                                                const Frame& reference, const Frame& test) const;
+    void saveCurvature(const std::string& stem, const Frame& test, std::vector<ReportPicture>& entries) const;
 
     std::filesystem::path folder_;
     ReportPictures pictures_;

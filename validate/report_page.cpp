@@ -92,6 +92,8 @@ data paletteData() {
     for (int i = 0; i <= 4; ++i)
         sequential += (i > 0 ? "," : "") + cssColor(sequentialColor(i / 4.0));
     colors.set("sequential", sequential);
+    colors.set("curvature", fmt::format("{},{},{}", cssColor(curvatureColor(-1)), cssColor(curvatureColor(0)),
+                                        cssColor(curvatureColor(1))));
     return colors;
 }
 
@@ -133,6 +135,7 @@ data pictureList(const std::vector<ReportPicture>& entries) {
         picture.set("is_depth", entry.kind == ReportPicture::Kind::DepthError);
         picture.set("is_shadow", entry.kind == ReportPicture::Kind::Shadow);
         picture.set("is_iterations", entry.kind == ReportPicture::Kind::Iterations);
+        picture.set("is_curvature", entry.kind == ReportPicture::Kind::Curvature);
         picture.set("bars", histogramBars(entry.histogram));
         picture.set("range", entry.range);
         picture.set("range_note", entry.rangeNote);

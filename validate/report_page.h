@@ -11,10 +11,11 @@ namespace plumbline {
 
 /// A picture of the page; `file` is relative to it.
 struct ReportPicture {
-    enum class Kind { Color, Silhouette, DepthError, Shadow, Iterations }; // decides the legend
+    enum class Kind { Color, Silhouette, DepthError, Shadow, Iterations, Curvature }; // decides the legend
     std::string file, caption;
     Kind kind = Kind::Color;
     /// Depth error: full colour is at +-range world units, and why there. Iterations: the darkest colour's.
+    /// Curvature: full colour is at +-range.
     std::string range = {}, rangeNote = {};
     std::vector<uint64_t> histogram = {}; // iterations: pixels by rounds
 };

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace plumbline {
@@ -78,6 +79,34 @@ TEST(Pictures, ShadowColoursEachCase) {
     EXPECT_EQ(pixelOf(picture, 1, 0), palette::kBothDark);
     EXPECT_EQ(pixelOf(picture, 2, 0), palette::kExtra);   // false shadow
     EXPECT_EQ(pixelOf(picture, 3, 0), palette::kMissing); // false light
+}
+
+TEST(Pictures, CurvatureIsRedWhereConvexBlueWhereConcaveGreenWhereLevel) {
+    Frame test = emptyFrame(12, 1), empty = emptyFrame(2, 1);
+    test.add("curvature.a");
+    empty.add("curvature.a");
+    const float values[] = {0, 0.5f, -0.5f, 0.25f, 7, kNanF, 0, 0, 0, 0, 0, 3};
+    for (int x = 0; x < 11; ++x) { // the last one isn't covered
+        set(test, "id", x, 0, 1);
+        set(test, "curvature.a", x, 0, values[x]);
+    }
+    const Picture picture = curvaturePicture(test, "curvature.a", 0.5);
+    EXPECT_EQ(pixelOf(picture, 0, 0), curvatureColor(0));
+    EXPECT_EQ(pixelOf(picture, 1, 0), curvatureColor(1));
+    EXPECT_EQ(pixelOf(picture, 2, 0), curvatureColor(-1));
+    EXPECT_EQ(pixelOf(picture, 3, 0), curvatureColor(0.5)); // by magnitude
+    EXPECT_EQ(pixelOf(picture, 4, 0), curvatureColor(1));   // beyond the range
+    EXPECT_EQ(pixelOf(picture, 5, 0), palette::kInvalid);
+    EXPECT_EQ(pixelOf(picture, 11, 0), palette::kNothing);
+    const auto strongest = [](const Rgb& color) {
+        return std::max_element(color.begin(), color.end()) - color.begin();
+    };
+    EXPECT_EQ(strongest(curvatureColor(1)), 0);
+    EXPECT_EQ(strongest(curvatureColor(0)), 1);
+    EXPECT_EQ(strongest(curvatureColor(-1)), 2);
+    // Ten finite values; nine of them within 0.5, whatever the tenth.
+    EXPECT_EQ(curvatureRange(test, "curvature.a"), 0.5);
+    EXPECT_EQ(curvatureRange(empty, "curvature.a"), 0);
 }
 
 TEST(ReportPage, EscapesEveryTextFromOutside) {
