@@ -165,5 +165,69 @@ TEST(QuadricFrame, ConvexOutlinesStayInsideThePolygons) {
     }
 }
 
+TEST(QuadricFrame, IsGivenTheCoefficientsAsked) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // The uvs of the saddle z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t the patch doesn't bend, across it does, by C = 0.6 or
+    // -0.6 in its middle. A proxy of two segments a face sees chords, 2 % off.
+    SceneObject object;
+    object.name = "saddle";
+    object.mesh = makeQuadric(0.3, -0.3, 1, 8);
+    for (Vec2& uv : object.mesh.uvs)
+        uv = Vec2(uv.x + uv.y, uv.y - uv.x);
+    object.proxyRate = 2;
+    object.relief =
+        Relief{std::make_shared<HeightMap>(HeightMap::constant("constant", 0)), 0.1, 0, Vec2(1), Vec2(0)};
+    const Scene scene = sceneOf(object, orthographicCamera({0, 0, 5}, {0, 1, 0}, 0.2, 32));
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}); // one for all: each draw is given its own
+    const auto middle = [&](const char* technique, const char* channel) {
+        const Frame frame = renderer.render(parseTechnique(technique), {}, nullptr).frame;
+        return double(frame.channel(channel)[pixelAt(frame, 16, 16)]);
+    };
+    for (const char* full :
+         {"linear_binary@quadric_full", "linear_binary@quadric_nearest:coefficients=limit"})
+        EXPECT_NEAR(std::abs(middle(full, "curvature.cross")), 0.6, 0.02) << full;
+    const double ring = middle("linear_binary@quadric_full", "curvature.cross"),
+                 limit = middle("linear_binary@quadric_full:coefficients=limit", "curvature.cross");
+    EXPECT_NE(ring, limit);
+    EXPECT_NEAR(ring, limit, 0.01);
+    for (const char* twoTerms : {"linear_binary@quadric", "linear_binary@quadric:coefficients=limit",
+                                 "linear_binary@quadric_perpendicular"}) {
+        EXPECT_EQ(middle(twoTerms, "curvature.cross"), 0) << twoTerms;
+        EXPECT_NEAR(middle(twoTerms, "curvature.a"), 0, 0.01) << twoTerms;
+    }
+    // A cylinder, where A isn't 0 and both say the same.
+    const Scene cylinder = cylinderScene(0, 0.1);
+    for (const char* technique : {"linear_binary@quadric", "linear_binary@quadric:coefficients=limit"}) {
+        const Frame frame = draw(cylinder, technique);
+        EXPECT_NEAR(frame.channel("curvature.a")[pixelAt(frame, kPixels / 2, kPixels / 2)], 0.5, 0.002)
+            << technique;
+        EXPECT_NEAR(frame.channel("curvature.b")[pixelAt(frame, kPixels / 2, kPixels / 2)], 0, 0.002)
+            << technique;
+    }
+}
+
+TEST(QuadricFrame, TheDepthSampledAnswersOnEveryBase) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A constant map: the depth sampled is that of the hit, so that sampled_depth is a step of Newton's method with the ray's descent. Of a
+    // search without secants it leaves the square of the step, which is a small part of the whole, on every base.
+    for (const char* surface : {"quadric", "quadric_full", "quadric_perpendicular", "quadric_nearest"}) {
+        const std::string search = std::string("linear_secant@") + surface;
+        const Frame hit = draw(cylinderScene(0.5f, 0.2),
+                               search + ":linear_steps=20,max_iterations=30,tolerance=0.000001"),
+                    step = draw(cylinderScene(0.5f, 0.2), search + ":linear_steps=20,max_iterations=0"),
+                    sampled = draw(cylinderScene(0.5f, 0.2),
+                                   search + ":linear_steps=20,max_iterations=0,answer=sampled_depth");
+        double ofStep = 0, ofSampled = 0;
+        for (size_t i = 0; i < hit.pixelCount(); ++i) {
+            // Away from the outline, where rays hardly descend.
+            if (hit.channel("A")[i] == 0 || hit.channel("P.Z")[i] < 0.5f) continue;
+            ofStep += std::abs(step.channel("Z")[i] - hit.channel("Z")[i]);
+            ofSampled += std::abs(sampled.channel("Z")[i] - hit.channel("Z")[i]);
+        }
+        EXPECT_GT(ofStep, 1) << surface;
+        EXPECT_LT(ofSampled, 0.1 * ofStep) << surface;
+    }
+}
+
 } // namespace
 } // namespace plumbline
