@@ -90,7 +90,8 @@ class ProxyBuilder {
         }
         vertex.positionS = derivatives.byS;
         vertex.positionT = derivatives.byT;
-        const double offset = relief_ ? relief_->offset : 0;
+        // Along an axis the offset moves the surface and bends nothing.
+        const double offset = relief_ && !relief_->axisWorld ? relief_->offset : 0;
         vertex.limitQuadric = quadricOfDerivatives(derivatives.byS + offset * derivatives.normalByS,
                                                    derivatives.byT + offset * derivatives.normalByT,
                                                    derivatives.normalByS, derivatives.normalByT);

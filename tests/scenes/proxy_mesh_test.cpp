@@ -70,8 +70,8 @@ TEST(ProxyMesh, QuadricOfAQuadricsApexIsExact) {
     for (const ProxyVertex& vertex : buildProxyMesh(object).vertices) {
         if (glm::length(vertex.position) > 1e-12) continue;
         ++apexes;
-        EXPECT_NEAR(vertex.quadricA, 2.5, 1e-9); // A > 0 is convex
-        EXPECT_NEAR(vertex.quadricB, -0.4, 1e-9);
+        EXPECT_NEAR(vertex.ringQuadric.twoTerms.a, 2.5, 1e-9); // A > 0 is convex
+        EXPECT_NEAR(vertex.ringQuadric.twoTerms.b, -0.4, 1e-9);
     }
     EXPECT_EQ(apexes, 4); // of the four faces
 }
@@ -134,7 +134,9 @@ TEST(ProxyMesh, OffsetAlongAnAxisMovesIt) {
         EXPECT_LT(glm::length(moved.vertices[i].position - there.vertices[i].position - Vec3(0, 0.15, 0.2)),
                   1e-15);
         EXPECT_EQ(moved.vertices[i].normal, there.vertices[i].normal);
-        EXPECT_NEAR(moved.vertices[i].quadricA, there.vertices[i].quadricA, 1e-12);
+        EXPECT_NEAR(moved.vertices[i].ringQuadric.twoTerms.a, there.vertices[i].ringQuadric.twoTerms.a,
+                    1e-12);
+        EXPECT_EQ(moved.vertices[i].limitQuadric.a, there.vertices[i].limitQuadric.a);
     }
 }
 
