@@ -49,6 +49,15 @@ std::vector<std::string> allowedShadows(const Manifest& search, const Manifest& 
     return allowed;
 }
 
+Parameter boolParameter(std::string name, bool defaultValue, std::string meaning) {
+    Parameter parameter;
+    parameter.name = std::move(name);
+    parameter.type = ParameterValue::Type::Bool;
+    parameter.defaultValue = {ParameterValue::Type::Bool, defaultValue ? 1.0 : 0.0};
+    parameter.meaning = std::move(meaning);
+    return parameter;
+}
+
 std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface) {
     std::vector<Parameter> parameters;
     parameters.push_back(choiceParameter("filter", {"exact", "hardware"},
@@ -69,13 +78,13 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
         bias.meaning = "a shadow ray must be stopped this much above the point to shadow it";
         parameters.push_back(bias);
     }
-    Parameter bounds;
-    bounds.name = "triangle_bounds";
-    bounds.type = ParameterValue::Type::Bool;
-    bounds.defaultValue = {ParameterValue::Type::Bool, 0};
-    bounds.meaning =
-        "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)";
-    parameters.push_back(bounds);
+    parameters.push_back(boolParameter(
+        "triangle_bounds", false,
+        "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)"));
+    parameters.push_back(
+        boolParameter("depth_correction", true,
+                      "the depth buffer holds the hit's depth (RP-351, section 3.5); false: the "
+                      "polygon's, as do Z and what hides what"));
     if (surface.isBent())
         parameters.push_back(
             choiceParameter("coefficients", {"ring", "limit"},

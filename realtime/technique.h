@@ -20,11 +20,10 @@ struct Technique {
     };
 
     Manifest search;
-    std::optional<Manifest> surface;     // none for micro_triangles
-    std::vector<Setting> shaderSettings; // of search and surface: become constants of the shader
-    std::vector<Setting>
-        harnessSettings; // filter, shadow, shadow_bias, triangle_bounds, coefficients, as far as they apply
-    std::string name;    // as in every result
+    std::optional<Manifest> surface;      // none for micro_triangles
+    std::vector<Setting> shaderSettings;  // of search and surface: become constants of the shader
+    std::vector<Setting> harnessSettings; // those README.md lists, as far as they apply
+    std::string name;                     // as in every result
 
     const Setting* harness(const std::string& settingName) const;
     /// Text of a harness setting; empty if it doesn't apply.
@@ -35,6 +34,7 @@ struct Technique {
     CurvatureSet curvatureSet() const;
     bool castsShadows() const { return choice("shadow") == "relief"; }
     bool discardsOutsideTriangle() const { return choice("triangle_bounds") == "true"; }
+    bool correctsDepth() const { return choice("depth_correction") == "true"; }
     bool hardwareFilter() const { return choice("filter") == "hardware"; }
     /// Kinds of the baked maps it reads, with choices made.
     std::vector<std::string> bakedKinds() const;

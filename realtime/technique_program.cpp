@@ -67,11 +67,11 @@ StageSources plainSources(size_t lightCount) {
 StageSources reliefSources(const Technique& technique, size_t lightCount) {
     StageSources sources;
     sources.vertex.addFile(shaderFile("proxy_vertex.glsl"));
-    sources.fragment.addText("(settings)",
-                             fmt::format("const bool kHardwareFilter = {};\nconst bool kCastShadows = {};\n"
-                                         "const bool kTriangleBounds = {};\n",
-                                         technique.hardwareFilter(), technique.castsShadows(),
-                                         technique.discardsOutsideTriangle()));
+    sources.fragment.addText(
+        "(settings)", fmt::format("const bool kHardwareFilter = {};\nconst bool kCastShadows = {};\n"
+                                  "const bool kTriangleBounds = {};\nconst bool kDepthCorrection = {};\n",
+                                  technique.hardwareFilter(), technique.castsShadows(),
+                                  technique.discardsOutsideTriangle(), technique.correctsDepth()));
     addHarness(sources.fragment, lightCount);
     sources.fragment.addFile(shaderFile("height_map.glsl"));
     sources.fragment.addFile(shaderFile("relief_contract.glsl"));

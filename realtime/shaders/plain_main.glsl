@@ -15,5 +15,5 @@ void main() {
     float shadow[kLightSlots];
     for (int i = 0; i < kLightCount; ++i)
         shadow[i] = dot(point.normal, directionToLight(i, vPosition)) <= 0.0 ? 1.0 : 0.0;
-    writePoint(point, normal, shadow, vec3(0.0), vec3(0.0));
+    writePoint(point, normal, planarDepth(vPosition), shadow, vec3(0.0), vec3(0.0));
 }

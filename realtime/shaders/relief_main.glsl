@@ -57,6 +57,7 @@ void main() {
         if (dot(point.normal, toLight) > 0.0)
             shadow[i] = kCastShadows ? castShadow(frame, positionRelief, toLight) : 0.0;
     }
-    writePoint(point, point.normal, shadow, vec3(gHeightLookups, gBakedLookups, iterations),
+    float depth = planarDepth(kDepthCorrection ? point.position : vPosition);
+    writePoint(point, point.normal, depth, shadow, vec3(gHeightLookups, gBakedLookups, iterations),
                frame.curvature);
 }

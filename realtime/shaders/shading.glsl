@@ -46,16 +46,15 @@ vec3 colorAt(vec2 st) {
     return mix(lower, upper, weight.y);
 }
 
-// `shadow`: 1 in shadow, 0 lit, one per light. `cost`: look-ups of the height map, of baked maps; iterations. `curvature`: of
-// the base, A, B and the cross term.
-void writePoint(SurfacePoint point, vec3 normal, float shadow[kLightSlots], vec3 cost, vec3 curvature) {
+// `depth`: planar depth Z. `shadow`: 1 in shadow, 0 lit, one per light. `cost`: look-ups of the height map, of baked maps;
+// iterations. `curvature`: of the base, A, B and the cross term.
+void writePoint(SurfacePoint point, vec3 normal, float depth, float shadow[kLightSlots], vec3 cost, vec3 curvature) {
     float light = kAmbient, shadowBits = 0.0, bit = 1.0;
     for (int i = 0; i < kLightCount; ++i) {
         light += max(dot(point.normal, directionToLight(i, point.position)), 0.0) * (1.0 - shadow[i]);
         shadowBits += bit * shadow[i];
         bit *= 2.0;
     }
-    float depth = planarDepth(point.position);
     outColor = vec4(colorAt(point.st) * light, cost.z);
     outPosition = vec4(point.position, depth);
     outNormal = vec4(normal, cost.x);

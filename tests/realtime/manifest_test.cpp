@@ -89,19 +89,20 @@ TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
 
 TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
     EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
-                ElementsAre("binary_steps", "early_exit", "filter", "linear_steps", "shadow", "shadow_bias",
-                            "steps", "tolerance", "triangle_bounds"));
+                ElementsAre("binary_steps", "depth_correction", "early_exit", "filter", "linear_steps",
+                            "shadow", "shadow_bias", "steps", "tolerance", "triangle_bounds"));
     // No cast shadows on a quadric: nothing for a bias to act on.
     EXPECT_THAT(knownSettings(parseTechnique("linear_binary@quadric")),
-                ElementsAre("binary_steps", "coefficients", "early_exit", "filter", "linear_steps", "shadow",
-                            "steps", "tolerance", "triangle_bounds"));
+                ElementsAre("binary_steps", "coefficients", "depth_correction", "early_exit", "filter",
+                            "linear_steps", "shadow", "steps", "tolerance", "triangle_bounds"));
     EXPECT_TRUE(knownSettings(parseTechnique("micro_triangles")).empty());
 }
 
 TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
     const auto message = [](const std::string& text) { return messageOf<InputError>([&] { nameOf(text); }); };
     EXPECT_EQ(message("linear_binary:linear_stepz=3"),
-              "linear_binary: has no parameter 'linear_stepz'; expected binary_steps, early_exit, filter, "
+              "linear_binary: has no parameter 'linear_stepz'; expected binary_steps, depth_correction, "
+              "early_exit, filter, "
               "linear_steps, shadow, shadow_bias, steps, tolerance or triangle_bounds; did you mean "
               "'linear_steps'?");
     EXPECT_EQ(message("linear_binary:linear_steps=0"),

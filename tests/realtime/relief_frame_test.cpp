@@ -421,5 +421,30 @@ TEST(ReliefFrame, TwoSquaresHideEachOtherByDepth) {
     }
 }
 
+TEST(ReliefFrame, WithoutDepthCorrectionPolygonsHideEachOther) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // Seen from above: "high", its polygon at y = 0, its relief everywhere 0.2 below; "low", its polygon at y = -0.05, its
+    // relief 0.2 below on the left and on top on the right. By the hits "high" is at -0.2 and "low" at -0.25 and -0.05, so
+    // that "low" is seen on the right; by the polygons "high" hides it everywhere. Six bisections of a tenth leave 0.2 / 640.
+    std::vector<float> depths(512, 1);
+    std::fill(depths.begin() + 256, depths.end(), 0.0f);
+    Scene scene = sceneOf(squareObject(2, constantMap(1), 0.2), fromAbove(0.8));
+    SceneObject low = squareObject(2, profileMap(depths, Wrap::Clamp), 0.2);
+    low.name = "low";
+    low.translate = Vec3(0, -0.05, 0);
+    scene.objects.push_back(low);
+    const Frame corrected = draw(scene, "linear_binary"),
+                polygons = draw(scene, "linear_binary:depth_correction=false");
+    for (const int x : {5, 60}) {
+        const size_t pixel = pixelAt(corrected, x, 30);
+        const bool right = x > 32;
+        EXPECT_EQ(corrected.channel("id")[pixel], right ? 2 : 1);
+        EXPECT_NEAR(corrected.channel("Z")[pixel], right ? 5.05 : 5.2, 0.2 / 640 + 1e-5);
+        EXPECT_EQ(polygons.channel("id")[pixel], 1);
+        EXPECT_NEAR(polygons.channel("Z")[pixel], 5, 1e-5);
+        EXPECT_NEAR(vectorAt(polygons, "P", pixel).y, -0.2, 1e-5); // the hit's, as normal, st and light are
+    }
+}
+
 } // namespace
 } // namespace plumbline
