@@ -28,7 +28,7 @@ const std::set<std::string> kWords{
     "sin", "sqrt", "step", "tan", "texture", "transpose", "trunc"};
 
 const std::set<std::string> kHarnessNames{
-    "filter",          "shadow",          "shadow_bias",       "triangle_bounds", "depth_correction",
+    "filter",          "shadow",          "shadow_bias",       "shadow_map_size", "shadow_map_bias", "triangle_bounds", "depth_correction",
     "coefficients",    "reliefDepth",     "reliefPosition",    "traceRelief",
     "enterRelief",     "frameAt",         "descentAt",         "hitAt",
     "missed",          "ReliefRay",       "ReliefHit",         "ReliefFrame",

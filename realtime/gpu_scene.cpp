@@ -264,6 +264,11 @@ void GpuScene::draw(size_t index, const GlProgram& program) const {
     glDrawArrays(GL_TRIANGLES, 0, objects_[index].vertexCount);
 }
 
+void GpuScene::drawObjects(bool withRelief, const GlProgram& program) const {
+    for (size_t i = 0; i < objects_.size(); ++i)
+        if (objects_[i].hasRelief == withRelief) draw(i, program);
+}
+
 std::vector<Vec2> GpuScene::stOrigins() const {
     std::vector<Vec2> origins;
     for (const GpuObject& gpu : objects_)

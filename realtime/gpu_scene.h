@@ -48,6 +48,8 @@ class GpuScene {
     const std::vector<GpuObject>& objects() const { return objects_; }
     /// Sets the uniforms of one object and draws its proxy with the program in use.
     void draw(size_t index, const GlProgram& program) const;
+    /// Those with a relief, or those without.
+    void drawObjects(bool withRelief, const GlProgram& program) const;
     /// Sets colour, id and textures of one object.
     void setUniforms(size_t index, const GlProgram& program) const;
     std::vector<Vec2> stOrigins() const;

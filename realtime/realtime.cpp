@@ -6,6 +6,7 @@
 #include "frame_timer.h"
 #include "gpu_scene.h"
 #include "micro_triangles.h"
+#include "shadow_maps.h"
 #include "technique_program.h"
 #include "view.h"
 
@@ -18,7 +19,7 @@ namespace {
 struct GpuState {
     GpuState(const Scene& scene, const GlContext& context)
         : objects(scene, context), view(scene, objects.boundsWorld()), target(scene, context),
-          plainProgram(buildPlainProgram(scene.lights.size())) {
+          plainProgram(buildPlainProgram(scene.lights.size(), false)) {
         objects.upload(view.originWorld());
     }
     GpuScene objects;
@@ -38,19 +39,39 @@ void checkMicroMeshes(const Technique& technique, const std::vector<MicroMesh>* 
                              "a reference with microAttributes");
 }
 
-void drawProxies(const GpuState& gpu, const GlProgram& reliefProgram, float shadowBias) {
-    glEnable(GL_CULL_FACE);
-    gpu.plainProgram->use();
-    gpu.view.setUniforms(*gpu.plainProgram);
-    glUniform1i(gpu.plainProgram->uniform("uTwoSided"), 0);
-    for (size_t i = 0; i < gpu.objects.objects().size(); ++i)
-        if (!gpu.objects.objects()[i].hasRelief) gpu.objects.draw(i, *gpu.plainProgram);
-    reliefProgram.use();
-    gpu.view.setUniforms(reliefProgram);
-    glUniform1f(reliefProgram.uniform("uShadowBias"), shadowBias);
-    for (size_t i = 0; i < gpu.objects.objects().size(); ++i)
-        if (gpu.objects.objects()[i].hasRelief) gpu.objects.draw(i, reliefProgram);
-}
+/// What draws the proxies of a scene by one technique.
+struct ProxyDrawer {
+    ProxyDrawer(const Technique& technique, const Scene& scene, const GpuState& gpu, const GlContext& context)
+        : relief(buildReliefProgram(technique, scene.lights.size())) {
+        if (const Technique::Setting* bias = technique.harness("shadow_bias"))
+            shadowBias = static_cast<float>(bias->value.number);
+        if (!technique.readsShadowMaps()) return;
+        plainWithMaps = buildPlainProgram(scene.lights.size(), true);
+        shadowMaps.emplace(technique, scene, gpu.objects.boundsWorld(), gpu.view.originWorld(), context);
+    }
+
+    /// The camera's pass, into the framebuffer that is bound.
+    void draw(const GpuState& gpu) const {
+        glEnable(GL_CULL_FACE);
+        const GlProgram& plain = plainWithMaps ? *plainWithMaps : *gpu.plainProgram;
+        use(plain, gpu.view);
+        glUniform1i(plain.uniform("uTwoSided"), 0);
+        gpu.objects.drawObjects(false, plain);
+        use(*relief, gpu.view);
+        glUniform1f(relief->uniform("uShadowBias"), shadowBias);
+        gpu.objects.drawObjects(true, *relief);
+    }
+
+    void use(const GlProgram& program, const View& view) const {
+        program.use();
+        view.setUniforms(program);
+        if (shadowMaps) shadowMaps->setUniforms(program);
+    }
+
+    std::unique_ptr<GlProgram> relief, plainWithMaps;
+    std::optional<ShadowMaps> shadowMaps;
+    float shadowBias = 0;
+};
 
 void drawMicroTriangles(const GpuState& gpu, MicroTriangleDrawer& drawer,
                         const std::vector<MicroMesh>& meshes) {
@@ -84,22 +105,26 @@ struct RealtimeRenderer::Impl {
     FrameTime drawTechnique(const Technique& technique, const std::vector<MicroMesh>* meshes) const {
         if (technique.drawsMicroTriangles()) {
             MicroTriangleDrawer drawer;
-            return drawFrame([&] { drawMicroTriangles(*gpu, drawer, *meshes); });
+            return drawFrame([] {}, [&] { drawMicroTriangles(*gpu, drawer, *meshes); });
         }
-        const std::unique_ptr<GlProgram> program = buildReliefProgram(technique, scene.lights.size());
-        const Technique::Setting* bias = technique.harness("shadow_bias");
-        const float shadowBias = bias ? static_cast<float>(bias->value.number) : 0.0f;
-        return drawFrame([&] { drawProxies(*gpu, *program, shadowBias); });
+        const ProxyDrawer drawer(technique, scene, *gpu, *context);
+        return drawFrame(
+            [&] {
+                if (drawer.shadowMaps) drawer.shadowMaps->draw(gpu->objects);
+            },
+            [&] { drawer.draw(*gpu); });
     }
 
-    /// Warm-up and timed runs; the last frame drawn is the result.
-    FrameTime drawFrame(const std::function<void()>& drawObjects) const {
+    /// Warm-up and timed runs; the last frame drawn is the result. The light passes are part of what a frame takes.
+    FrameTime drawFrame(const std::function<void()>& drawFromLights,
+                        const std::function<void()>& drawFromCamera) const {
         clearGlErrors();
         const FrameTime time = timeFrame(*context, timingBudgetMs, [&] {
-            gpu->target.begin();
             glEnable(GL_DEPTH_TEST);
             glDepthFunc(GL_LESS);
-            drawObjects();
+            drawFromLights();
+            gpu->target.begin();
+            drawFromCamera();
         });
         checkGl("drawing");
         return time;

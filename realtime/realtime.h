@@ -48,7 +48,7 @@ struct TechniqueInfo {
     std::vector<std::string> inputs;             // "height", …
     std::vector<std::string> surfaces;           // it composes with; empty: none
     std::map<std::string, std::string> refusals; // why not with others, by surface
-    std::vector<std::string> shadows;            // "relief": its search also serves as a shadow ray; "none"
+    std::vector<std::string> shadows; // "relief": its search also serves as a shadow ray; "none"; "map"
     struct Parameter {
         std::string name, type, unit, meaning, defaultValue, range;
     };

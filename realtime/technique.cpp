@@ -2,6 +2,7 @@
 
 #include "../scenes/error.h"
 #include "baked_input.h"
+#include "harness_parameters.h"
 
 #include <fmt/format.h>
 
@@ -24,73 +25,6 @@ fs::path surfaceFolder(const std::string& surface) {
         throw InputError("technique", fmt::format("no surface is called '{}'", surface), listOf(names),
                          didYouMean(surface, names));
     return surfacesFolder() / surface;
-}
-
-Parameter choiceParameter(std::string name, std::vector<std::string> choices, std::string meaning) {
-    Parameter parameter;
-    parameter.name = std::move(name);
-    parameter.type = ParameterValue::Type::Choice;
-    parameter.choices = std::move(choices);
-    parameter.defaultValue = {ParameterValue::Type::Choice, 0};
-    parameter.meaning = std::move(meaning);
-    return parameter;
-}
-
-/// What search and surface both allow, the default first.
-std::vector<std::string> allowedShadows(const Manifest& search, const Manifest& surface) {
-    std::vector<std::string> allowed;
-    for (const char* shadow : {"relief", "none"})
-        if (contains(search.shadows, shadow) && contains(surface.shadows, shadow))
-            allowed.emplace_back(shadow);
-    if (allowed.empty())
-        throw InputError(search.file.string(),
-                         fmt::format("its shadows have none in common with surface '{}'", surface.name),
-                         listOf(surface.shadows));
-    return allowed;
-}
-
-Parameter boolParameter(std::string name, bool defaultValue, std::string meaning) {
-    Parameter parameter;
-    parameter.name = std::move(name);
-    parameter.type = ParameterValue::Type::Bool;
-    parameter.defaultValue = {ParameterValue::Type::Bool, defaultValue ? 1.0 : 0.0};
-    parameter.meaning = std::move(meaning);
-    return parameter;
-}
-
-std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface) {
-    std::vector<Parameter> parameters;
-    parameters.push_back(choiceParameter("filter", {"exact", "hardware"},
-                                         "look-ups: exact bilinear in float, or the sampler's own filter"));
-    const std::vector<std::string> shadows = allowedShadows(search, surface);
-    parameters.push_back(choiceParameter(
-        "shadow", shadows, "cast shadows: a second search along the light, or none (attached shadow only)"));
-    if (contains(shadows, "relief")) {
-        Parameter bias;
-        bias.name = "shadow_bias";
-        bias.type = ParameterValue::Type::Float;
-        bias.low = 0;
-        bias.high = 1;
-        // The margin of Watt and Policarpo (2005), chapter 5, listing 5.3. Without one (as in their Fig. 5.11) lit
-        // points shadow themselves: the two searches stop at slightly different depths.
-        bias.defaultValue = {ParameterValue::Type::Float, 0.02};
-        bias.unit = "relief depth";
-        bias.meaning = "a shadow ray must be stopped this much above the point to shadow it";
-        parameters.push_back(bias);
-    }
-    parameters.push_back(boolParameter(
-        "triangle_bounds", false,
-        "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)"));
-    parameters.push_back(
-        boolParameter("depth_correction", true,
-                      "the depth buffer holds the hit's depth (RP-351, section 3.5); false: the "
-                      "polygon's, as do Z and what hides what"));
-    if (surface.isBent())
-        parameters.push_back(
-            choiceParameter("coefficients", {"ring", "limit"},
-                            "the base's quadric: fitted to the vertices around, as in RP-351, or "
-                            "with the curvature of the limit surface"));
-    return parameters;
 }
 
 std::vector<std::string> namesOf(const std::vector<Parameter>& parameters) {

@@ -32,7 +32,8 @@ struct Technique {
     bool hasBentBase() const { return surface && surface->isBent(); }
     /// The quadrics its base is given; only where it is bent.
     CurvatureSet curvatureSet() const;
-    bool castsShadows() const { return choice("shadow") == "relief"; }
+    bool castsReliefShadows() const { return choice("shadow") == "relief"; }
+    bool readsShadowMaps() const { return choice("shadow") == "map"; }
     bool discardsOutsideTriangle() const { return choice("triangle_bounds") == "true"; }
     bool correctsDepth() const { return choice("depth_correction") == "true"; }
     bool hardwareFilter() const { return choice("filter") == "hardware"; }

@@ -60,6 +60,7 @@ TechniqueInfo infoOf(const Manifest& manifest) {
     info.refusals = manifest.refusals;
     info.shadows = manifest.shadows;
     info.limits = manifest.limits;
+    if (manifest.geometry == Geometry::Proxy) info.shadows.emplace_back("map");
     info.drawsMicroTriangles = manifest.geometry == Geometry::MicroTriangles;
     info.parameters = parametersOf(manifest);
     return info;

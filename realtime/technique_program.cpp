@@ -25,10 +25,24 @@ std::string lightDeclarations(size_t lightCount) {
 
 const std::set<std::string>& harnessUniforms() {
     static const std::set<std::string> names = [] {
-        std::set<std::string> all{"uClipFromRelative", "uEye",       "uDepthPlane",      "uDepthRange",
-                                  "uLights",           "uColor",     "uHasColorMap",     "uColorMap",
-                                  "uObjectId",         "uHeightMap", "uHeightMapClamps", "uReliefDepthWorld",
-                                  "uShadowBias"};
+        std::set<std::string> all{"uClipFromRelative",
+                                  "uEye",
+                                  "uDepthPlane",
+                                  "uDepthRange",
+                                  "uLights",
+                                  "uColor",
+                                  "uHasColorMap",
+                                  "uColorMap",
+                                  "uObjectId",
+                                  "uHeightMap",
+                                  "uHeightMapClamps",
+                                  "uReliefDepthWorld",
+                                  "uShadowBias",
+                                  "uShadowMaps",
+                                  "uShadowPlaceFromRelative",
+                                  "uShadowMap",
+                                  "uShadowRounding",
+                                  "uShadowMapBias"};
         for (const BakedFamily& family : bakedFamilies()) {
             all.insert(family.sampler);
             if (family.scaleUniform) all.insert(family.scaleUniform);
@@ -38,10 +52,39 @@ const std::set<std::string>& harnessUniforms() {
     return names;
 }
 
-void addHarness(ShaderSource& fragment, size_t lightCount) {
+/// What writes a pixel's channels.
+void addShading(ShaderSource& fragment, size_t lightCount) {
     fragment.addText("(lights)", lightDeclarations(lightCount));
     fragment.addFile(shaderFile("camera.glsl"));
     fragment.addFile(shaderFile("shading.glsl"));
+    fragment.addFile(shaderFile("shadow_map.glsl"));
+}
+
+/// All a ray through a fragment needs but search and surface.
+void addRelief(ShaderSource& fragment, const Technique& technique) {
+    fragment.addFile(shaderFile("height_map.glsl"));
+    fragment.addFile(shaderFile("relief_contract.glsl"));
+    fragment.addFile(shaderFile("relief_walk.glsl"));
+    for (const std::string& kind : technique.bakedKinds())
+        fragment.addFile(shaderFile(bakedFamily(kind).shader));
+    fragment.addFile(shaderFile("relief_frame.glsl"));
+    fragment.addFile(shaderFile("relief_hit.glsl"));
+}
+
+void addTechnique(ShaderSource& fragment, const Technique& technique) {
+    if (technique.hasBentBase()) fragment.addFile(shaderFile("quadric_base.glsl"));
+    fragment.addText("(parameters)", technique.glslConstants());
+    fragment.addFile(technique.surface->shaderFile());
+    fragment.addFile(technique.search.shaderFile());
+}
+
+std::string reliefSettings(const Technique& technique) {
+    return fmt::format("const bool kHardwareFilter = {};\nconst bool kReliefShadows = {};\n"
+                       "const bool kShadowMaps = {};\nconst bool kTriangleBounds = {};\n"
+                       "const bool kDepthCorrection = {};\n",
+                       technique.hardwareFilter(), technique.castsReliefShadows(),
+                       technique.readsShadowMaps(), technique.discardsOutsideTriangle(),
+                       technique.correctsDepth());
 }
 
 /// Whether `search` names a function that `harness` defines. Asked of the text: a compiler drops a look-up whose result some
@@ -56,10 +99,11 @@ bool callsFunctionOf(const std::filesystem::path& search, const std::filesystem:
 
 } // namespace
 
-StageSources plainSources(size_t lightCount) {
+StageSources plainSources(size_t lightCount, bool shadowMaps) {
     StageSources sources;
     sources.vertex.addFile(shaderFile("plain_vertex.glsl"));
-    addHarness(sources.fragment, lightCount);
+    sources.fragment.addText("(settings)", fmt::format("const bool kShadowMaps = {};\n", shadowMaps));
+    addShading(sources.fragment, lightCount);
     sources.fragment.addFile(shaderFile("plain_main.glsl"));
     return sources;
 }
@@ -67,23 +111,32 @@ StageSources plainSources(size_t lightCount) {
 StageSources reliefSources(const Technique& technique, size_t lightCount) {
     StageSources sources;
     sources.vertex.addFile(shaderFile("proxy_vertex.glsl"));
-    sources.fragment.addText(
-        "(settings)", fmt::format("const bool kHardwareFilter = {};\nconst bool kCastShadows = {};\n"
-                                  "const bool kTriangleBounds = {};\nconst bool kDepthCorrection = {};\n",
-                                  technique.hardwareFilter(), technique.castsShadows(),
-                                  technique.discardsOutsideTriangle(), technique.correctsDepth()));
-    addHarness(sources.fragment, lightCount);
-    sources.fragment.addFile(shaderFile("height_map.glsl"));
-    sources.fragment.addFile(shaderFile("relief_contract.glsl"));
-    sources.fragment.addFile(shaderFile("relief_walk.glsl"));
-    for (const std::string& kind : technique.bakedKinds())
-        sources.fragment.addFile(shaderFile(bakedFamily(kind).shader));
-    sources.fragment.addFile(shaderFile("relief_frame.glsl"));
+    sources.fragment.addText("(settings)", reliefSettings(technique));
+    addShading(sources.fragment, lightCount);
+    addRelief(sources.fragment, technique);
     sources.fragment.addFile(shaderFile("relief_main.glsl"));
-    if (technique.hasBentBase()) sources.fragment.addFile(shaderFile("quadric_base.glsl"));
-    sources.fragment.addText("(parameters)", technique.glslConstants());
-    sources.fragment.addFile(technique.surface->shaderFile());
-    sources.fragment.addFile(technique.search.shaderFile());
+    addTechnique(sources.fragment, technique);
+    return sources;
+}
+
+StageSources plainLightSources() {
+    StageSources sources;
+    sources.vertex.addFile(shaderFile("plain_vertex.glsl"));
+    sources.fragment.addFile(shaderFile("camera.glsl"));
+    sources.fragment.addFile(shaderFile("shadow_depth.glsl"));
+    sources.fragment.addFile(shaderFile("shadow_plain_main.glsl"));
+    return sources;
+}
+
+StageSources reliefLightSources(const Technique& technique) {
+    StageSources sources;
+    sources.vertex.addFile(shaderFile("proxy_vertex.glsl"));
+    sources.fragment.addText("(settings)", reliefSettings(technique));
+    sources.fragment.addFile(shaderFile("camera.glsl"));
+    sources.fragment.addFile(shaderFile("shadow_depth.glsl"));
+    addRelief(sources.fragment, technique);
+    sources.fragment.addFile(shaderFile("shadow_relief_main.glsl"));
+    addTechnique(sources.fragment, technique);
     return sources;
 }
 
@@ -107,8 +160,18 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
     return program;
 }
 
-std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount) {
-    const StageSources sources = plainSources(lightCount);
+std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount, bool shadowMaps) {
+    const StageSources sources = plainSources(lightCount, shadowMaps);
+    return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+}
+
+std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique) {
+    const StageSources sources = reliefLightSources(technique);
+    return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+}
+
+std::unique_ptr<GlProgram> buildPlainLightProgram() {
+    const StageSources sources = plainLightSources();
     return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
 }
 

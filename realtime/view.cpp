@@ -50,22 +50,26 @@ View::View(const Scene& scene, const Bounds& boundsWorld) : scene_(scene) {
         range = {0, 1}; // a single point, or all behind the camera: nothing to order
     const Mat4 viewFromWorldMatrix = viewFromWorld(camera);
     const Mat4 viewFromRelative = viewFromWorldMatrix * glm::translate(Mat4(1.0), originWorld_);
-    clipFromRelative_ =
+    camera_.clipFromRelative =
         glm::mat4(clipFromView(camera, kNearFraction * range.high, range.high) * viewFromRelative);
 
     const Vec3 towardsCamera(viewFromWorldMatrix[0][2], viewFromWorldMatrix[1][2], viewFromWorldMatrix[2][2]);
-    eye_ = perspective ? glm::vec4(glm::vec3(camera.positionWorld - originWorld_), 1)
-                       : glm::vec4(glm::vec3(towardsCamera), 0);
+    camera_.eye = perspective ? glm::vec4(glm::vec3(camera.positionWorld - originWorld_), 1)
+                              : glm::vec4(glm::vec3(towardsCamera), 0);
     // Z = -z_view.
-    depthPlane_ = glm::vec4(glm::vec3(-towardsCamera), static_cast<float>(-viewFromRelative[3][2]));
-    depthRange_ = glm::vec2(range.low, 1.0 / (range.high - range.low));
+    camera_.depthPlane = glm::vec4(glm::vec3(-towardsCamera), static_cast<float>(-viewFromRelative[3][2]));
+    camera_.depthRange = glm::vec2(range.low, 1.0 / (range.high - range.low));
+}
+
+void CameraUniforms::set(const GlProgram& program) const {
+    glUniformMatrix4fv(program.uniform("uClipFromRelative"), 1, GL_FALSE, glm::value_ptr(clipFromRelative));
+    glUniform4fv(program.uniform("uEye"), 1, glm::value_ptr(eye));
+    glUniform4fv(program.uniform("uDepthPlane"), 1, glm::value_ptr(depthPlane));
+    glUniform2fv(program.uniform("uDepthRange"), 1, glm::value_ptr(depthRange));
 }
 
 void View::setUniforms(const GlProgram& program) const {
-    glUniformMatrix4fv(program.uniform("uClipFromRelative"), 1, GL_FALSE, glm::value_ptr(clipFromRelative_));
-    glUniform4fv(program.uniform("uEye"), 1, glm::value_ptr(eye_));
-    glUniform4fv(program.uniform("uDepthPlane"), 1, glm::value_ptr(depthPlane_));
-    glUniform2fv(program.uniform("uDepthRange"), 1, glm::value_ptr(depthRange_));
+    camera_.set(program);
     std::vector<glm::vec4> lights;
     for (const Light& light : scene_.lights)
         lights.push_back(light.kind == Light::Kind::Directional

@@ -8,6 +8,16 @@
 
 namespace plumbline {
 
+/// What camera.glsl declares.
+struct CameraUniforms {
+    glm::mat4 clipFromRelative{1};
+    glm::vec4 eye{0}, depthPlane{0};
+    glm::vec2 depthRange{0}; // lowest depth, 1 / extent
+
+    /// In the program in use.
+    void set(const GlProgram& program) const;
+};
+
 class View {
   public:
     /// `boundsWorld`: all that may be drawn, relief included.
@@ -21,9 +31,7 @@ class View {
   private:
     const Scene& scene_;
     Vec3 originWorld_;
-    glm::mat4 clipFromRelative_;
-    glm::vec4 eye_, depthPlane_;
-    glm::vec2 depthRange_; // lowest planar depth, 1 / extent
+    CameraUniforms camera_;
 };
 
 } // namespace plumbline

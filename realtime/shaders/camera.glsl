@@ -17,4 +17,11 @@ vec3 directionToCamera(vec3 position) {
     return uEye.w > 0.5 ? directionOr(uEye.xyz - position, uDepthPlane.xyz * -1.0) : uEye.xyz;
 }
 
+// The largest float below 1, the depth of the background: a hit beyond the scene's depth, as grazing rays on a flat base can
+// have, is a hit.
+const float kFarthestHit = 0.99999994;
+
+// Linear over the scene's range.
+float bufferDepth(float depth) { return clamp((depth - uDepthRange.x) * uDepthRange.y, 0.0, kFarthestHit); }
+
 float planarDepth(vec3 position) { return dot(uDepthPlane.xyz, position) + uDepthPlane.w; }

@@ -1,4 +1,4 @@
-// An object drawn as it is. Attached shadow only.
+// An object drawn as it is.
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -13,7 +13,10 @@ void main() {
     bool away = uTwoSided && !gl_FrontFacing;
     SurfacePoint point = SurfacePoint(vPosition, away ? -normal : normal, vSt);
     float shadow[kLightSlots];
-    for (int i = 0; i < kLightCount; ++i)
-        shadow[i] = dot(point.normal, directionToLight(i, vPosition)) <= 0.0 ? 1.0 : 0.0;
+    for (int i = 0; i < kLightCount; ++i) {
+        vec3 toLight = directionToLight(i, vPosition);
+        shadow[i] = dot(point.normal, toLight) <= 0.0 ? 1.0 : 0.0;
+        if (kShadowMaps && shadow[i] == 0.0) shadow[i] = mapShadow(i, vPosition, point.normal, toLight, 0.0);
+    }
     writePoint(point, normal, planarDepth(vPosition), shadow, vec3(0.0), vec3(0.0));
 }

@@ -1,8 +1,5 @@
 // The harness of a relief technique: builds the rays, calls the search, turns its hits into channels.
 
-flat in vec4 vTriangleStAB;
-flat in vec2 vTriangleStC;
-
 uniform float uShadowBias; // relief depth
 
 // Normal of P = S - depthWorld * d * normal from its derivatives along s and t; `frame`: of the base at the hit.
@@ -16,7 +13,7 @@ vec3 reliefNormal(ReliefFrame frame, vec2 st) {
 }
 
 // 1 where a second search along the light is stopped above the point (Watt and Policarpo 2005, chapter 5, listing 5.3).
-float castShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
+float reliefShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
     vec3 direction = reliefDirection(frame, -toLight);
     if (direction.z * frame.depthWorld <= kGrazingCosine) return 1.0; // the light is below the tangent plane
     vec2 stEntry = positionRelief.xy - direction.xy * (positionRelief.z / direction.z);
@@ -26,38 +23,32 @@ float castShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
     return hit.hit && reliefPosition(ray, hit.t).z < positionRelief.z - uShadowBias ? 1.0 : 0.0;
 }
 
-float doubledArea(vec2 a, vec2 b, vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
-
-// Whether st belongs to the triangle drawn (Premecz 2006, section 1.1). One without area holds everything.
-bool insideTriangle(vec2 st) {
-    vec2 a = vTriangleStAB.xy, b = vTriangleStAB.zw, c = vTriangleStC;
-    float whole = doubledArea(a, b, c);
-    return doubledArea(a, b, st) * whole >= 0.0 && doubledArea(b, c, st) * whole >= 0.0 &&
-           doubledArea(c, a, st) * whole >= 0.0;
+// uShadowBias along the light's ray, world units.
+float searchMargin(ReliefFrame frame, vec3 toLight) {
+    return uShadowBias * frame.depthWorld / max(dot(frame.normal, toLight), kSteepestCosine);
 }
 
 void main() {
-    ReliefFrame frame = fragmentFrame();
-    vec3 toCamera = directionToCamera(vPosition);
-    ReliefRay ray;
-    if (!enterRelief(frame, frame.st, reliefDirection(frame, -toCamera), ray)) discard;
-    ReliefHit hit = traceRelief(ray);
-    if (!hit.hit || (kTriangleBounds && !insideTriangle(hit.st))) discard;
+    FragmentHit found;
+    if (!traceFragment(found)) discard;
     int iterations = gIterations;
 
     SurfacePoint point;
-    point.position = vPosition - toCamera * (hit.t * ray.lengthWorld);
-    point.normal = reliefNormal(frameAt(frame, ray, hit.t), hit.st);
-    point.st = hit.st;
-    vec3 positionRelief = vec3(hit.st, reliefPosition(ray, hit.t).z);
+    point.position = found.position;
+    point.normal = reliefNormal(frameAt(found.frame, found.ray, found.hit.t), found.hit.st);
+    point.st = found.hit.st;
+    vec3 positionRelief = vec3(found.hit.st, reliefPosition(found.ray, found.hit.t).z);
     float shadow[kLightSlots];
     for (int i = 0; i < kLightCount; ++i) {
         vec3 toLight = directionToLight(i, point.position);
         shadow[i] = 1.0;
-        if (dot(point.normal, toLight) > 0.0)
-            shadow[i] = kCastShadows ? castShadow(frame, positionRelief, toLight) : 0.0;
+        if (dot(point.normal, toLight) <= 0.0) continue;
+        shadow[i] = 0.0;
+        if (kReliefShadows) shadow[i] = reliefShadow(found.frame, positionRelief, toLight);
+        if (kShadowMaps)
+            shadow[i] = mapShadow(i, point.position, point.normal, toLight, searchMargin(found.frame, toLight));
     }
     float depth = planarDepth(kDepthCorrection ? point.position : vPosition);
     writePoint(point, point.normal, depth, shadow, vec3(gHeightLookups, gBakedLookups, iterations),
-               frame.curvature);
+               found.frame.curvature);
 }

@@ -13,10 +13,6 @@ uniform float uObjectId;     // object index + 1
 
 const float kAmbient = 0.05;
 
-// The largest float below 1, the depth of the background: a hit beyond the scene's depth, as grazing rays on a flat base can
-// have, is a hit.
-const float kFarthestHit = 0.99999994;
-
 struct SurfacePoint {
     vec3 position; // relative
     vec3 normal;   // world, unit; the side towards the camera where both sides are seen
@@ -60,5 +56,5 @@ void writePoint(SurfacePoint point, vec3 normal, float depth, float shadow[kLigh
     outNormal = vec4(normal, cost.x);
     outTexture = vec4(point.st, uObjectId, cost.y);
     outSurface = vec4(shadowBits, curvature);
-    gl_FragDepth = clamp((depth - uDepthRange.x) * uDepthRange.y, 0.0, kFarthestHit);
+    gl_FragDepth = bufferDepth(depth);
 }

@@ -90,21 +90,30 @@ TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
 TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
     EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
                 ElementsAre("binary_steps", "depth_correction", "early_exit", "filter", "linear_steps",
-                            "shadow", "shadow_bias", "steps", "tolerance", "triangle_bounds"));
-    // No cast shadows on a quadric: nothing for a bias to act on.
+                            "shadow", "shadow_bias", "shadow_map_bias", "shadow_map_size", "steps",
+                            "tolerance", "triangle_bounds"));
     EXPECT_THAT(knownSettings(parseTechnique("linear_binary@quadric")),
                 ElementsAre("binary_steps", "coefficients", "depth_correction", "early_exit", "filter",
-                            "linear_steps", "shadow", "steps", "tolerance", "triangle_bounds"));
+                            "linear_steps", "shadow", "shadow_bias", "shadow_map_bias", "shadow_map_size",
+                            "steps", "tolerance", "triangle_bounds"));
     EXPECT_TRUE(knownSettings(parseTechnique("micro_triangles")).empty());
+}
+
+TEST(Settings, ShadowsAreWhatSearchAndSurfaceAllowAndAMap) {
+    EXPECT_EQ(nameOf("linear_binary:shadow=relief"), "linear_binary");
+    EXPECT_EQ(nameOf("linear_binary:shadow=map"), "linear_binary:shadow=map");
+    EXPECT_EQ(nameOf("linear_binary@quadric:shadow=none"), "linear_binary@quadric");
+    EXPECT_EQ(nameOf("linear_binary@quadric:shadow=map"), "linear_binary@quadric:shadow=map");
+    EXPECT_EQ(messageOf<InputError>([] { nameOf("linear_binary@quadric:shadow=relief"); }),
+              "linear_binary@quadric: shadow = 'relief'; expected none or map");
 }
 
 TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
     const auto message = [](const std::string& text) { return messageOf<InputError>([&] { nameOf(text); }); };
     EXPECT_EQ(message("linear_binary:linear_stepz=3"),
               "linear_binary: has no parameter 'linear_stepz'; expected binary_steps, depth_correction, "
-              "early_exit, filter, "
-              "linear_steps, shadow, shadow_bias, steps, tolerance or triangle_bounds; did you mean "
-              "'linear_steps'?");
+              "early_exit, filter, linear_steps, shadow, shadow_bias, shadow_map_bias, shadow_map_size, "
+              "steps, tolerance or triangle_bounds; did you mean 'linear_steps'?");
     EXPECT_EQ(message("linear_binary:linear_steps=0"),
               "linear_binary: linear_steps = '0'; expected a whole number from 1 to 4096");
     EXPECT_THAT(message("linear_binary:linear_steps=2.5"), HasSubstr("expected a whole number"));

@@ -41,12 +41,23 @@ TEST(PortableGlsl, EveryTechniqueIsGlsl410AndGlslEs300) {
     };
     // ES 3.0 promises four draw buffers only; with more lights the outputs go on as they do here.
     for (const size_t lights : {0u, 1u, 3u}) {
-        check(plainSources(lights), "plain");
+        for (const bool shadowMaps : {false, true})
+            check(plainSources(lights, shadowMaps), "plain");
         for (const TechniqueInfo& info : listTechniques())
             for (const std::string& surface : info.surfaces)
-                check(reliefSources(resolveTechnique({info.name, surface, {}}, {}), lights),
-                      info.name + "@" + surface);
+                for (const char* shadow : {"", "map"}) {
+                    const std::map<std::string, std::string> settings =
+                        *shadow ? std::map<std::string, std::string>{{"shadow", shadow}}
+                                : std::map<std::string, std::string>{};
+                    check(reliefSources(resolveTechnique({info.name, surface, settings}, {}), lights),
+                          info.name + "@" + surface + " shadow=" + shadow);
+                }
     }
+    check(plainLightSources(), "plain, light pass");
+    for (const TechniqueInfo& info : listTechniques())
+        for (const std::string& surface : info.surfaces)
+            check(reliefLightSources(resolveTechnique({info.name, surface, {}}, {})),
+                  info.name + "@" + surface + ", light pass");
     EXPECT_GE(programs, 3 * 5);
 }
 

@@ -162,9 +162,10 @@ TEST(TechniqueResult, SaysWhatWasDrawnAndHowLongItTook) {
                                                    {{"binary_steps", "4"}, {"cones", "1"}}, nullptr);
     EXPECT_EQ(result.name, "linear_binary:binary_steps=4,linear_steps=20");
     const std::map<std::string, std::string> expected{
-        {"binary_steps", "4"},  {"depth_correction", "true"}, {"early_exit", "true"},  {"filter", "exact"},
-        {"linear_steps", "20"}, {"shadow", "relief"},         {"shadow_bias", "0.02"}, {"steps", "fixed"},
-        {"tolerance", "0"},     {"triangle_bounds", "false"}};
+        {"binary_steps", "4"},   {"depth_correction", "true"}, {"early_exit", "true"},
+        {"filter", "exact"},     {"linear_steps", "20"},       {"shadow", "relief"},
+        {"shadow_bias", "0.02"}, {"shadow_map_bias", "1"},     {"shadow_map_size", "1024"},
+        {"steps", "fixed"},      {"tolerance", "0"},           {"triangle_bounds", "false"}};
     EXPECT_EQ(result.parameters, expected);
     EXPECT_EQ(result.frame.metadata.at("technique"), result.name);
     EXPECT_GT(result.msMedian, 0);

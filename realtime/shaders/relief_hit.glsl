@@ -1,0 +1,33 @@
+// The hit of the ray through a fragment: what a camera sees of a relief, and what a light does in the light pass of shadow maps.
+
+flat in vec4 vTriangleStAB;
+flat in vec2 vTriangleStC;
+
+struct FragmentHit {
+    ReliefFrame frame;
+    ReliefRay ray;
+    ReliefHit hit;
+    vec3 position; // of the hit, relative
+};
+
+float doubledArea(vec2 a, vec2 b, vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+// Whether st belongs to the triangle drawn (Premecz 2006, section 1.1). One without area holds everything.
+bool insideTriangle(vec2 st) {
+    vec2 a = vTriangleStAB.xy, b = vTriangleStAB.zw, c = vTriangleStC;
+    float whole = doubledArea(a, b, c);
+    return doubledArea(a, b, st) * whole >= 0.0 && doubledArea(b, c, st) * whole >= 0.0 &&
+           doubledArea(c, a, st) * whole >= 0.0;
+}
+
+// False where the fragment is to be discarded.
+bool traceFragment(out FragmentHit found) {
+    vec3 toCamera = directionToCamera(vPosition);
+    found.frame = fragmentFrame();
+    found.hit = missed();
+    found.position = vPosition;
+    if (!enterRelief(found.frame, found.frame.st, reliefDirection(found.frame, -toCamera), found.ray)) return false;
+    found.hit = traceRelief(found.ray);
+    found.position = vPosition - toCamera * (found.hit.t * found.ray.lengthWorld);
+    return found.hit.hit && !(kTriangleBounds && !insideTriangle(found.hit.st));
+}
