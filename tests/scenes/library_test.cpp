@@ -24,8 +24,9 @@ Bounds boundsWorld(const SceneObject& object) {
 }
 
 TEST(Library, HasTheScenesOthersRelyOn) {
-    EXPECT_THAT(libraryNames(), testing::IsSupersetOf({"stone_torus", "small_torus", "brick_cylinder",
-                                                       "pyramid_plane", "cobble_sphere", "teapot", "room"}));
+    EXPECT_THAT(libraryNames(),
+                testing::IsSupersetOf({"stone_torus", "small_torus", "brick_cylinder", "pyramid_plane",
+                                       "cobble_sphere", "teapot", "room", "relief_room_shadows"}));
 }
 
 class LibraryScenes : public testing::TestWithParam<std::string> {};
