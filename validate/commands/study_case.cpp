@@ -4,6 +4,8 @@
 #include "../../scenes/content_hash.h"
 #include "../../scenes/data_folder.h"
 #include "../../scenes/error.h"
+#include "../../scenes/nearest_rank.h"
+#include "../../scenes/proxy_mesh.h"
 #include "../../scenes/scene_metadata.h"
 #include "../frame_metadata.h"
 #include "trial.h"
@@ -11,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace plumbline {
 namespace {
@@ -39,6 +42,27 @@ json comparePair(const Trial& first, const Trial& second, const Scene& scene,
     if (!outcome.error)
         outcome.comparison = compareFrames(first.frame, second.frame, objectsOf(scene), scene.camera);
     return resultsOf(scene, reference, {std::move(outcome)})["techniques"][0];
+}
+
+/// How well the rings of the proxies' vertices determine their quadrics (RP-351's least squares; claim C14).
+json fitOf(const Scene& scene) {
+    std::vector<double> conditions;
+    size_t vertices = 0;
+    for (const SceneObject& object : scene.objects) {
+        if (!object.relief) continue;
+        for (const ProxyVertex& vertex : buildProxyMesh(object).vertices) {
+            ++vertices;
+            if (std::isfinite(vertex.ringQuadric.condition))
+                conditions.push_back(vertex.ringQuadric.condition);
+        }
+    }
+    json fit{{"vertices", vertices}, {"singular", vertices - conditions.size()}};
+    if (conditions.empty()) return fit;
+    std::sort(conditions.begin(), conditions.end());
+    fit["condition_p50"] = conditions[nearestRankIndex(conditions.size(), 50)];
+    fit["condition_p99"] = conditions[nearestRankIndex(conditions.size(), 99)];
+    fit["condition_max"] = conditions.back();
+    return fit;
 }
 
 /// Contents of every file below a folder, in the order of their names.
@@ -108,7 +132,7 @@ json runCase(const json& request) {
     worker.gl.timingBudgetMs = request.at("timing_budget_ms");
     TechniqueDrawer drawer(scene, worker, techniques);
     std::vector<Trial> trials;
-    json result{{"techniques", json::array()}, {"pairs", json::array()}};
+    json result{{"techniques", json::array()}, {"pairs", json::array()}, {"fit", fitOf(scene)}};
     for (size_t i = 0; i < techniques.size(); ++i) {
         Trial& trial =
             trials.emplace_back(tryTechnique(techniques[i], settings, drawer, &reference.microMeshes()));
