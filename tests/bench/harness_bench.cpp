@@ -14,7 +14,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdio>
+#include <fstream>
 #include <functional>
+#include <unistd.h>
 
 namespace plumbline {
 namespace {
@@ -65,12 +68,14 @@ void addUncounted(ShaderSource& source, const std::filesystem::path& file) {
 }
 
 /// The search and its surface with nothing around them: no normal, shading, shadows or channels, nothing counted.
-std::unique_ptr<GlProgram> buildBareProgram(const Technique& technique) {
+StageSources bareSources(const Technique& technique) {
     const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
-    ShaderSource vertex, fragment;
-    vertex.addFile(shaders / "proxy_vertex.glsl");
+    StageSources sources;
+    ShaderSource& fragment = sources.fragment;
+    sources.vertex.addFile(shaders / "proxy_vertex.glsl");
     fragment.addText("(settings)",
-                     "const bool kHardwareFilter = false;\nlayout(location = 0) out vec4 outHit;\n");
+                     fmt::format("const bool kHardwareFilter = {};\nlayout(location = 0) out vec4 outHit;\n",
+                                 technique.hardwareFilter()));
     fragment.addFile(shaders / "camera.glsl");
     for (const char* name : {"height_map.glsl", "relief_contract.glsl", "relief_walk.glsl"})
         addUncounted(fragment, shaders / name);
@@ -89,10 +94,35 @@ std::unique_ptr<GlProgram> buildBareProgram(const Technique& technique) {
         "    outHit = vec4(hit.t, hit.st, 1.0);\n"
         "    gl_FragDepth = clamp((planarDepth(vPosition) - uDepthRange.x) * uDepthRange.y, 0.0, 1.0);\n"
         "}\n");
+    if (technique.hasBentBase()) fragment.addFile(shaders / "quadric_base.glsl");
     fragment.addText("(parameters)", technique.glslConstants());
     fragment.addFile(technique.surface->shaderFile());
     fragment.addFile(technique.search.shaderFile());
-    return std::make_unique<GlProgram>(vertex, fragment);
+    return sources;
+}
+
+std::unique_ptr<GlProgram> buildBareProgram(const Technique& technique) {
+    const StageSources sources = bareSources(technique);
+    return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+}
+
+/// Instructions of the optimised shader's functions, 0 if the tools aren't there. Declarations, labels and the like don't count.
+int instructionCount(const ShaderSource& source) {
+    const std::filesystem::path file =
+        std::filesystem::temp_directory_path() / fmt::format("plumbline-bench-{}.frag", ::getpid());
+    std::ofstream(file) << source.assemble("450");
+    const std::string command =
+        fmt::format("f={0}; glslangValidator -G --aml --amb -o $f.spv $f >/dev/null 2>&1 && spirv-opt -O "
+                    "$f.spv -o $f.opt && "
+                    "spirv-dis $f.opt | sed '1,/OpFunction/d' | grep -cvE "
+                    "'Op(Label|Variable|FunctionEnd|SelectionMerge|LoopMerge|Line|NoLine)'; "
+                    "rm -f $f $f.spv $f.opt",
+                    file.string());
+    FILE* pipe = ::popen(command.c_str(), "r");
+    int count = 0;
+    const bool read = pipe && std::fscanf(pipe, "%d", &count) == 1;
+    if (pipe) ::pclose(pipe);
+    return read ? count : 0;
 }
 
 class Harness {
@@ -108,21 +138,34 @@ class Harness {
     struct Times {
         double fullMs, bareMs;
     };
-    /// Medians of frames drawn in turn.
-    Times times(const std::string& text) {
-        const Technique technique = resolveTechnique(parseTechnique(text), {});
-        objects_.prepareBaked(technique.bakedKinds());
-        const auto full = buildReliefProgram(technique, scene_.lights.size()),
-                   bare = buildBareProgram(technique);
-        std::vector<double> fullMs, bareMs;
-        for (int run = 0; run <= kRuns; ++run) {
-            const double a = milliseconds([&] { target_.begin(), draw(*full); });
-            const double b = milliseconds([&] { bare_.begin(), draw(*bare); });
-            if (run == 0) continue; // the driver compiles
-            fullMs.push_back(a);
-            bareMs.push_back(b);
+    /// Medians of frames drawn in turn, harness and bare, technique after technique.
+    std::vector<Times> times(const std::vector<std::string>& texts) {
+        struct Entry {
+            Technique technique;
+            std::unique_ptr<GlProgram> full, bare;
+            std::vector<double> fullMs, bareMs;
+        };
+        std::vector<Entry> entries;
+        for (const std::string& text : texts) {
+            Technique technique = resolveTechnique(parseTechnique(text), {});
+            auto full = buildReliefProgram(technique, scene_.lights.size()),
+                 bare = buildBareProgram(technique);
+            entries.push_back({std::move(technique), std::move(full), std::move(bare), {}, {}});
         }
-        return {median(fullMs), median(bareMs)};
+        for (int run = 0; run <= kRuns; ++run)
+            for (Entry& entry : entries) {
+                objects_.prepareBaked(entry.technique.bakedKinds());
+                if (entry.technique.hasBentBase()) objects_.useCurvature(entry.technique.curvatureSet());
+                const double full = milliseconds([&] { target_.begin(), draw(*entry.full); });
+                const double bare = milliseconds([&] { bare_.begin(), draw(*entry.bare); });
+                if (run == 0) continue; // the driver compiles
+                entry.fullMs.push_back(full);
+                entry.bareMs.push_back(bare);
+            }
+        std::vector<Times> result;
+        for (const Entry& entry : entries)
+            result.push_back({median(entry.fullMs), median(entry.bareMs)});
+        return result;
     }
 
   private:
@@ -165,14 +208,14 @@ void printHarness() try {
     fmt::print("{:<40}{:>12}{:>10}{:>16}{:>14}{:>8}\n", "technique", "harness ms", "bare ms",
                "search in it ms", "in bare ms", "ratio");
     // What both spend without a search: vertices, the ray, and in the harness normal, shading and channels.
-    const Harness::Times none = harness.times("normal_mapping");
+    const Harness::Times none = harness.times({"normal_mapping"})[0];
     fmt::print("{:<40}{:>12.2f}{:>10.2f}\n", "normal_mapping (no search)", none.fullMs, none.bareMs);
     for (const char* technique :
          {"linear_binary:linear_steps=64", "linear_secant:linear_steps=64", "cone_step:cone_steps=60",
           "cone_step_relaxed:cone_steps=60", "sphere_tracing", "max_mipmap", "exact_cells"}) {
         const std::string text = technique;
         const char* separator = text.find(':') == std::string::npos ? ":" : ",";
-        const Harness::Times both = harness.times(text + separator + "shadow=none");
+        const Harness::Times both = harness.times({text + separator + "shadow=none"})[0];
         const double inHarness = both.fullMs - none.fullMs, inBare = both.bareMs - none.bareMs;
         fmt::print("{:<40}{:>12.2f}{:>10.2f}{:>16.2f}{:>14.2f}{:>8.2f}\n", technique, both.fullMs,
                    both.bareMs, inHarness, inBare, inHarness / inBare);
@@ -180,6 +223,35 @@ void printHarness() try {
     fmt::print("ratio: the search's own time in the harness to that in the bare shader (aim 1.10)\n");
 } catch (const MachineError& error) {
     fmt::print("\nharness and bare shader: not measured: {}\n", error.what());
+}
+
+void printSurfaces() try {
+    Harness harness;
+    const std::vector<std::string> surfaces{"flat", "quadric", "quadric_full", "quadric_perpendicular",
+                                            "quadric_nearest"};
+    fmt::print("\nsurfaces under linear_binary, 64 + 6, stone_torus, {}; no shadows; drawn in turn\n",
+               harness.renderer());
+    fmt::print("{:<26}{:>10}{:>12}{:>10}{:>14}\n", "surface", "look-ups", "harness ms", "bare ms",
+               "instructions");
+    for (const char* filter : {"exact", "hardware"}) {
+        std::vector<std::string> texts;
+        for (const std::string& surface : surfaces)
+            texts.push_back(
+                fmt::format("linear_binary@{}:linear_steps=64,shadow=none,filter={}", surface, filter));
+        const std::vector<Harness::Times> times = harness.times(texts);
+        for (size_t i = 0; i < surfaces.size(); ++i) {
+            const int count =
+                instructionCount(bareSources(resolveTechnique(parseTechnique(texts[i]), {})).fragment);
+            fmt::print("{:<26}{:>10}{:>12.2f}{:>10.2f}{:>14}\n", surfaces[i], filter, times[i].fullMs,
+                       times[i].bareMs, count > 0 ? std::to_string(count) : "-");
+        }
+        fmt::print("{:<26}{:>10}{:>12.2f}{:>10.2f}\n", "Eq. 6 / Eq. 7", filter,
+                   times[3].fullMs / times[1].fullMs, times[3].bareMs / times[1].bareMs);
+    }
+    fmt::print("instructions: of the bare fragment shader as SPIR-V, optimised (glslangValidator, "
+               "spirv-opt); - without these\n");
+} catch (const MachineError& error) {
+    fmt::print("\nsurfaces: not measured: {}\n", error.what());
 }
 
 } // namespace plumbline

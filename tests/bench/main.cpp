@@ -159,8 +159,10 @@ std::string takeSection(int& argc, char** argv) {
         const std::string argument = argv[i];
         if (argument.rfind(option, 0) != 0) continue;
         const std::string name = argument.substr(option.size());
-        if (name != "processes" && name != "bakes" && name != "harness" && name != "stages")
-            throw std::runtime_error("--section=" + name + "; expected processes, bakes, harness or stages");
+        if (name != "processes" && name != "bakes" && name != "harness" && name != "surfaces" &&
+            name != "stages")
+            throw std::runtime_error("--section=" + name +
+                                     "; expected processes, bakes, harness, surfaces or stages");
         std::copy(argv + i + 1, argv + argc, argv + i);
         --argc;
         return name;
@@ -181,6 +183,7 @@ int main(int argc, char** argv) {
         if (wanted("bakes")) plumbline::printBakes();
 #ifdef PLUMBLINE_GL
         if (wanted("harness")) plumbline::printHarness();
+        if (wanted("surfaces")) plumbline::printSurfaces();
 #endif
         if (wanted("stages")) {
             plumbline::registerStageBenchmarks();
