@@ -2,51 +2,42 @@
 
 #include "error.h"
 #include "read_file.h"
+#include "toml_node.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
-#include <variant>
 
 namespace plumbline {
 
-/// A value of the file in our own terms.
-struct TomlValue {
-    using Array = std::vector<TomlValue>;
-    int line = 0;
-    std::string changedBy; // empty: it is the file's own
-    /// Nothing stands for dates and times, which no field of ours takes.
-    std::variant<std::monostate, bool, int64_t, double, std::string, Array, std::shared_ptr<TomlNode>>
-        content;
-
-    template <class T>
-    const T* as() const {
-        return std::get_if<T>(&content);
-    }
-};
-
-/// A table, where it stands, and what was asked for in it.
-struct TomlNode {
-    std::string file;
-    std::string path; // "camera", "object.relief"; empty for the root
-    int line = 1;
-    std::map<std::string, TomlValue, std::less<>> values;
-    std::set<std::string, std::less<>> known; // asked for, present or not
-};
-
 namespace {
+
+std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::string& file,
+                                       const std::string& path);
+
+std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::string& file,
+                                       const std::string& path) {
+    auto node = std::make_shared<TomlNode>();
+    node->file = file;
+    node->path = path;
+    node->line = std::max(1, static_cast<int>(table.source().begin.line));
+    for (const auto& [key, element] : table) {
+        TomlValue value = convertValue(element, file, joinPath(path, key.str()));
+        value.line =
+            static_cast<int>(key.source().begin.line); // a table's own line may be that of a later header
+        if (value.line == 0) value.line = node->line;
+        node->values.emplace(std::string(key.str()), std::move(value));
+    }
+    return node;
+}
+
+} // namespace
 
 std::string joinPath(const std::string& path, std::string_view key) {
     if (path.empty()) return std::string(key);
     return key.empty() ? path : fmt::format("{}.{}", path, key);
 }
-
-std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::string& file,
-                                       const std::string& path);
 
 TomlValue convertValue(const toml::node& node, const std::string& file, const std::string& path) {
     TomlValue value;
@@ -70,22 +61,6 @@ TomlValue convertValue(const toml::node& node, const std::string& file, const st
     return value;
 }
 
-std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::string& file,
-                                       const std::string& path) {
-    auto node = std::make_shared<TomlNode>();
-    node->file = file;
-    node->path = path;
-    node->line = std::max(1, static_cast<int>(table.source().begin.line));
-    for (const auto& [key, element] : table) {
-        TomlValue value = convertValue(element, file, joinPath(path, key.str()));
-        value.line =
-            static_cast<int>(key.source().begin.line); // a table's own line may be that of a later header
-        if (value.line == 0) value.line = node->line;
-        node->values.emplace(std::string(key.str()), std::move(value));
-    }
-    return node;
-}
-
 std::string describe(const TomlValue& value) {
     if (const auto* boolean = value.as<bool>()) return *boolean ? "true" : "false";
     if (const auto* integer = value.as<int64_t>()) return fmt::format("{}", *integer);
@@ -97,45 +72,7 @@ std::string describe(const TomlValue& value) {
     return "a date or time";
 }
 
-bool isTables(const TomlValue& value) {
-    const auto* array = value.as<TomlValue::Array>();
-    return array && !array->empty() && array->front().as<std::shared_ptr<TomlNode>>();
-}
-
-/// Keys of a table that lead to other tables.
-std::vector<std::string> tablesOf(const TomlNode& node) {
-    std::vector<std::string> names;
-    for (const auto& [name, value] : node.values)
-        if (value.as<std::shared_ptr<TomlNode>>() || isTables(value)) names.push_back(name);
-    return names;
-}
-
-/// An element of an array of tables, by its name or its number from 0.
-std::shared_ptr<TomlNode> elementNamed(const std::string& where, const std::string& key,
-                                       const TomlValue& value, const std::string& step) {
-    std::vector<std::string> names;
-    for (const TomlValue& element : *value.as<TomlValue::Array>()) {
-        const auto& node = *element.as<std::shared_ptr<TomlNode>>();
-        const auto name = node->values.find("name");
-        const auto* text = name == node->values.end() ? nullptr : name->second.as<std::string>();
-        const std::string number = std::to_string(names.size());
-        if (step == number || (text && step == *text)) return node;
-        names.push_back(text ? *text : number);
-    }
-    throw InputError(where, fmt::format("no {} is called '{}'", key, step), listOf(names),
-                     didYouMean(step, names));
-}
-
-std::vector<std::string> stepsOf(const std::string& path) {
-    std::vector<std::string> steps(1);
-    for (const char c : path) {
-        if (c == '.')
-            steps.emplace_back();
-        else
-            steps.back() += c;
-    }
-    return steps;
-}
+namespace {
 
 std::string rangeText(const char* what, double low, double high) {
     constexpr double kUnlimited = std::numeric_limits<double>::max();
@@ -195,41 +132,6 @@ TomlTable TomlTable::parse(const std::string& fileName, const std::string& text)
         throw InputError(fmt::format("{}:{}", fileName, error.source().begin.line),
                          fmt::format("is not valid TOML: {}", error.description()));
     }
-}
-
-void TomlTable::change(const std::string& where, const std::string& path, const std::string& value) {
-    TomlValue parsed;
-    try {
-        const toml::table table = toml::parse("value = " + value);
-        if (table.size() != 1) throw InputError(where, fmt::format("'{}' is more than a value", value));
-        parsed = convertValue(*table.get("value"), where, path);
-    } catch (const toml::parse_error& error) {
-        throw InputError(where, fmt::format("'{}' is no TOML value: {}", value, error.description()),
-                         "a value as in a scene file: 0.5, [1, 2, 3], \"text\", { … }");
-    }
-    const std::vector<std::string> steps = stepsOf(path);
-    std::shared_ptr<TomlNode> node = node_;
-    for (size_t i = 0; i + 1 < steps.size(); ++i) {
-        const auto found = node->values.find(steps[i]);
-        if (found == node->values.end()) {
-            const std::vector<std::string> choices = tablesOf(*node);
-            throw InputError(where, fmt::format("there is no table '{}'", joinPath(node->path, steps[i])),
-                             listOf(choices), didYouMean(steps[i], choices));
-        }
-        const bool moreSteps = i + 2 < steps.size();
-        if (const auto* table = found->second.as<std::shared_ptr<TomlNode>>())
-            node = *table;
-        else if (isTables(found->second) && moreSteps)
-            node = elementNamed(where, steps[i], found->second, steps[i + 1]), ++i;
-        else
-            throw InputError(where, fmt::format("'{}' is {}", steps[i], describe(found->second)),
-                             isTables(found->second) ? steps[i] + ".NAME.FIELD=VALUE" : "a table");
-    }
-    if (steps.back().empty()) throw InputError(where, "names no field", "TABLE.FIELD=VALUE");
-    TomlValue& changed = node->values[steps.back()];
-    changed = parsed;
-    changed.line = node->line;
-    changed.changedBy = where;
 }
 
 bool TomlTable::has(std::string_view key) const {

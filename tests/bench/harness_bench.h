@@ -6,7 +6,7 @@ namespace plumbline {
 /// Prints a row a technique, on stone_torus at 800 x 600. Says why, if there is no OpenGL.
 void printHarness();
 
-/// Prints what each surface costs under one search: Eq. 6 of RP-351 against Eq. 7 (claim C10) and the others.
+/// Prints what each surface costs under one search: Eq. 6 of RP-351 against Eq. 7 and the others.
 void printSurfaces();
 
 } // namespace plumbline

@@ -101,6 +101,31 @@ TEST_F(StudyRun, AFailingCaseIsRecordedAndTheOthersRunOn) {
                 HasSubstr("0 worked out in 0 s, 3 known before, 1 failed"));
 }
 
+TEST_F(StudyRun, ATechniqueThatFailsCostsItsRowsAlone) {
+    writeStudy("0.02, 0.05");
+    std::filesystem::create_directory(folder_ / "mine");
+    writeFile(folder_ / "mine/mine.glsl", "ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
+    writeFile(
+        folder_ / "mine/technique.toml",
+        "title = \"t\"\ncitation = \"none\"\ninputs = [\"height\"]\nsurfaces = [\"flat\"]\nlimits = []\n");
+    const std::string study = readFile(folder_ / "tiny.toml");
+    writeFile(folder_ / "tiny.toml",
+              withLine(study, "name = \"linear:linear_steps=4\"", "name = \"./mine\""));
+    const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
+    EXPECT_EQ(outcome.exitCode, 2);
+    EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 worked out"));
+    EXPECT_THAT(outcome.out, HasSubstr("2 failed"));
+    const std::string csv = readFile(folder_ / "out/results.csv");
+    EXPECT_EQ(linesWith(csv, "nonsense"), 4u); // the technique, and the pair it is in
+    EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
+    // Mended, it is another technique, and the cases are new.
+    writeFile(folder_ / "mine/mine.glsl",
+              "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
+    const Outcome mended = run({"study", "run", "tiny.toml", "-o", "out"});
+    EXPECT_EQ(mended.exitCode, 0) << mended.err;
+    EXPECT_THAT(mended.out, HasSubstr("2 cases: 2 worked out"));
+}
+
 TEST_F(StudyRun, KilledItGoesOnWhereItWas) {
     // Pictures that take about a second each.
     writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09", "4000");
@@ -153,7 +178,11 @@ TEST_F(StudyRun, BadStudiesAreRefusedBeforeAnythingIsDone) {
               withLine(study, "values = [0.02]", "range = [0.01, 1]\nsteps = 1000000"));
     EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
                 HasSubstr("tiny.toml: has 1000000 cases; expected at most 2000 without --yes"));
+    writeFile(folder_ / "tiny.toml", withLine(study, "memory = \"64M\"", "memory = \"64Q\""));
+    EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}), HasSubstr("64Q"));
     writeFile(folder_ / "tiny.toml", study);
+    EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out", "--gl", "elg"}),
+                HasSubstr("expected auto, egl or osmesa"));
     EXPECT_EQ(filesBelow(folder_).size(), 2u); // study and scene: nothing was left behind
     EXPECT_EQ(errorOf({"study", "report", "tiny.toml", "-o", "out"}),
               "out: holds no results of a study; expected the folder of 'plumbline study run tiny'\n");

@@ -152,10 +152,32 @@ TEST_F(StudyFile, CasesAreNamedByWhatDecidesTheirResults) {
     EXPECT_EQ(known, 6u);
     for (const StudyCase& each : cases(study, "others"))
         EXPECT_FALSE(ids.contains(each.id));
+    Study patient = study;
+    patient.timeLimitSeconds = 61;
+    for (const StudyCase& each : cases(patient))
+        EXPECT_FALSE(ids.contains(each.id));
     std::string wider = kStudy;
     wider.replace(wider.find("camera.width=64"), 15, "camera.width=65");
     for (const StudyCase& each : cases(read(wider)))
         EXPECT_FALSE(ids.contains(each.id));
+}
+
+TEST_F(StudyFile, FilesThatValuesNameCountWithWhatTheyHold) {
+    writeBytes(
+        folder_ / "scene.toml",
+        "purpose = \"x\"\n[camera]\nposition = [0, 0, 3]\n[[object]]\nname = \"torus\"\nmesh = \"a.obj\"\n");
+    writeBytes(folder_ / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    std::string text = kStudy;
+    for (const auto& [from, to] :
+         {std::pair<std::string, std::string>{"\"small_torus\"", "\"scene.toml\""},
+          {"scene_set = [\"camera.width=64\"]", "scene_set = [\"object.torus.mesh='b.obj'\"]"}})
+        text.replace(text.find(from), from.size(), to);
+    const Study study = read(text);
+    writeBytes(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+    const std::string before = cases(study)[0].id;
+    EXPECT_EQ(cases(study)[0].id, before);
+    writeBytes(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\n");
+    EXPECT_NE(cases(study)[0].id, before);
 }
 
 TEST_F(StudyFile, SoManyCasesThatNoNumberHoldsThemAreCountedAsTheMost) {
@@ -255,6 +277,23 @@ TEST_F(StudyFile, PlotsHaveAPanelAndALineForEachGroup) {
     EXPECT_THAT(script, HasSubstr("set title \"size 100\""));
     EXPECT_EQ(script.find("p2l"), std::string::npos); // size 1000 isn't chosen
     EXPECT_EQ(gnuplotScript(study, study.plots[0], {}, "out.svg"), "");
+}
+
+TEST_F(StudyFile, PlotsOfAFigureThereIsntAreRefused) {
+    Study study = read(kStudy);
+    study.plots[0].data.figure = "silhouette.ion";
+    EXPECT_THAT(
+        inputErrorOf([&] { gnuplotScript(study, study.plots[0], sampleRows(cases(study)), "out.svg"); }),
+        HasSubstr("did you mean 'silhouette.iou'?"));
+}
+
+TEST_F(StudyFile, AFailedPairSaysSo) {
+    const Study study = read(kStudy);
+    json failed = outcome(0.9, 0.8);
+    failed["pairs"][0]["result"] = {{"error", "no frame"}};
+    const std::vector<StudyRow> rows = rowsOf(cases(study)[0], failed);
+    EXPECT_EQ(rows[2].error, "no frame");
+    EXPECT_EQ(rows[1].error, "");
 }
 
 TEST_F(StudyFile, TheReportEscapesWhatItShows) {

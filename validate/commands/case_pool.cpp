@@ -4,6 +4,7 @@
 #include "../worker/child_process.h"
 #include "../worker/serve_parent.h"
 #include "../worker/worker_descriptor.h"
+#include "../worker/worker_protocol.h"
 #include "commands.h"
 
 #include <fmt/format.h>
@@ -39,13 +40,16 @@ json replyOf(const StudyCase& studyCase, const CaseOptions& options) {
     try {
         socket.send(caseRequest(studyCase, options));
         const json reply = socket.receive();
-        if (!reply.contains("error")) return reply.at("result");
-        // Input stays wrong until someone changes it, and then the case has another name.
-        const json& error = reply.at("error");
-        return failure(error.at("text"), !error.at("is_input").get<bool>());
+        if (const std::exception_ptr error = errorOf(reply)) std::rethrow_exception(error);
+        return reply.at("result");
+    } catch (const InputError& error) {
+        return failure(error.what(),
+                       false); // stays wrong until someone changes it, and then the case has another name
     } catch (const ConnectionLost&) {
         process.waitForEnd(kEnding);
         return failure(fmt::format("its process ended ({})", process.howItEnded()), true);
+    } catch (const std::exception& error) {
+        return failure(error.what(), true);
     }
 }
 
@@ -92,16 +96,7 @@ void runCases(const std::vector<StudyCase>& cases, int jobs, const CaseOptions& 
 
 int serveStudyCase(int parent) {
     return serveParent(parent, kStudyCaseCommand, [](const MessageSocket& socket) {
-        const json request = socket.receive();
-        try {
-            socket.send(json{{"result", runCase(request)}});
-        } catch (const InputError& error) {
-            socket.send(json{{"error", {{"text", error.what()}, {"is_input", true}}}});
-        } catch (const ConnectionLost&) {
-            throw;
-        } catch (const std::exception& error) {
-            socket.send(json{{"error", {{"text", error.what()}, {"is_input", false}}}});
-        }
+        socket.send(json{{"result", runCase(socket.receive())}});
     });
 }
 

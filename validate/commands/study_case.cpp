@@ -44,19 +44,29 @@ json comparePair(const Trial& first, const Trial& second, const Scene& scene,
     return resultsOf(scene, reference, {std::move(outcome)})["techniques"][0];
 }
 
-/// How well the rings of the proxies' vertices determine their quadrics (RP-351's least squares; claim C14).
+/// The technique a label of the grid stands for.
+const std::string& nameOf(const StudyGrid& grid, const std::string& label) {
+    return std::find_if(grid.techniques.begin(), grid.techniques.end(),
+                        [&](const StudyTechnique& technique) { return technique.label == label; })
+        ->name;
+}
+
+/// How well the rings of the proxies' vertices determine their quadrics: the least squares of RP-351, section 3.1.
 json fitOf(const Scene& scene) {
     std::vector<double> conditions;
-    size_t vertices = 0;
+    size_t vertices = 0, unmapped = 0; // without a direction of s and t: never fitted
     for (const SceneObject& object : scene.objects) {
         if (!object.relief) continue;
         for (const ProxyVertex& vertex : buildProxyMesh(object).vertices) {
             ++vertices;
+            unmapped += glm::length(vertex.positionS) == 0;
             if (std::isfinite(vertex.ringQuadric.condition))
                 conditions.push_back(vertex.ringQuadric.condition);
         }
     }
-    json fit{{"vertices", vertices}, {"singular", vertices - conditions.size()}};
+    json fit{{"vertices", vertices},
+             {"unmapped", unmapped},
+             {"singular", vertices - unmapped - conditions.size()}};
     if (conditions.empty()) return fit;
     std::sort(conditions.begin(), conditions.end());
     fit["condition_p50"] = conditions[nearestRankIndex(conditions.size(), 50)];
@@ -84,14 +94,8 @@ json caseRequest(const StudyCase& studyCase, const CaseOptions& options) {
     for (const StudyTechnique& technique : studyCase.grid->techniques)
         names.push_back(technique.name);
     json pairs = json::array();
-    for (const StudyPair& pair : studyCase.grid->pairs) {
-        const auto nameOf = [&](const std::string& label) {
-            return std::find_if(studyCase.grid->techniques.begin(), studyCase.grid->techniques.end(),
-                                [&](const StudyTechnique& technique) { return technique.label == label; })
-                ->name;
-        };
-        pairs.push_back({nameOf(pair.first), nameOf(pair.second)});
-    }
+    for (const StudyPair& pair : studyCase.grid->pairs)
+        pairs.push_back({nameOf(*studyCase.grid, pair.first), nameOf(*studyCase.grid, pair.second)});
     return {{"scene", studyCase.sceneFile.native()},
             {"changes", studyCase.changes},
             {"techniques", names},
@@ -137,6 +141,7 @@ json runCase(const json& request) {
         Trial& trial =
             trials.emplace_back(tryTechnique(techniques[i], settings, drawer, &reference.microMeshes()));
         if (!trial.outcome.error) compareTrial(trial, truth, scene);
+        if (trial.exitCode == kExitMachine) result["again"] = true;
         json results = resultsOf(scene, summary, {trial.outcome});
         result["techniques"].push_back({{"name", names[i]}, {"result", results["techniques"][0]}});
         result["reference"] = results["reference"];
@@ -163,7 +168,7 @@ std::string techniquesHash(const StudyGrid& grid) {
     for (const std::string& setting : grid.settings)
         hash.add(setting);
     for (const StudyPair& pair : grid.pairs)
-        hash.add(pair.first + "\n" + pair.second);
+        hash.add(nameOf(grid, pair.first) + "\n" + nameOf(grid, pair.second));
     return hash.hexadecimal();
 }
 

@@ -46,6 +46,15 @@ void checkTechniques(const Study& study) {
     }
 }
 
+/// What would be wrong in every case, before the first.
+void checkCaseOptions(const CaseOptions& options) {
+    RealtimeArguments realtime;
+    realtime.glBackend = options.glBackend;
+    (void)glOptions(realtime);
+    (void)parseMemorySize(options.memory);
+    if (!options.errorPx.empty()) (void)parseErrorPx(options.errorPx);
+}
+
 CaseOptions caseOptions(const Study& study, const StudyArguments& arguments, int jobs) {
     CaseOptions options;
     options.memory = study.memory;
@@ -61,13 +70,16 @@ CaseOptions caseOptions(const Study& study, const StudyArguments& arguments, int
 /// What is known, and what is left to do.
 struct StudyState {
     std::vector<StudyRow> rows;
-    std::vector<StudyCase> open;
-    size_t failed = 0;
+    std::vector<StudyCase> open; // not worked out, or not for a reason that may have gone
+    size_t failed = 0;           // also in part: a technique
 
     void add(const StudyCase& studyCase, const json& outcome) {
-        for (StudyRow& row : rowsOf(studyCase, outcome))
+        bool anyError = false;
+        for (StudyRow& row : rowsOf(studyCase, outcome)) {
+            anyError |= !row.error.empty();
             rows.push_back(std::move(row));
-        failed += !outcome.at("error").is_null();
+        }
+        failed += anyError;
     }
 };
 
@@ -122,15 +134,17 @@ int runStudy(const StudyArguments& arguments) {
     const Study study = readStudy(findStudy(arguments.study));
     requireConsent(caseCount(study), arguments);
     checkTechniques(study);
+    const int jobs = arguments.jobs > 0 ? arguments.jobs
+                                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const CaseOptions options = caseOptions(study, arguments, jobs);
+    checkCaseOptions(options);
     const StudyFolder folder(
         arguments.output.value_or(std::filesystem::path("plumbline-out") / ("study-" + study.name)), study);
     const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
     StudyState state = readState(folder, cases);
     const size_t known = cases.size() - state.open.size();
-    const int jobs = arguments.jobs > 0 ? arguments.jobs
-                                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     const auto start = std::chrono::steady_clock::now();
-    if (!state.open.empty()) runOpenCases(folder, state, jobs, caseOptions(study, arguments, jobs), progress);
+    if (!state.open.empty()) runOpenCases(folder, state, jobs, options, progress);
     // In the study's order, whatever order they were done in.
     state = readState(folder, cases);
     writeTable(folder, state);
@@ -138,7 +152,8 @@ int runStudy(const StudyArguments& arguments) {
     fmt::print("{} cases: {} worked out in {:.0f} s, {} known before, {} failed\n{}\n", cases.size(),
                cases.size() - known, spent.count(), known, state.failed + state.open.size(),
                (folder.path() / "results.csv").string());
-    return state.failed + state.open.size() > 0 ? kExitBadInput : kExitDone;
+    if (state.failed > 0) return kExitBadInput;
+    return state.open.empty() ? kExitDone : kExitMachine;
 }
 
 int runStudyReport(const StudyArguments& arguments) {

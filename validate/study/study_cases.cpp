@@ -1,7 +1,9 @@
 #include "study_cases.h"
 
 #include "../../scenes/content_hash.h"
+#include "../../scenes/error.h"
 #include "../../scenes/scene_metadata.h"
+#include "../../scenes/toml_file.h"
 
 #include <algorithm>
 #include <limits>
@@ -20,11 +22,11 @@ void addChange(ContentHash& hash, const std::string& change, const std::filesyst
     hash.add(change);
     const size_t equals = change.find('=');
     if (equals == std::string::npos || !namesFile(change.substr(0, equals))) return;
-    std::string file = change.substr(equals + 1);
-    std::erase(file, '"');
-    const std::filesystem::path path = sceneFile.parent_path() / file;
-    std::error_code error;
-    if (std::filesystem::is_regular_file(path, error)) hash.addFile(path); // else the case will say so
+    try {
+        const TomlTable value = TomlTable::parse("", "file = " + change.substr(equals + 1));
+        hash.addFile(sceneFile.parent_path() / value.text("file"));
+    } catch (const InputError&) { // no text, or no such file: the case will say so
+    }
 }
 
 class CaseMaker {
@@ -61,6 +63,7 @@ class CaseMaker {
              {programName(), sceneHash, techniquesHash_, study_.memory, study_.errorPx})
             hash.add(text);
         hash.add(std::to_string(grid_.timingBudgetMs));
+        hash.add(std::to_string(study_.timeLimitSeconds));
         for (const std::string& change : result.changes)
             addChange(hash, change, result.sceneFile);
         result.id = hash.hexadecimal();

@@ -7,8 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace plumbline {
 namespace {
@@ -107,10 +109,20 @@ std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const st
     return data + command + "\n";
 }
 
+bool runGnuplot(const std::filesystem::path& script) {
+    std::string program = "gnuplot", file = script.string();
+    char* const arguments[] = {program.data(), file.data(), nullptr};
+    pid_t process = -1;
+    int status = 0;
+    return ::posix_spawnp(&process, "gnuplot", nullptr, nullptr, arguments, environ) == 0 &&
+           ::waitpid(process, &status, 0) == process && status == 0;
+}
+
 } // namespace
 
 std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
                           const std::string& file) {
+    checkFigure(rows, plot.data);
     const StudyGrid& grid = gridNamed(study, plot.data.grid);
     const Positions x(groupValues(grid, plot.x));
     const std::vector<std::string> lines = present(grid, plot.lines, rows, plot.data);
@@ -164,11 +176,12 @@ bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<Study
               const std::filesystem::path& file) {
     if (gnuplotScript(study, plot, rows, file.string()).empty()) return false;
     replaceFile(file, [&](const std::filesystem::path& temporary) {
-        const std::string script = gnuplotScript(study, plot, rows, temporary.string());
-        FILE* gnuplot = ::popen("gnuplot", "w");
-        const bool written = gnuplot && std::fputs(script.c_str(), gnuplot) >= 0;
-        const int status = gnuplot ? ::pclose(gnuplot) : -1;
-        if (!written || status != 0 || !std::filesystem::exists(temporary))
+        const std::filesystem::path script = temporary.string() + ".gnuplot";
+        replaceFile(script, gnuplotScript(study, plot, rows, temporary.string()));
+        const bool drawn = runGnuplot(script);
+        std::error_code ignored;
+        std::filesystem::remove(script, ignored);
+        if (!drawn || !std::filesystem::exists(temporary))
             throw MachineError("gnuplot", fmt::format("plot '{}' failed", plot.name), "gnuplot 5 or later");
     });
     return true;

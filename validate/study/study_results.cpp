@@ -53,6 +53,8 @@ double statisticOf(std::vector<double> values, const std::string& statistic) {
     return 0.5 * (values[(count - 1) / 2] + values[count / 2]);
 }
 
+} // namespace
+
 void checkFigure(const std::vector<StudyRow>& rows, const StudyRows& choice) {
     std::set<std::string> names;
     for (const StudyRow& row : rows)
@@ -64,8 +66,6 @@ void checkFigure(const std::vector<StudyRow>& rows, const StudyRows& choice) {
     throw InputError("figure", fmt::format("no result has '{}'", choice.figure), "a column of results.csv",
                      didYouMean(choice.figure, known));
 }
-
-} // namespace
 
 std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const json& outcome) {
     StudyRow base;
@@ -91,6 +91,7 @@ std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const json& outcome) {
         StudyRow row = base;
         row.technique = labelOf(*studyCase.grid, textAt(pair, "second"));
         row.against = labelOf(*studyCase.grid, textAt(pair, "first"));
+        row.error = textAt(pair.at("result"), "error");
         flatten(pair.at("result"), "", row.figures);
         rows.push_back(std::move(row));
     }

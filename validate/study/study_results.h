@@ -26,8 +26,11 @@ std::string studyCsv(const std::vector<StudyRow>& rows);
 /// What tells rows apart: an axis, "scene" or "technique".
 std::string groupOf(const StudyRow& row, const std::string& grouping);
 
+/// Throws InputError for a figure that no row of the grid has.
+void checkFigure(const std::vector<StudyRow>& rows, const StudyRows& choice);
+
 /// A table's or plot's numbers by two groupings: of the rows chosen, the statistic of those that fall together. Groups without a figure are left
-/// out. Throws InputError for a figure that no row of the grid has.
+/// out. Throws as checkFigure.
 struct StudyCells {
     std::map<std::pair<std::string, std::string>, double> values;
 };

@@ -115,6 +115,10 @@ json errorReply(const std::exception& error) {
     return {{"error", {{"kind", kindOf(error)}, {"text", error.what()}}}};
 }
 
+std::exception_ptr errorOf(const json& reply) {
+    return reply.contains("error") ? errorFrom(reply.at("error")) : nullptr;
+}
+
 void sendResult(const MessageSocket& socket, const TechniqueResult& result) {
     socket.send(json{{"result", toJson(result)}});
     for (const std::string& name : result.frame.channelNames())
@@ -124,11 +128,10 @@ void sendResult(const MessageSocket& socket, const TechniqueResult& result) {
 WorkerReply receiveReply(const MessageSocket& socket) {
     const json value = socket.receive();
     WorkerReply reply;
+    reply.error = errorOf(value);
     if (value.contains("phase")) {
         reply.phase = value.at("phase");
-    } else if (value.contains("error")) {
-        reply.error = errorFrom(value.at("error"));
-    } else {
+    } else if (!reply.error) {
         reply.result = techniqueResult(value.at("result"));
         for (const std::string& name : reply.result->frame.channelNames())
             socket.receive(reply.result->frame.channel(name));

@@ -40,6 +40,9 @@ nlohmann::json phaseReply(std::string_view phase);
 nlohmann::json errorReply(const std::exception& error);
 void sendResult(const MessageSocket& socket, const TechniqueResult& result);
 
+/// The error of an errorReply: InputError, MachineError or another std::runtime_error; null if the value is something else.
+std::exception_ptr errorOf(const nlohmann::json& reply);
+
 /// One reply of the drawing process: exactly one of the three is there.
 struct WorkerReply {
     std::string phase;
