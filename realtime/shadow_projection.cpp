@@ -86,8 +86,8 @@ ShadowProjection directionalProjection(const Vec3& toLight, const Bounds& bounds
     const Vec4 distanceRow = rowAlong(forward, originWorld, 0, 1, 0), last(0, 0, 0, 1);
 
     ShadowProjection light;
-    light.nearest = distance.low;
-    light.farthest = distance.high;
+    light.nearest = distance.low - kDepthMargin * bounds.diagonal();
+    light.farthest = distance.high + kDepthMargin * bounds.diagonal();
     light.placeFromRelative =
         matrixOfRows(rowAlong(right, originWorld, u.low, 1 / u.extent(), 0),
                      rowAlong(up, originWorld, v.low, 1 / v.extent(), 0), distanceRow, last);
@@ -131,6 +131,8 @@ ShadowProjection pointProjection(const Vec3& position, const Bounds& bounds, con
     light.farthest = 0;
     for (const Vec3& corner : corners(bounds))
         light.farthest = std::max(light.farthest, glm::length(corner - position));
+    light.nearest = std::max(light.nearest - kDepthMargin * bounds.diagonal(), 0.0);
+    light.farthest += kDepthMargin * bounds.diagonal();
     if (!(light.farthest > light.nearest)) light.farthest = light.nearest + 1; // all the scene is one point
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0})

@@ -19,7 +19,7 @@ struct ShadowProjection {
     std::vector<CameraUniforms> layers; // the light as a camera: 1, or 6 for a point light
     /// Directional: (u, v) on the map in [0,1] and the distance of a position relative to the origin.
     glm::mat4 placeFromRelative{0};
-    /// The scene lies between these distances.
+    /// The scene lies between these distances, with the camera's margin (kDepthMargin).
     double nearest = 0, farthest = 1;
     /// Half a texel's diagonal across the light's rays; for a point light at distance 1 along the axis of the cube's face.
     double halfDiagonal = 0;

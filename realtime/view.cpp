@@ -11,9 +11,6 @@ namespace {
 // Near plane as a fraction of the far one. The depth buffer doesn't see it (gl_FragDepth is linear in the
 // planar depth): it only keeps points at the camera itself from being divided by zero.
 constexpr double kNearFraction = 1e-6;
-// Room around the scene's range of planar depths, as a fraction of its diagonal: a hit of a technique may lie
-// outside of the true surface's bounds.
-constexpr double kDepthMargin = 0.5;
 
 struct DepthRange {
     double low, high;

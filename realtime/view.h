@@ -8,6 +8,10 @@
 
 namespace plumbline {
 
+/// Room before and behind the scene's range of depths from a camera, and of distances from a light, as a fraction of its diagonal: a hit
+/// of a technique may lie outside of the true surface's bounds. What lies further still is kept, but not put in order.
+constexpr double kDepthMargin = 0.5;
+
 /// What camera.glsl declares.
 struct CameraUniforms {
     glm::mat4 clipFromRelative{1};

@@ -44,5 +44,7 @@ float mapShadow(int i, vec3 position, vec3 normal, vec3 toLight, float marginWor
     float cosine = clamp(dot(normal, toLight), kSteepestCosine, 1.0);
     float tangent = sqrt(1.0 - cosine * cosine) / cosine;
     float bias = uShadowMapBias * (at.halfDiagonal * (1.0 + tangent) + uShadowRounding[i]) + marginWorld;
-    return stored < (at.distanceWorld - bias - uShadowMap[i].y) * uShadowMap[i].z ? 1.0 : 0.0;
+    // An empty texel holds 1, a hit beyond the range kFarthestHit (bufferDepth): neither is known to be nearer than anything.
+    float reach = min((at.distanceWorld - bias - uShadowMap[i].y) * uShadowMap[i].z, kFarthestHit);
+    return stored < reach ? 1.0 : 0.0;
 }

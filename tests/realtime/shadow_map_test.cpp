@@ -262,6 +262,34 @@ TEST(ShadowMap, ALightWithNothingInReachLeavesAllLit) {
               countShadows(draw(edgeOn, kMap), "sun").pixels);
 }
 
+TEST(ShadowMap, HitsBeyondTheRimArentShadowedByTheEndOfTheRange) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A relief floor 2 wide, its surface 0.2 below the polygon; both lights look along -x at 15 to 20 degrees, the camera at 5: what it
+    // sees ends 0.2 / tan 5 = 2.29 beyond the polygon's rim, out of the range of distances with its margin (half a diagonal, 1.6). Behind
+    // the rim light rays enter the polygon up to 0.2 / tan 20 = 0.55 further in and meet the very points; beyond that their texels are
+    // empty. A box 1 tall, which makes room on the map for the latter, throws the only shadow: x down to -3.4, as wide as itself under the
+    // sun, up to 1.4 times as far from z = 0 under the lamp.
+    Camera camera =
+        orthographicCamera({5 * std::cos(radians(5)), 5 * std::sin(radians(5)), 0}, {0, 1, 0}, 1.9, kPixels);
+    const Vec3 toLight(std::cos(radians(20)), std::sin(radians(20)), 0);
+    const Scene scene = sceneOfObjects(
+        {plateObject("floor", 2, 0, constantMap(1), 0.2), boxObject("box", {0.2, 1, 0.4}, {0, 0.5, 0.5})},
+        {directionalLight("sun", toLight), pointLight("lamp", 10.0 * toLight)}, camera);
+    const Frame frame = draw(scene, kMap);
+    const auto beyondRim = [&](const Vec3& p, Expected expected) {
+        return p.x < -1 ? expected : Expected::Either;
+    };
+    const size_t sun = expectShadows(frame, "sun", 1, [&](const Vec3& p) {
+        return beyondRim(p, inRectangle(p.x, p.z, {-3.4, 0.3}, {1, 0.7}, 0.01));
+    });
+    const size_t lamp = expectShadows(frame, "lamp", 1, [&](const Vec3& p) {
+        return beyondRim(p, p.z < 0.28 ? Expected::Lit : Expected::Either);
+    });
+    EXPECT_GT(sun, 3000u);
+    EXPECT_GT(lamp, 2000u);
+    EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 200u);
+}
+
 TEST(ShadowMap, SixteenLightsHaveAMapEach) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Sun and lamp in turn around a pole: each light's shadow is the one it has alone.

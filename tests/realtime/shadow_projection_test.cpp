@@ -65,8 +65,9 @@ TEST(ShadowProjection, OfTheSunHoldsTheBoundsAndNoMore) {
             EXPECT_NEAR(lowClip[axis], -1, 1e-5);
             EXPECT_NEAR(highClip[axis], 1, 1e-5);
         }
-        EXPECT_NEAR(low.z, light.nearest, 1e-5);
-        EXPECT_NEAR(high.z, light.farthest, 1e-5);
+        // Distances have the camera's margin on both sides.
+        EXPECT_NEAR(low.z - 0.5 * bounds.diagonal(), light.nearest, 1e-5);
+        EXPECT_NEAR(high.z + 0.5 * bounds.diagonal(), light.farthest, 1e-5);
         EXPECT_GT(lowClip.z, -1);
         EXPECT_LT(highClip.z, 1);
     }
@@ -108,9 +109,10 @@ TEST(ShadowProjection, OfALampHasAFaceForEveryDirection) {
     EXPECT_EQ(lights[1].firstLayer, 1);
     EXPECT_EQ(lights[2].firstLayer, 7);
     EXPECT_EQ(layerCount(lights), 13);
-    EXPECT_EQ(lights[1].nearest, 0); // it stands inside
-    EXPECT_NEAR(lights[2].nearest, glm::length(Vec3(6)), 1e-9);
-    EXPECT_NEAR(lights[1].farthest, glm::length(Vec3(3.5, 4, 5)), 1e-9);
+    EXPECT_EQ(lights[1].nearest, 0);                  // it stands inside
+    const double margin = 0.5 * glm::length(Vec3(6)); // the camera's
+    EXPECT_NEAR(lights[2].nearest, glm::length(Vec3(6)) - margin, 1e-9);
+    EXPECT_NEAR(lights[1].farthest, glm::length(Vec3(3.5, 4, 5)) + margin, 1e-9);
     EXPECT_NEAR(lights[1].halfDiagonal, std::sqrt(2.0) / 100, 1e-12);
     // Each direction is inside of exactly one face: in front of it and between -1 and 1.
     for (int i = 0; i < 500; ++i) {
