@@ -92,9 +92,8 @@ class ProxyBuilder {
         vertex.positionT = derivatives.byT;
         // Along an axis the offset moves the surface and bends nothing.
         const double offset = relief_ && !relief_->axisWorld ? relief_->offset : 0;
-        vertex.limitQuadric = quadricOfDerivatives(derivatives.byS + offset * derivatives.normalByS,
-                                                   derivatives.byT + offset * derivatives.normalByT,
-                                                   derivatives.normalByS, derivatives.normalByT);
+        vertex.limitQuadric = quadricOfDerivatives(derivatives.byS, derivatives.byT, derivatives.normalByS,
+                                                   derivatives.normalByT, offset);
 
         Place& here = places_[place];
         if (!here.sampled) here.position = base.position;

@@ -19,19 +19,30 @@ struct Sums {
     std::array<double, 3> withFall{};
 };
 
+/// Coordinates along two unit tangents that need not be at a right angle, by the Gram inverse (Premecz, Iterative parallax mapping with
+/// slope information, section 1.1).
+struct ObliqueAxes {
+    ObliqueAxes(const Vec3& alongS, const Vec3& alongT)
+        : s(glm::normalize(alongS)), t(glm::normalize(alongT)), cosine(glm::dot(s, t)) {}
+    Vec3 s, t;
+    double cosine;
+
+    double sineSquared() const { return 1 - cosine * cosine; }
+    bool areTwo() const { return sineSquared() >= kSmallestSineSquared; }
+    Vec2 coordinates(const Vec3& offset) const {
+        const double alongS = glm::dot(offset, s), alongT = glm::dot(offset, t);
+        return Vec2(alongS - cosine * alongT, alongT - cosine * alongS) / sineSquared();
+    }
+};
+
 Sums sumRing(const QuadricFrame& frame, std::span<const Vec3> ring) {
     Sums sums;
-    const Vec3 tangentS = frame.tangentS / glm::length(frame.tangentS),
-               tangentT = frame.tangentT / glm::length(frame.tangentT);
-    const double cosine = glm::dot(tangentS, tangentT), sineSquared = 1 - cosine * cosine;
-    if (sineSquared < kSmallestSineSquared) return sums;
+    const ObliqueAxes axes(frame.tangentS, frame.tangentT);
+    if (!axes.areTwo()) return sums;
     for (const Vec3& neighbour : ring) {
         const Vec3 offset = neighbour - frame.origin;
-        // Oblique coordinates by the Gram inverse of two unit vectors (Premecz, Iterative parallax mapping with slope information, section 1.1).
-        const double alongS = glm::dot(offset, tangentS), alongT = glm::dot(offset, tangentT);
-        const double x = (alongS - cosine * alongT) / sineSquared,
-                     y = (alongT - cosine * alongS) / sineSquared;
-        const std::array<double, 3> row{x * x, y * y, x * y};
+        const Vec2 p = axes.coordinates(offset);
+        const std::array<double, 3> row{p.x * p.x, p.y * p.y, p.x * p.y};
         const double fall = -glm::dot(offset, frame.normal);
         for (size_t i = 0; i < 3; ++i) {
             for (size_t j = 0; j < 3; ++j)
@@ -64,6 +75,16 @@ ScaledSystem scaled(const Sums& sums) {
     return system;
 }
 
+/// The second fundamental form along the unit tangents of the very positions.
+QuadricCoefficients alongOwnTangents(const Vec3& positionS, const Vec3& positionT, const Vec3& normalS,
+                                     const Vec3& normalT) {
+    const double s = glm::length(positionS), t = glm::length(positionT);
+    if (!(s > 0 && t > 0)) return {};
+    // The fall along a tangent is minus half the second fundamental form, whose entries are -positionS . normalS and so on.
+    return {0.5 * glm::dot(positionS, normalS) / (s * s), 0.5 * glm::dot(positionT, normalT) / (t * t),
+            0.5 * (glm::dot(positionS, normalT) + glm::dot(positionT, normalS)) / (s * t)};
+}
+
 } // namespace
 
 RingFit fitQuadric(const QuadricFrame& frame, std::span<const Vec3> ring) {
@@ -89,12 +110,16 @@ RingFit fitQuadric(const QuadricFrame& frame, std::span<const Vec3> ring) {
 }
 
 QuadricCoefficients quadricOfDerivatives(const Vec3& positionS, const Vec3& positionT, const Vec3& normalS,
-                                         const Vec3& normalT) {
-    const double s = glm::length(positionS), t = glm::length(positionT);
-    if (!(s > 0 && t > 0)) return {};
-    // The fall along a tangent is minus half the second fundamental form, whose entries are -positionS . normalS and so on.
-    return {0.5 * glm::dot(positionS, normalS) / (s * s), 0.5 * glm::dot(positionT, normalT) / (t * t),
-            0.5 * (glm::dot(positionS, normalT) + glm::dot(positionT, normalS)) / (s * t)};
+                                         const Vec3& normalT, double offset) {
+    if (offset == 0) return alongOwnTangents(positionS, positionT, normalS, normalT);
+    if (!(glm::length(positionS) > 0 && glm::length(positionT) > 0)) return {};
+    const Vec3 pushedS = positionS + offset * normalS, pushedT = positionT + offset * normalT;
+    const ObliqueAxes axes(positionS, positionT), pushed(pushedS, pushedT);
+    if (!pushed.areTwo()) return {};
+    const auto [a, b, c] = alongOwnTangents(pushedS, pushedT, normalS, normalT);
+    const Vec2 s = pushed.coordinates(axes.s), t = pushed.coordinates(axes.t);
+    return {a * s.x * s.x + c * s.x * s.y + b * s.y * s.y, a * t.x * t.x + c * t.x * t.y + b * t.y * t.y,
+            2 * a * s.x * t.x + c * (s.x * t.y + s.y * t.x) + 2 * b * s.y * t.y};
 }
 
 } // namespace plumbline

@@ -87,6 +87,19 @@ TEST(QuadricFit, SaysWhatARingDoesntDetermine) {
               kInfinity); // tangents as good as one
 }
 
+TEST(QuadricFit, OfDerivativesArePushedOutUpToTheCentreOfCurvature) {
+    // Radii 2 and 4 along s and t, of tangents of any length. Pushed in by 1 they are 1 and 3; by 2, and there is no number for the first.
+    const auto pushed = [](double offset) {
+        return quadricOfDerivatives({3, 0, 0}, {0, 0.1, 0}, {3 / 2.0, 0, 0}, {0, 0.1 / 4, 0}, offset);
+    };
+    EXPECT_NEAR(2 * pushed(0).a, 1 / 2.0, 1e-12);
+    EXPECT_NEAR(2 * pushed(-1).a, 1 / 1.0, 1e-12);
+    EXPECT_NEAR(2 * pushed(-1).b, 1 / 3.0, 1e-12);
+    EXPECT_NEAR(pushed(-1).c, 0, 1e-12);
+    EXPECT_EQ(pushed(-2).a, 0);
+    EXPECT_EQ(pushed(-2).b, 0);
+}
+
 SceneObject reliefOn(ControlMesh mesh, int rate, double offset = 0) {
     SceneObject object;
     object.name = mesh.name;
@@ -162,16 +175,39 @@ TEST(ProxyQuadrics, OfASaddleTurnedBy45DegreesHaveACrossTerm) {
     EXPECT_GT(seen, 5);
 }
 
+/// W with dn = W dP over the tangent plane, along the unit tangents of s and t: first form inverted, times minus the second.
+glm::dmat2 shapeOperator(const ProxyVertex& vertex) {
+    const double cosine = glm::dot(glm::normalize(vertex.positionS), glm::normalize(vertex.positionT));
+    const QuadricCoefficients& q = vertex.limitQuadric;
+    return glm::inverse(glm::dmat2(1, cosine, cosine, 1)) * glm::dmat2(2 * q.a, q.c, q.c, 2 * q.b);
+}
+
 TEST(ProxyQuadrics, OfTheLimitAreThoseOfTheSurfacePushedOut) {
-    // On a torus' outermost line the curvatures are 1 / r and 1 / (R + r) of the limit surface; pushed out by o both radii grow by o.
-    const ProxyMesh plain = buildProxyMesh(reliefOn(makeTorus(1, 0.4, 24, 16), 2)),
-                    pushed = buildProxyMesh(reliefOn(makeTorus(1, 0.4, 24, 16), 2, 0.2));
-    for (size_t i = 0; i < plain.vertices.size(); ++i) {
-        const QuadricCoefficients &a = plain.vertices[i].limitQuadric, &b = pushed.vertices[i].limitQuadric;
-        if (std::abs(a.c) > 1e-6) continue; // not the principal directions
-        EXPECT_NEAR(1 / (2 * b.a), 1 / (2 * a.a) + 0.2, 1e-6 * std::abs(1 / a.a));
-        EXPECT_NEAR(1 / (2 * b.b), 1 / (2 * a.b) + 0.2, 1e-6);
+    // Pushed out by o, radii of curvature grow by o in the directions they have: dn = W dP = W' dP' with P' = P + o n, so that
+    // W' (1 + o W) = W in any tangents; a vertex has those of P. Uvs turned as well: their tangents aren't the principal directions.
+    for (const bool turned : {false, true}) {
+        ControlMesh mesh = makeTorus(1, 0.4, 24, 16);
+        if (turned)
+            for (Vec2& uv : mesh.uvs)
+                uv = Vec2(uv.x + uv.y, uv.y - 0.5 * uv.x);
+        const ProxyMesh plain = buildProxyMesh(reliefOn(mesh, 2)),
+                        pushed = buildProxyMesh(reliefOn(mesh, 2, 0.2));
+        ASSERT_EQ(plain.vertices.size(), pushed.vertices.size());
+        size_t crossed = 0;
+        for (size_t i = 0; i < plain.vertices.size(); ++i) {
+            const glm::dmat2 before = shapeOperator(plain.vertices[i]),
+                             after = shapeOperator(pushed.vertices[i]),
+                             miss = after * (glm::dmat2(1) + 0.2 * before) - before;
+            crossed += std::abs(plain.vertices[i].limitQuadric.c) > 0.1;
+            for (int column = 0; column < 2; ++column)
+                ASSERT_LT(glm::length(miss[column]), 1e-9) << i;
+        }
+        EXPECT_GT(plain.vertices.size(), 1000u);
+        if (turned) {
+            EXPECT_GT(crossed, plain.vertices.size() / 2);
+        }
     }
+    const ProxyMesh plain = buildProxyMesh(reliefOn(makeTorus(1, 0.4, 24, 16), 2));
     double outermost = 0, a = 0, b = 0;
     for (const ProxyVertex& vertex : plain.vertices)
         if (const double radius = std::hypot(vertex.position.x, vertex.position.z); radius > outermost) {
