@@ -61,9 +61,9 @@ std::vector<TechniqueInfo> listTechniques();
 
 struct SurfaceInfo {
     std::string name, title, citation;
-    std::string variantOf;           // the surface it does otherwise; may be empty
-    std::vector<std::string> inputs; // "quadric" (without cross term), "quadric_full", or nothing
-    std::vector<std::string> shadows;
+    std::string variantOf;            // the surface it does otherwise; may be empty
+    std::vector<std::string> inputs;  // "quadric" (without cross term), "quadric_full", or nothing
+    std::vector<std::string> shadows; // as of TechniqueInfo; both have to allow one
     std::vector<TechniqueInfo::Parameter> parameters;
     std::vector<std::string> limits;
 };

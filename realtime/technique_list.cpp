@@ -49,6 +49,13 @@ std::vector<TechniqueInfo::Parameter> parametersOf(const Manifest& manifest) {
     return parameters;
 }
 
+/// The manifest's, and the map, which asks nothing of search or surface.
+std::vector<std::string> shadowsOf(const Manifest& manifest) {
+    std::vector<std::string> shadows = manifest.shadows;
+    if (manifest.geometry == Geometry::Proxy) shadows.emplace_back("map");
+    return shadows;
+}
+
 TechniqueInfo infoOf(const Manifest& manifest) {
     TechniqueInfo info;
     info.name = manifest.name;
@@ -58,9 +65,8 @@ TechniqueInfo infoOf(const Manifest& manifest) {
     info.inputs = manifest.inputs;
     info.surfaces = manifest.surfaces;
     info.refusals = manifest.refusals;
-    info.shadows = manifest.shadows;
+    info.shadows = shadowsOf(manifest);
     info.limits = manifest.limits;
-    if (manifest.geometry == Geometry::Proxy) info.shadows.emplace_back("map");
     info.drawsMicroTriangles = manifest.geometry == Geometry::MicroTriangles;
     info.parameters = parametersOf(manifest);
     return info;
@@ -117,7 +123,7 @@ std::vector<SurfaceInfo> listSurfaces() {
     for (const std::string& name : surfaceNames()) {
         const Manifest manifest = readSurfaceManifest(surfacesFolder() / name);
         infos.push_back({manifest.name, manifest.title, manifest.citation, manifest.variantOf,
-                         manifest.inputs, manifest.shadows, parametersOf(manifest), manifest.limits});
+                         manifest.inputs, shadowsOf(manifest), parametersOf(manifest), manifest.limits});
     }
     return infos;
 }

@@ -87,6 +87,24 @@ TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
     }
 }
 
+TEST(TechniqueList, ShadowsListedByTechniqueAndSurfaceAreThoseThatCanBeAsked) {
+    std::map<std::string, std::vector<std::string>> ofSurface;
+    for (const SurfaceInfo& surface : listSurfaces())
+        ofSurface[surface.name] = surface.shadows;
+    const auto contains = [](const std::vector<std::string>& list, const char* value) {
+        return std::find(list.begin(), list.end(), value) != list.end();
+    };
+    for (const TechniqueInfo& info : listTechniques())
+        for (const std::string& surface : info.surfaces)
+            for (const char* shadow : {"relief", "none", "map"}) {
+                const std::string name = info.name + "@" + surface + ":shadow=" + shadow;
+                if (contains(info.shadows, shadow) && contains(ofSurface.at(surface), shadow))
+                    EXPECT_NO_THROW(nameOf(name)) << name;
+                else
+                    EXPECT_THROW(nameOf(name), InputError) << name;
+            }
+}
+
 TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
     EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
                 ElementsAre("binary_steps", "depth_correction", "early_exit", "filter", "linear_steps",
