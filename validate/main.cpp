@@ -73,8 +73,7 @@ void addRealtimeOptions(CLI::App& command, RealtimeArguments& arguments) {
     command
         .add_option("--technique", arguments.techniques,
                     "SEARCH[@SURFACE][:key=value,…], SEARCH a name or a folder; may be repeated. Default: "
-                    "all, that is "
-                    "every search on every surface but its variants, those with linear_binary")
+                    "all: every search on flat and quadric, linear_binary on the quadric's variants")
         ->type_name("NAME|DIR")
         ->allow_extra_args(false);
     command.add_option("--set", arguments.settings, "A parameter of all techniques; may be repeated")
