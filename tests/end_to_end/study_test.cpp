@@ -115,6 +115,7 @@ TEST_F(StudyRun, ATechniqueThatFailsCostsItsRowsAlone) {
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 worked out"));
     EXPECT_THAT(outcome.out, HasSubstr("2 failed"));
+    EXPECT_EQ(linesWith(outcome.err, "linear: ./mine"), 1u) << outcome.err; // said once, of both cases
     const std::string csv = readFile(folder_ / "out/results.csv");
     EXPECT_EQ(linesWith(csv, "nonsense"), 4u); // the technique, and the pair it is in
     EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
@@ -178,6 +179,10 @@ TEST_F(StudyRun, BadStudiesAreRefusedBeforeAnythingIsDone) {
               withLine(study, "values = [0.02]", "range = [0.01, 1]\nsteps = 1000000"));
     EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
                 HasSubstr("tiny.toml: has 1000000 cases; expected at most 2000 without --yes"));
+    writeFile(folder_ / "tiny.toml",
+              withLine(study, "name = \"linear_binary\"", "name = \"linear_binary:linear_steps=0\""));
+    EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
+                HasSubstr("linear_steps = '0'; expected a whole number"));
     writeFile(folder_ / "tiny.toml", withLine(study, "memory = \"64M\"", "memory = \"64Q\""));
     EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}), HasSubstr("64Q"));
     writeFile(folder_ / "tiny.toml", study);

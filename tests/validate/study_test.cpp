@@ -131,6 +131,59 @@ TEST_F(StudyFile, MistakesAreToldWithTheirLine) {
     EXPECT_THAT(messageFor("small_torus", "small_tours"), HasSubstr("did you mean 'small_torus'?"));
 }
 
+/// Of a case: IoU `a` for A, `b` for B, PSNR 30 between them.
+json outcome(double a, double b) {
+    const auto result = [](double iou) {
+        return json{{"name", "x"},
+                    {"silhouette", {{"iou", iou}}},
+                    {"image", {{"psnr_db", 30}}},
+                    {"objects", {{{"iou", 7}}}},
+                    {"error", nullptr}};
+    };
+    return {
+        {"error", nullptr},
+        {"reference", {{"error_px_p99", 0.25}, {"objects", json::array()}}},
+        {"techniques",
+         {{{"name", "linear"}, {"result", result(a)}}, {{"name", "linear_binary"}, {"result", result(b)}}}},
+        {"pairs", {{{"first", "linear"}, {"second", "linear_binary"}, {"result", result(0.5)}}}}};
+}
+
+/// Cases in order get IoU 1/8, 2/8, … for A and 1/16 more for B.
+std::vector<StudyRow> sampleRows(const std::vector<StudyCase>& cases) {
+    std::vector<StudyRow> rows;
+    for (size_t i = 0; i < cases.size(); ++i)
+        for (StudyRow& row : rowsOf(cases[i], outcome(0.125 * static_cast<double>(i + 1),
+                                                      0.125 * static_cast<double>(i + 1) + 0.0625)))
+            rows.push_back(row);
+    return rows;
+}
+
+TEST_F(StudyFile, WhatCouldMisleadIsRefused) {
+    EXPECT_EQ(messageFor("label = \"A\"", "label = \"reference\""),
+              "mine.toml:20: grid.technique.label: is \"reference\"; expected a text of its own");
+    EXPECT_EQ(messageFor("label = \"A\"", "label = \"A\\n\""),
+              "mine.toml:20: grid.technique.label: has a control character; expected a text of one line");
+    EXPECT_EQ(messageFor("second = \"B\"", "second = \"A\""),
+              "mine.toml:27: grid.pair.second: is the first; expected another technique");
+    EXPECT_EQ(messageFor("rows = \"technique\"", "rows = \"depth\""),
+              "mine.toml:32: table.columns: is what the rows are; expected another grouping");
+    EXPECT_EQ(
+        messageFor("\"camera.height\", \"camera.width\"", "\"camera.height\", \"object.torus.relief.depth\""),
+        "mine.toml:15: grid.axis.fields: \"object.torus.relief.depth\" is changed twice; expected each field "
+        "on one axis, once");
+    EXPECT_EQ(messageFor("\"camera.height\"", "\"camera.height=5 #\""),
+              "mine.toml:15: grid.axis.fields: has \"camera.height=5 #\"; expected keys of the scene with "
+              "dots between them, as camera.width");
+}
+
+TEST_F(StudyFile, PlotsTakeTextsAsTheyAre) {
+    std::string text = kStudy;
+    text.replace(text.find("title = \"P\""), 11, "title = \"it's `date` $(x) \\\\ {/Bold b} @a\"");
+    const Study study = read(text);
+    EXPECT_THAT(gnuplotScript(study, study.plots[0], sampleRows(cases(study))),
+                HasSubstr("'it''s `date` $(x) \\ {/Bold b} @a' at screen"));
+}
+
 TEST_F(StudyFile, CasesAreNamedByWhatDecidesTheirResults) {
     const Study study = read(kStudy);
     const std::vector<StudyCase> all = cases(study);
@@ -191,23 +244,6 @@ TEST_F(StudyFile, SoManyCasesThatNoNumberHoldsThemAreCountedAsTheMost) {
     EXPECT_EQ(caseCount(study), std::numeric_limits<uint64_t>::max());
 }
 
-/// Of a case: IoU `a` for A, `b` for B, PSNR 30 between them.
-json outcome(double a, double b) {
-    const auto result = [](double iou) {
-        return json{{"name", "x"},
-                    {"silhouette", {{"iou", iou}}},
-                    {"image", {{"psnr_db", 30}}},
-                    {"objects", {{{"iou", 7}}}},
-                    {"error", nullptr}};
-    };
-    return {
-        {"error", nullptr},
-        {"reference", {{"error_px_p99", 0.25}, {"objects", json::array()}}},
-        {"techniques",
-         {{{"name", "linear"}, {"result", result(a)}}, {{"name", "linear_binary"}, {"result", result(b)}}}},
-        {"pairs", {{{"first", "linear"}, {"second", "linear_binary"}, {"result", result(0.5)}}}}};
-}
-
 TEST_F(StudyFile, RowsHoldEveryFigureByItsPath) {
     const Study study = read(kStudy);
     const std::vector<StudyRow> rows = rowsOf(cases(study)[0], outcome(0.9, 0.8));
@@ -233,16 +269,6 @@ TEST_F(StudyFile, AFailedCaseIsARowWithItsError) {
     StudyRows choice;
     choice.grid = "main";
     EXPECT_FALSE(isChosen(rows[0], choice));
-}
-
-/// Cases in order get IoU 1/8, 2/8, … for A and 1/16 more for B.
-std::vector<StudyRow> sampleRows(const std::vector<StudyCase>& cases) {
-    std::vector<StudyRow> rows;
-    for (size_t i = 0; i < cases.size(); ++i)
-        for (StudyRow& row : rowsOf(cases[i], outcome(0.125 * static_cast<double>(i + 1),
-                                                      0.125 * static_cast<double>(i + 1) + 0.0625)))
-            rows.push_back(row);
-    return rows;
 }
 
 TEST_F(StudyFile, CellsAreStatisticsOfWhatFallsTogether) {
@@ -271,20 +297,19 @@ TEST_F(StudyFile, CellsAreStatisticsOfWhatFallsTogether) {
 
 TEST_F(StudyFile, PlotsHaveAPanelAndALineForEachGroup) {
     const Study study = read(kStudy);
-    const std::string script = gnuplotScript(study, study.plots[0], sampleRows(cases(study)), "out.svg");
+    const std::string script = gnuplotScript(study, study.plots[0], sampleRows(cases(study)));
     EXPECT_THAT(script, HasSubstr("$p0l0 << EOD\n0.02 0.125\n0.5 0.5\nEOD\n"));     // size 10, A
     EXPECT_THAT(script, HasSubstr("$p1l1 << EOD\n0.02 0.3125\n0.5 0.6875\nEOD\n")); // size 100, B
-    EXPECT_THAT(script, HasSubstr("set title \"size 100\""));
+    EXPECT_THAT(script, HasSubstr("set title 'size 100'"));
     EXPECT_EQ(script.find("p2l"), std::string::npos); // size 1000 isn't chosen
-    EXPECT_EQ(gnuplotScript(study, study.plots[0], {}, "out.svg"), "");
+    EXPECT_EQ(gnuplotScript(study, study.plots[0], {}), "");
 }
 
 TEST_F(StudyFile, PlotsOfAFigureThereIsntAreRefused) {
     Study study = read(kStudy);
     study.plots[0].data.figure = "silhouette.ion";
-    EXPECT_THAT(
-        inputErrorOf([&] { gnuplotScript(study, study.plots[0], sampleRows(cases(study)), "out.svg"); }),
-        HasSubstr("did you mean 'silhouette.iou'?"));
+    EXPECT_THAT(inputErrorOf([&] { gnuplotScript(study, study.plots[0], sampleRows(cases(study))); }),
+                HasSubstr("did you mean 'silhouette.iou'?"));
 }
 
 TEST_F(StudyFile, AFailedPairSaysSo) {
@@ -320,12 +345,18 @@ TEST_F(StudyFile, AFolderIsOneStudys) {
     EXPECT_FALSE(folder.outcomeOf(all[0]));
     folder.store(all[0], outcome(0.5, 0.5));
     folder.store(all[1], {{"error", "gone soon"}, {"again", true}});
-    folder.store(all[2], {{"error", "wrong"}, {"again", false}});
+    folder.store(all[2], {{"error", "wrong"}});
     writeBytes(folder_ / "out" / "cases" / (all[3].id + ".json"), "{\"error\": nul"); // half a file
     EXPECT_TRUE(folder.outcomeOf(all[0]));
     EXPECT_FALSE(folder.outcomeOf(all[1]));
     EXPECT_TRUE(folder.outcomeOf(all[2]));
-    EXPECT_FALSE(folder.outcomeOf(all[3]));
+    for (const char* damaged :
+         {"{\"error\": nul", "", "[]", "{\"error\": 3}", "{\"error\": null}",
+          "{\"error\": null, \"techniques\": [3], \"pairs\": []}",
+          "{\"error\": null, \"techniques\": [{\"name\": \"q\", \"result\": null}], \"pairs\": []}"}) {
+        writeBytes(folder_ / "out" / "cases" / (all[3].id + ".json"), damaged);
+        EXPECT_FALSE(folder.outcomeOf(all[3])) << damaged;
+    }
 
     Study other = study;
     other.name = "another";

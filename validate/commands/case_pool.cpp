@@ -27,7 +27,9 @@ constexpr std::chrono::milliseconds
 
 /// "again": a later run is to try it again, for the reason may have gone.
 json failure(const std::string& text, bool again) {
-    return {{"error", text}, {"again", again}};
+    json outcome{{"error", text}};
+    if (again) outcome["again"] = true;
+    return outcome;
 }
 
 json replyOf(const StudyCase& studyCase, const CaseOptions& options) {

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <set>
 #include <thread>
 
 namespace plumbline {
@@ -42,7 +43,10 @@ void checkTechniques(const Study& study) {
         std::vector<std::string> names;
         for (const StudyTechnique& technique : grid.techniques)
             names.push_back(technique.name);
-        checkSettings(settings, chosenTechniques(names, settings));
+        const std::vector<TechniqueRequest> techniques = chosenTechniques(names, settings);
+        checkSettings(settings, techniques);
+        for (const TechniqueRequest& technique : techniques)
+            (void)techniqueName(technique, settings); // throws for a value it doesn't take
     }
 }
 
@@ -104,19 +108,26 @@ void writeTable(const StudyFolder& folder, const StudyState& state) {
     replaceFile(folder.path() / "results.csv", studyCsv(state.rows));
 }
 
+/// A case's failures, each text once: what fails in one often fails in all.
+void tell(const StudyCase& studyCase, const json& outcome, std::set<std::string>& said, Progress& progress) {
+    for (const StudyRow& row : rowsOf(studyCase, outcome))
+        if (!row.error.empty() && said.insert(errorOf(row)).second)
+            progress.say(
+                fmt::format("{} {}: {}", studyCase.scene, fmt::join(studyCase.changes, " "), errorOf(row)));
+}
+
 void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const CaseOptions& options,
                   Progress& progress) {
     const auto start = std::chrono::steady_clock::now();
     auto lastTable = start;
     size_t done = 0;
+    std::set<std::string> said;
     progress.step(fmt::format("{} cases, {} at a time", state.open.size(), jobs));
     runCases(state.open, jobs, options, [&](const StudyCase& studyCase, const json& outcome) {
         folder.store(studyCase, outcome);
         state.add(studyCase, outcome);
         ++done;
-        if (!outcome.at("error").is_null())
-            progress.say(
-                fmt::format("case {} failed: {}", studyCase.id, outcome["error"].get<std::string>()));
+        tell(studyCase, outcome, said, progress);
         progress.step(fmt::format("{} of {} cases, {} failed, about {} left", done, state.open.size(),
                                   state.failed, timeLeft(start, done, state.open.size())));
         const auto now = std::chrono::steady_clock::now();

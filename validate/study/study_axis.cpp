@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace plumbline {
@@ -10,6 +11,10 @@ namespace {
 
 constexpr double kLargest = 1e12; // of a range: scenes have narrower limits of their own
 constexpr int kMostSteps = 1000000;
+
+bool isPathCharacter(unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
+}
 
 std::vector<std::string> valuesOfRange(const TomlTable& table) {
     const Vec2 range = table.vector2("range", -kLargest, kLargest);
@@ -48,6 +53,11 @@ StudyAxis readStudyAxis(const TomlTable& table, const std::string& name) {
                    "field = \"camera.width\", or fields = […] that take each value together");
     axis.fields = table.has("field") ? std::vector<std::string>{table.text("field")} : table.texts("fields");
     if (axis.fields.empty()) table.fail("fields", "is empty", "at least one");
+    for (const std::string& field : axis.fields)
+        if (field.empty() || !std::all_of(field.begin(), field.end(), isPathCharacter))
+            table.fail(table.has("field") ? "field" : "fields",
+                       fmt::format("has \"{}\"", field.substr(0, 64)),
+                       "keys of the scene with dots between them, as camera.width");
     if (table.has("values") == table.has("range"))
         table.fail({}, table.has("values") ? "has both values and range" : "has no values",
                    "values = […], or range = [lowest, highest] and steps");

@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kStatistics{"median", "mean", "min", "max", "count"};
+/// What techniques are held against where it isn't one of them.
+const std::string kReference = "reference";
 /// What rows can be told apart by beside the axes.
 const std::vector<std::string> kColumns{"scene", "technique"};
 
@@ -31,6 +33,15 @@ std::string readName(const TomlTable& table, std::set<std::string>& taken) {
     return name;
 }
 
+/// A text of one line: it ends up in tables, pages and plots.
+std::string readLine(const TomlTable& table, const char* key) {
+    std::string text = table.text(key);
+    if (text.empty() ||
+        std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+        table.fail(key, text.empty() ? "is empty" : "has a control character", "a text of one line");
+    return text;
+}
+
 std::vector<std::string> textsOrOne(const TomlTable& table, const char* key) {
     std::vector<std::string> texts = table.texts(key, std::vector<std::string>{});
     if (texts.empty()) table.fail(key, "is empty", "at least one");
@@ -43,8 +54,8 @@ class StudyReader {
 
     Study read() {
         study_.name = file_.stem().string();
-        study_.title = root_.text("title");
-        study_.purpose = root_.text("purpose");
+        study_.title = readLine(root_, "title");
+        study_.purpose = readLine(root_, "purpose");
         study_.memory = root_.text("memory", "1G");
         study_.errorPx = root_.text("error_px", "");
         study_.timeLimitSeconds = root_.integer("time_limit_seconds", 1, 86400, 60);
@@ -72,11 +83,11 @@ class StudyReader {
         grid.timingBudgetMs = table.number("timing_budget_ms", 0, 1e6, 0.0);
         std::set<std::string> axisNames(kColumns.begin(), kColumns.end());
         for (const TomlTable& axis : table.tables("axis"))
-            grid.axes.push_back(readStudyAxis(axis, readName(axis, axisNames)));
+            addAxis(grid, axis, readName(axis, axisNames));
         std::set<std::string> labels;
         for (const TomlTable& technique : table.tables("technique")) {
-            StudyTechnique entry{technique.text("label"), technique.text("name")};
-            if (entry.label.empty() || !labels.insert(entry.label).second)
+            StudyTechnique entry{readLine(technique, "label"), technique.text("name")};
+            if (entry.label == kReference || !labels.insert(entry.label).second)
                 technique.fail("label", fmt::format("is \"{}\"", entry.label), "a text of its own");
             technique.finish();
             grid.techniques.push_back(entry);
@@ -84,11 +95,26 @@ class StudyReader {
         if (grid.techniques.empty()) table.fail("technique", "is missing", "at least one [[grid.technique]]");
         for (const TomlTable& pair : table.tables("pair")) {
             const std::vector<std::string> known(labels.begin(), labels.end());
-            grid.pairs.push_back({pair.choice("first", known), pair.choice("second", known)});
+            const StudyPair entry{pair.choice("first", known), pair.choice("second", known)};
+            if (entry.first == entry.second) pair.fail("second", "is the first", "another technique");
             pair.finish();
+            grid.pairs.push_back(entry);
         }
         table.finish();
         study_.grids.push_back(std::move(grid));
+    }
+
+    static void addAxis(StudyGrid& grid, const TomlTable& table, const std::string& name) {
+        StudyAxis axis = readStudyAxis(table, name);
+        const char* key = table.has("field") ? "field" : "fields";
+        std::set<std::string> taken;
+        for (const StudyAxis& other : grid.axes)
+            taken.insert(other.fields.begin(), other.fields.end());
+        for (const std::string& field : axis.fields)
+            if (!taken.insert(field).second)
+                table.fail(key, fmt::format("\"{}\" is changed twice", field),
+                           "each field on one axis, once");
+        grid.axes.push_back(std::move(axis));
     }
 
     static void refuseTwice(const TomlTable& table, const char* key, std::vector<std::string> texts) {
@@ -125,10 +151,10 @@ class StudyReader {
     StudyRows readRows(const TomlTable& table, const StudyGrid& grid) const {
         StudyRows rows;
         rows.grid = grid.name;
-        std::vector<std::string> against{"reference"};
+        std::vector<std::string> against{kReference};
         for (const StudyPair& pair : grid.pairs)
             against.push_back(pair.first);
-        rows.against = table.choice("against", against, "reference");
+        rows.against = table.choice("against", against, kReference);
         rows.figure = table.text("figure");
         rows.statistic = table.choice("statistic", kStatistics, "median");
         if (!table.has("where")) return rows;
@@ -150,8 +176,9 @@ class StudyReader {
 
     void readTable(const TomlTable& table) {
         const StudyGrid& grid = readGridName(table);
-        StudyTable entry{table.text("title"), table.choice("rows", groupings(grid)),
+        StudyTable entry{readLine(table, "title"), table.choice("rows", groupings(grid)),
                          table.choice("columns", groupings(grid)), readRows(table, grid)};
+        if (entry.rows == entry.columns) table.fail("columns", "is what the rows are", "another grouping");
         table.finish();
         study_.tables.push_back(std::move(entry));
     }
@@ -160,7 +187,7 @@ class StudyReader {
         const StudyGrid& grid = readGridName(table);
         StudyPlot plot;
         plot.name = readName(table, plotNames_);
-        plot.title = table.text("title");
+        plot.title = readLine(table, "title");
         plot.x = table.choice("x", groupings(grid));
         plot.lines = table.choice("lines", groupings(grid), "technique");
         if (table.has("panels")) plot.panels = table.choice("panels", groupings(grid));

@@ -8,6 +8,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <fstream>
+#include <initializer_list>
+
 namespace plumbline {
 
 namespace fs = std::filesystem;
@@ -31,6 +35,24 @@ void refuseOther(const fs::path& folder, const std::string& found, const Study& 
     if (found != study.name)
         throw InputError(folder.string(), fmt::format("holds the results of study '{}'", found),
                          fmt::format("those of '{}', or an empty folder", study.name), "-o names another");
+}
+
+bool areResults(const json& outcome, const char* part, std::initializer_list<const char*> names) {
+    const auto isResult = [&](const json& entry) {
+        return entry.is_object() && entry.contains("result") && entry["result"].is_object() &&
+               std::all_of(names.begin(), names.end(),
+                           [&](const char* name) { return entry.contains(name) && entry[name].is_string(); });
+    };
+    const auto found = outcome.find(part);
+    return found != outcome.end() && found->is_array() && std::all_of(found->begin(), found->end(), isResult);
+}
+
+/// Whether a value has the form that is kept.
+bool isOutcome(const json& value) {
+    if (!value.is_object() || !value.contains("error")) return false;
+    if (value["error"].is_string()) return !value["error"].get<std::string>().empty();
+    return value["error"].is_null() && areResults(value, "techniques", {"name"}) &&
+           areResults(value, "pairs", {"first", "second"});
 }
 
 } // namespace
@@ -61,13 +83,11 @@ fs::path StudyFolder::fileOf(const StudyCase& studyCase) const {
 }
 
 std::optional<json> StudyFolder::outcomeOf(const StudyCase& studyCase) const {
-    std::error_code error;
-    const fs::path file = fileOf(studyCase);
-    if (!fs::is_regular_file(file, error)) return std::nullopt;
-    json outcome = json::parse(readWholeFile(file), nullptr, false);
+    std::ifstream stream(fileOf(studyCase), std::ios::binary);
+    if (!stream) return std::nullopt;
+    json outcome = json::parse(stream, nullptr, false);
     // Written whole or not at all: a damaged one was damaged by something else, and is made again.
-    if (!outcome.is_object() || !outcome.contains("error") || outcome.value("again", false))
-        return std::nullopt;
+    if (!isOutcome(outcome) || outcome.contains("again")) return std::nullopt;
     return outcome;
 }
 

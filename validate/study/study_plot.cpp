@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,7 +21,7 @@ namespace {
 const std::vector<std::string> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                        "#56b4e9", "#e69f00", "#000000"};
 
-constexpr int kPanelWidth = 340, kPanelHeight = 260, kPanelsInRow = 3, kHead = 64; // pixels
+constexpr int kPanelWidth = 340, kPanelHeight = 260, kPanelsInRow = 3, kHead = 46, kKeyRow = 18; // pixels
 
 const std::string& colorOf(size_t line) {
     return kColors[line % kColors.size()];
@@ -31,13 +32,12 @@ size_t pointOf(size_t line) {
     return 4 + 2 * (line % 5) + line / 5 % 2;
 }
 
+/// Single quotes: gnuplot takes everything in them as it is, where double ones would run what stands in backticks.
 std::string quoted(const std::string& text) {
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c == '\n' ? ' ' : c;
-    }
-    return result + "\"";
+    std::string result = "'";
+    for (const char c : text)
+        result += c == '\'' ? "''" : std::string(1, c);
+    return result + "'";
 }
 
 /// Values of an axis as numbers; where one isn't, their places 1, 2, 3.
@@ -87,6 +87,25 @@ std::vector<std::string> present(const StudyGrid& grid, const std::string& group
     return values;
 }
 
+/// Where each line's name stands above the panels, pixels from the left: in rows, as many in each as fit.
+struct Key {
+    std::vector<double> x;
+    std::vector<int> row;
+    int rows = 1;
+
+    Key(const std::vector<std::string>& names, int width) {
+        constexpr double kLetter = 7, kGap = 40, kMargin = 20; // of the font, about
+        double at = kMargin;
+        for (const std::string& name : names) {
+            const double wide = kLetter * static_cast<double>(name.size()) + kGap;
+            if (at + wide > width && at > kMargin) at = kMargin, ++rows;
+            x.push_back(at);
+            row.push_back(rows - 1);
+            at += wide;
+        }
+    }
+};
+
 /// The lines of one panel: data blocks first, then the plot command.
 std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const std::vector<StudyRow>& rows,
                         const Positions& x, const std::vector<std::string>& lines, size_t panel) {
@@ -102,26 +121,33 @@ std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const st
         if (points.empty()) continue;
         const std::string block = fmt::format("$p{}l{}", panel, line);
         data += fmt::format("{} << EOD\n{}EOD\n", block, points);
-        command += fmt::format("{}{} using 1:2 with linespoints lw 1.5 pt {} ps 0.6 lc rgb \"{}\" notitle",
+        command += fmt::format("{}{} using 1:2 with linespoints lw 1.5 pt {} ps 0.6 lc rgb '{}' notitle",
                                command.empty() ? "plot " : ", ", block, pointOf(line), colorOf(line));
     }
     if (command.empty()) return "set multiplot next\n";
     return data + command + "\n";
 }
 
-bool runGnuplot(const std::filesystem::path& script) {
-    std::string program = "gnuplot", file = script.string();
+/// What gnuplot makes of a script, to a file.
+bool runGnuplot(const std::filesystem::path& script, const std::filesystem::path& output) {
+    std::string program = "gnuplot", file = std::filesystem::absolute(script).string();
     char* const arguments[] = {program.data(), file.data(), nullptr};
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
+                                     0666);
     pid_t process = -1;
     int status = 0;
-    return ::posix_spawnp(&process, "gnuplot", nullptr, nullptr, arguments, environ) == 0 &&
-           ::waitpid(process, &status, 0) == process && status == 0;
+    const bool done = ::posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments, environ) == 0 &&
+                      ::waitpid(process, &status, 0) == process && status == 0;
+    posix_spawn_file_actions_destroy(&actions);
+    std::error_code error;
+    return done && std::filesystem::file_size(output, error) > 0 && !error;
 }
 
 } // namespace
 
-std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
-                          const std::string& file) {
+std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows) {
     checkFigure(rows, plot.data);
     const StudyGrid& grid = gridNamed(study, plot.data.grid);
     const Positions x(groupValues(grid, plot.x));
@@ -131,24 +157,24 @@ std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::
     if (lines.empty() || panels.empty()) return {};
     const int columns = std::min<int>(kPanelsInRow, static_cast<int>(panels.size()));
     const int panelRows = (static_cast<int>(panels.size()) + columns - 1) / columns;
-    const int height = panelRows * kPanelHeight + kHead,
-              width = std::max(columns * kPanelWidth, 2 * kPanelWidth);
+    const int width = std::max(columns, 2) * kPanelWidth;
+    const Key key(lines, width);
+    const int head = kHead + key.rows * kKeyRow, height = panelRows * kPanelHeight + head;
     // Above the panels the title, what is drawn, and the key of all of them.
     std::string script = fmt::format(
-        "set terminal svg size {},{} font \"sans-serif,12\" noenhanced background \"#ffffff\"\nset output "
-        "{}\n"
-        "set label 1 {} at screen 0.5,{:.4f} center font \"sans-serif,14\"\n"
-        "set label 2 {} at screen 0.5,{:.4f} center textcolor rgb \"#555555\"\n",
-        width, height, quoted(file), quoted(plot.title), 1 - 14.0 / height,
+        "set terminal svg size {},{} font 'sans-serif,12' noenhanced background '#ffffff'\n"
+        "set label 1 {} at screen 0.5,{:.4f} center font 'sans-serif,14'\n"
+        "set label 2 {} at screen 0.5,{:.4f} center textcolor rgb '#555555'\n",
+        width, height, quoted(plot.title), 1 - 14.0 / height,
         quoted(plot.data.statistic + " of " + plot.data.figure + " over " + plot.x), 1 - 32.0 / height);
     for (size_t i = 0; i < lines.size(); ++i)
-        script += fmt::format("set label {} {} at screen {:.4f},{:.4f} left textcolor rgb \"{}\" point pt {} "
-                              "ps 0.8 lc rgb \"{}\" offset 1,0\n",
-                              i + 3, quoted(lines[i]),
-                              0.03 + 0.94 * static_cast<double>(i) / static_cast<double>(lines.size()),
-                              1 - 56.0 / height, colorOf(i), pointOf(i), colorOf(i));
+        script +=
+            fmt::format("set label {} {} at screen {:.4f},{:.4f} left textcolor rgb '{}' point pt {} ps 0.8 "
+                        "lc rgb '{}' offset 1,0\n",
+                        i + 3, quoted(lines[i]), key.x[i] / width, 1 - (54.0 + kKeyRow * key.row[i]) / height,
+                        colorOf(i), pointOf(i), colorOf(i));
     script += fmt::format("set multiplot layout {},{} margins 0.07,0.98,{:.4f},{:.4f} spacing 0.07,{:.4f}\n",
-                          panelRows, columns, 32.0 / height, 1 - (kHead + 24.0) / height, 62.0 / height);
+                          panelRows, columns, 32.0 / height, 1 - (head + 24.0) / height, 62.0 / height);
     script += "set grid lc rgb \"#dddddd\"\nset border lc rgb \"#444444\"\nset tics font "
               "\"sans-serif,10\"\nset format y \"%g\"\n";
     if (plot.logX && !x.named) script += "set logscale x\n";
@@ -163,7 +189,7 @@ std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::
         script += panelScript(plot, choice, rows, x, lines, panel);
         if (panel == 0) script += fmt::format("unset for [i=1:{}] label i\n", lines.size() + 2);
     }
-    return script + "unset multiplot\nset output\n";
+    return script + "unset multiplot\n";
 }
 
 void requireGnuplot() {
@@ -174,14 +200,15 @@ void requireGnuplot() {
 
 bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
               const std::filesystem::path& file) {
-    if (gnuplotScript(study, plot, rows, file.string()).empty()) return false;
+    const std::string script = gnuplotScript(study, plot, rows);
+    if (script.empty()) return false;
     replaceFile(file, [&](const std::filesystem::path& temporary) {
-        const std::filesystem::path script = temporary.string() + ".gnuplot";
-        replaceFile(script, gnuplotScript(study, plot, rows, temporary.string()));
-        const bool drawn = runGnuplot(script);
+        const std::filesystem::path scriptFile = temporary.string() + ".gnuplot";
+        replaceFile(scriptFile, script);
+        const bool drawn = runGnuplot(scriptFile, temporary);
         std::error_code ignored;
-        std::filesystem::remove(script, ignored);
-        if (!drawn || !std::filesystem::exists(temporary))
+        std::filesystem::remove(scriptFile, ignored);
+        if (!drawn)
             throw MachineError("gnuplot", fmt::format("plot '{}' failed", plot.name), "gnuplot 5 or later");
     });
     return true;

@@ -13,8 +13,7 @@ void requireGnuplot();
 bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
               const std::filesystem::path& file);
 
-/// What it reads: for tests, and for whoever wants another size.
-std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
-                          const std::string& file);
+/// What it reads; empty where no row is chosen. The picture is what it prints.
+std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows);
 
 } // namespace plumbline

@@ -27,6 +27,16 @@ struct TableTexts {
     std::vector<std::vector<std::string>> rows;
 };
 
+/// What `action` gives; an InputError says first what it was about.
+template <class Action>
+auto inContext(const std::string& context, const Action& action) {
+    try {
+        return action();
+    } catch (const InputError& error) {
+        throw InputError(context, error.what());
+    }
+}
+
 std::string describeWhere(const StudyRows& choice) {
     std::string text = fmt::format("{} of {}", choice.statistic, choice.figure);
     if (choice.against != "reference") text += ", against " + choice.against;
@@ -37,7 +47,8 @@ std::string describeWhere(const StudyRows& choice) {
 
 TableTexts textsOf(const Study& study, const StudyTable& table, const std::vector<StudyRow>& rows) {
     const StudyGrid& grid = gridNamed(study, table.data.grid);
-    const StudyCells cells = cellsOf(rows, table.data, table.rows, table.columns);
+    const StudyCells cells = inContext("table '" + table.title + "'",
+                                       [&] { return cellsOf(rows, table.data, table.rows, table.columns); });
     std::set<std::string> usedRows, usedColumns;
     for (const auto& [key, value] : cells.values) {
         usedRows.insert(key.first);
@@ -63,6 +74,8 @@ std::string markdownOf(const TableTexts& table) {
     const auto cell = [](std::string text) {
         for (size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
             text.insert(at, "\\");
+        for (size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += 4)
+            text.replace(at, 1, "&lt;");
         return text;
     };
     const auto line = [&](const std::vector<std::string>& texts) {
@@ -71,7 +84,8 @@ std::string markdownOf(const TableTexts& table) {
             result += " " + cell(text) + " |";
         return result + "\n";
     };
-    std::string text = fmt::format("### {}\n\n{}.\n\n", table.title, table.note) + line(table.head) + "|";
+    std::string text =
+        fmt::format("### {}\n\n{}.\n\n", cell(table.title), cell(table.note)) + line(table.head) + "|";
     for (size_t i = 0; i < table.head.size(); ++i)
         text += i == 0 ? "---|" : "--:|";
     text += "\n";
@@ -110,8 +124,7 @@ data dataOf(const TableTexts& table) {
 std::vector<std::string> errorsOf(const std::vector<StudyRow>& rows) {
     std::map<std::string, size_t> counts;
     for (const StudyRow& row : rows)
-        if (!row.error.empty())
-            ++counts[row.technique.empty() ? row.error : row.technique + ": " + row.error];
+        if (!row.error.empty()) ++counts[errorOf(row)];
     std::vector<std::string> texts;
     for (const auto& [error, count] : counts)
         texts.push_back(fmt::format("{} × {}", count, error));
@@ -135,7 +148,9 @@ void writeStudyReport(const Study& study, const std::vector<StudyRow>& rows, siz
     data plots{data::type::list}, tables{data::type::list};
     for (const StudyPlot& plot : study.plots) {
         const std::string file = plot.name + ".svg";
-        if (!drawPlot(study, plot, rows, folder / file)) continue;
+        if (!inContext("plot '" + plot.name + "'",
+                       [&] { return drawPlot(study, plot, rows, folder / file); }))
+            continue;
         data entry{data::type::object};
         entry.set("title", plot.title);
         entry.set("note", describeWhere(plot.data));

@@ -98,6 +98,11 @@ std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const json& outcome) {
     return rows;
 }
 
+std::string errorOf(const StudyRow& row) {
+    if (row.technique.empty()) return row.error;
+    return row.technique + (row.against == "reference" ? "" : " against " + row.against) + ": " + row.error;
+}
+
 std::string studyCsv(const std::vector<StudyRow>& rows) {
     std::set<std::string> axes, figures;
     for (const StudyRow& row : rows) {

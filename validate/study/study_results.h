@@ -20,6 +20,9 @@ struct StudyRow {
 /// The rows of one case. `outcome`: StudyFolder::outcomeOf.
 std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const nlohmann::json& outcome);
 
+/// A failed row's error, with the technique it is about.
+std::string errorOf(const StudyRow& row);
+
 /// RFC 4180, a head line first: case, grid, scene, the axes, technique, against, the figures, error.
 std::string studyCsv(const std::vector<StudyRow>& rows);
 
