@@ -346,6 +346,66 @@ TEST(QuadricEnd, IsTheFirstRootForRandomQuadrics) {
     }
 }
 
+/// Where D_z comes to 1, or else to 0, world units; and where the ray is back on the base, infinity if nowhere.
+struct VerticalEnd {
+    double deep, back;
+};
+VerticalEnd verticalEnd(const Case& at) {
+    const double f = at.along(Vec2(at.ray().x, at.ray().y)), c = at.cosine(), rest = c * c - 4 * f * at.depth;
+    const double back = f > 0 ? c / f : kInfinity;
+    return {rest >= 0 ? 2 * at.depth / (c + std::sqrt(rest)) : back, back};
+}
+
+TEST(QuadricEnd, AlongASaddleIsWhereTheNearestPointSaysOrNotFar) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // Around the asymptotes of saddles, where the base bends away from the ray (f > 0), towards it (f < 0) or not at all, D_z comes to 1 and
+    // D_n often doesn't: there it stays below 1 for ever, f <= 0, or until the ray is back on the base, at c / f, however far. Up to four
+    // times the way of D_z counts, and beyond that the end of D_z.
+    std::vector<Case> cases;
+    for (const double ratio : {1.0, 0.3})
+        for (const double depth : {0.1, 0.3, 0.5}) // times twice the larger curvature: in radii
+            for (const double degrees : {30.0, 50.0, 60.0, 65.0, 70.0, 75.0, 80.0, 85.0})
+                for (const double beside : {-0.2, -0.05, -1e-3, 0.0, 1e-6, 1e-3, 0.02, 0.05, 0.1, 0.2, 0.4}) {
+                    Case at = planar(degrees, 0.5);
+                    at.b = -0.5 * ratio;
+                    at.azimuth = std::atan(1 / std::sqrt(ratio)) - beside;
+                    at.depth = depth;
+                    cases.push_back(at);
+                }
+    const std::string surface = "quadric_nearest:newton_steps=16";
+    const auto found = evaluateCases(surface, cases, std::vector<double>(cases.size(), 1), kPosition);
+    size_t deep = 0, back = 0, cut = 0;
+    for (size_t i = 0; i < cases.size(); ++i) {
+        const Case& at = cases[i];
+        const VerticalEnd vertical = verticalEnd(at);
+        SCOPED_TRACE(testing::Message()
+                     << "case " << i << " b " << at.b << " sine " << at.sine << " azimuth " << at.azimuth
+                     << " depth " << at.depth << " deep " << vertical.deep << " back " << vertical.back
+                     << " end " << found[i].y << " " << found[i].z);
+        const double furthest = std::min(4 * vertical.deep, vertical.back);
+        double deepest = 0;
+        for (int step = 1; step < 200; ++step)
+            deepest = std::max(deepest, trueDepth(surface, at, furthest * step / 200) / at.depth);
+        if (std::abs(deepest - 1) < 1e-3) continue; // barely
+        checkEnd(surface, at, found[i], 2e-4);
+        if (deepest > 1) {
+            ++deep;
+            EXPECT_EQ(found[i].z, 1);
+        } else if (vertical.back <= 4 * vertical.deep) {
+            ++back;
+            EXPECT_EQ(found[i].z, 0);
+            EXPECT_NEAR(found[i].y / vertical.back, 1, 1e-4);
+        } else {
+            ++cut;
+            EXPECT_LT(found[i].z, 1);
+            EXPECT_NEAR(found[i].y / vertical.deep, 1, 1e-4);
+        }
+    }
+    EXPECT_GT(deep, 30u);
+    EXPECT_GT(back, 30u);
+    EXPECT_GT(cut, 30u);
+}
+
 // --- the frame at the hit ------------------------------------------------------------------------------------------------
 
 /// The point of the relief of constant depth `d` over the place (x, y) of the base: displaced along the base's own normal, or along Z.

@@ -45,9 +45,9 @@ float fallOf(vec2 k, vec2 foot, vec3 way) {
 
 // End of the search in world units, and the depth there. D_n <= D_z, and both are 0 on the quadric: where D_z turns back before 1 so
 // does D_n. Else Newton's method from where D_z = 1: the distance along a ray into a convex base is concave, and it comes from the left
-// to the first root, or finds none before the ray leaves the quadric, at tau = c / f. A concave base lies above its tangent plane, so
-// that D_n >= tau c. Along a saddle D_n may come to 1 far beyond any place the quadric was fitted to, or never: from kFurthest times
-// D_z's end the search ends at D_z's, less than 1 deep.
+// to the first root, or finds none before the ray is back on the quadric, at tau = c / f, where the search then ends. A concave base lies
+// above its tangent plane, so that D_n >= tau c. Along a saddle D_n may come to 1, or back to 0, far beyond any place the quadric was
+// fitted to, or never: what lies further than kFurthest times D_z's end doesn't count, and the search ends at D_z's, less than 1 deep.
 vec2 nearestEnd(vec2 k, vec3 direction, float depthWorld) {
     float f = dot(k, direction.xy * direction.xy);
     vec2 end = searchEnd(direction.z / depthWorld, f / depthWorld);
@@ -61,7 +61,7 @@ vec2 nearestEnd(vec2 k, vec3 direction, float depthWorld) {
         tau = min(tau + gap / fall, furthest);
         if (abs(gap) <= kEndTolerance * depthWorld) return vec2(tau, 1.0);
     }
-    if (f > 0.0) return vec2(direction.z / f, 0.0);
+    if (f > 0.0 && (k.y >= 0.0 || direction.z <= furthest * f)) return vec2(direction.z / f, 0.0);
     return vec2(end.x, min(nearestOf(k, direction * end.x).z / depthWorld, kShort));
 }
 
