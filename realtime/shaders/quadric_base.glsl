@@ -34,9 +34,9 @@ vec2 searchEnd(float descent, float f) {
     return vec2(descent / f, 0.0);
 }
 
-bool enterVertical(ReliefFrame frame, vec3 curvature, vec2 st, vec3 direction, out ReliefRay ray) {
+bool enterVertical(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
     vec2 scale = reliefScale(frame);
-    float f = quadricFall(curvature, direction.xy * scale) / frame.depthWorld;
+    float f = quadricFall(frame.curvature, direction.xy * scale) / frame.depthWorld;
     bool descends = direction.z * frame.depthWorld > kGrazingCosine;
     vec2 end = descends ? searchEnd(direction.z, f) : vec2(0.0);
     ray = ReliefRay(st, direction.xy * end.x, end.y, f * end.x * end.x, end.x, direction.z * frame.depthWorld, scale,

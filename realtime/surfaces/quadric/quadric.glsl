@@ -1,7 +1,7 @@
-// Depth below a quadric without cross term, along the fragment's normal: D_z, shaders/quadric_base.glsl.
+// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. Its input, "quadric", has no cross term.
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
-    return enterVertical(frame, vec3(frame.curvature.xy, 0.0), st, direction, ray);
+    return enterVertical(frame, st, direction, ray);
 }
 
 vec3 reliefPosition(ReliefRay ray, float t) { return verticalPosition(ray, t); }

@@ -1,7 +1,7 @@
-// Depth below a quadric with its cross term, along the fragment's normal: D_z, shaders/quadric_base.glsl.
+// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. Its input, "quadric_full", has the cross term.
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
-    return enterVertical(frame, frame.curvature, st, direction, ray);
+    return enterVertical(frame, st, direction, ray);
 }
 
 vec3 reliefPosition(ReliefRay ray, float t) { return verticalPosition(ray, t); }
