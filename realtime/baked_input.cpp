@@ -26,6 +26,13 @@ const std::vector<BakedFamily>& bakedFamilies() {
     return families;
 }
 
+int unitBehindBaked() {
+    int last = 0;
+    for (const BakedFamily& family : bakedFamilies())
+        last = std::max(last, family.unit);
+    return last + 1;
+}
+
 const BakedFamily& bakedFamily(const std::string& kind) {
     for (const BakedFamily& family : bakedFamilies())
         if (std::find(family.kinds.begin(), family.kinds.end(), kind) != family.kinds.end()) return family;

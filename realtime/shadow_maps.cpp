@@ -2,6 +2,7 @@
 
 #include "../scenes/error.h"
 #include "../scenes/free_memory.h"
+#include "baked_input.h"
 #include "technique_program.h"
 
 #include <fmt/format.h>
@@ -11,9 +12,6 @@
 
 namespace plumbline {
 namespace {
-
-// Behind those of the height map, the colour map and the baked families.
-constexpr GLint kShadowMapUnit = 6;
 
 void checkLayers(const std::string& what, int size, int layers) {
     GLint widest = 0, deepest = 0, viewport[2] = {0, 0};
@@ -106,8 +104,8 @@ void ShadowMaps::setUniforms(const GlProgram& receiver) const {
     glUniform4fv(receiver.uniform("uShadowMap"), count, glm::value_ptr(maps[0]));
     glUniform1fv(receiver.uniform("uShadowRounding"), count, roundings.data());
     glUniform1f(receiver.uniform("uShadowMapBias"), bias_);
-    glUniform1i(receiver.uniform("uShadowMaps"), kShadowMapUnit);
-    glActiveTexture(GL_TEXTURE0 + kShadowMapUnit);
+    glActiveTexture(GL_TEXTURE0 +
+                    static_cast<GLenum>(unitBehindBaked())); // where receivers look (technique_program)
     glBindTexture(GL_TEXTURE_2D_ARRAY, layers_.get());
 }
 

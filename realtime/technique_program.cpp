@@ -87,6 +87,15 @@ std::string reliefSettings(const Technique& technique) {
                        technique.correctsDepth());
 }
 
+/// A program that may declare the shadow maps' sampler, with its unit set: two kinds of sampler at unit 0, where all begin, are an error
+/// of the draw even if neither is read.
+std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
+    auto program = std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+    program->use();
+    glUniform1i(program->uniform("uShadowMaps"), unitBehindBaked());
+    return program;
+}
+
 /// Whether `search` names a function that `harness` defines. Asked of the text: a compiler drops a look-up whose result some
 /// setting makes worthless.
 bool callsFunctionOf(const std::filesystem::path& search, const std::filesystem::path& harness) {
@@ -144,8 +153,7 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
     const std::string author = technique.search.shaderFile().string();
     if (!namesIdentifier(readText(technique.search.shaderFile()), "traceRelief"))
         throw InputError(author, "doesn't define traceRelief", "ReliefHit traceRelief(ReliefRay ray) { … }");
-    const StageSources sources = reliefSources(technique, lightCount);
-    auto program = std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+    auto program = buildReceiver(reliefSources(technique, lightCount));
     const std::set<std::string> active = program->activeUniforms();
     for (const std::string& name : active)
         if (!harnessUniforms().contains(name))
@@ -161,8 +169,7 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
 }
 
 std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount, bool shadowMaps) {
-    const StageSources sources = plainSources(lightCount, shadowMaps);
-    return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+    return buildReceiver(plainSources(lightCount, shadowMaps));
 }
 
 std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique) {

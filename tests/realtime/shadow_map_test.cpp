@@ -1,4 +1,7 @@
 // Cast shadows by maps drawn from the lights, against shadows worked out by hand.
+#include "../../realtime/baked_input.h"
+#include "../../realtime/shadow_maps.h"
+#include "../../realtime/technique_program.h"
 #include "../../scenes/free_memory.h"
 #include "shadow_scenes.h"
 
@@ -385,15 +388,64 @@ TEST(ShadowMap, AgreesWithTheReliefsOwnShadowRays) {
     EXPECT_GT(shadowed.shadowed, shadowed.pixels / 5);
 }
 
-TEST(ShadowMap, WhatDoesntFitIsAFaultOfTheMachine) {
+TEST(ShadowMap, ItsSamplerHasAUnitOfItsOwnInEveryProgram) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. More lights than layers, or a texture as large, can't be had by
-    // settings.
+    // Also where no map is read: the declaration is there, and a driver that keeps it finds two kinds of sampler at unit 0. llvmpipe
+    // drops it.
+    for (const BakedFamily& family : bakedFamilies())
+        EXPECT_NE(family.unit, unitBehindBaked()) << family.sampler;
+    const auto context = createGlContext({});
+    const CurrentContext current(*context);
+    const auto expectUnit = [](const GlProgram& program, bool reads, const std::string& name) {
+        const GLint location = program.uniform("uShadowMaps");
+        if (reads) {
+            EXPECT_GE(location, 0) << name;
+        }
+        if (location < 0) return;
+        program.use();
+        GLint handle = 0, unit = -1;
+        glGetIntegerv(GL_CURRENT_PROGRAM, &handle);
+        glGetUniformiv(static_cast<GLuint>(handle), location, &unit);
+        EXPECT_EQ(unit, unitBehindBaked()) << name;
+    };
+    for (const bool reads : {false, true}) {
+        expectUnit(*buildPlainProgram(1, reads), reads, "plain");
+        for (const char* search : {"linear_binary", "cone_step", "max_mipmap"}) {
+            const std::string name = std::string(search) + (reads ? ":shadow=map" : "");
+            expectUnit(*buildReliefProgram(resolveTechnique(parseTechnique(name), {}), 1), reads, name);
+        }
+    }
+}
+
+TEST(ShadowMap, MoreLayersThanOpenGlHasAreAFaultOfTheMachine) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A scene has 16 lights, 96 layers, at most: the maps are asked alone, for one light more than there are layers.
+    const auto context = createGlContext({});
+    const CurrentContext current(*context);
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    Scene scene;
+    scene.lights.assign(static_cast<size_t>(most) + 1, directionalLight("sun", {0, 1, 0}));
+    const Technique technique = resolveTechnique(parseTechnique(kMap + ",shadow_map_size=16"), {});
+    try {
+        ShadowMaps(technique, scene, Bounds{}, Vec3(0), *context);
+        ADD_FAILURE() << most + 1 << " layers were had";
+    } catch (const MachineError& error) {
+        const std::string expected = "expected at most " + std::to_string(most) + " layers";
+        EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+}
+
+TEST(ShadowMap, WhatDoesntFitTheMemoryIsAFaultOfTheMachine) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasteriser draws in the memory we can ask about.
+    const bool software = createGlContext({})->softwareRasteriser();
+    if (!software) GTEST_SKIP() << "a GPU's memory isn't asked for before it is used up";
+    if (freeMemoryBytes() > uint64_t(24) << 30)
+        GTEST_SKIP() << "24 GiB of shadow maps would fit this machine";
     Scene scene = sceneOfObjects({plateObject("floor", 2, 0, constantMap(0.5f), 0.1)}, {}, fromAbove(3));
     for (int i = 0; i < 16; ++i)
         scene.lights.push_back(pointLight("lamp" + std::to_string(i), {0, 1, 0.1 * i}));
-    if (freeMemoryBytes() > uint64_t(24) << 30)
-        GTEST_SKIP() << "24 GiB of shadow maps would fit this machine";
     EXPECT_THROW(draw(scene, kMap + ",shadow_map_size=8192"), MachineError);
 }
 
