@@ -6,7 +6,7 @@ namespace plumbline {
 namespace {
 
 // A determinant below this fraction of its largest possible value counts as zero. (The absolute bound of 0.001 in the listing of Watt
-// and Policarpo (2005), chapter 5, would reject every small mesh, TECHNIQUES E28: a ring of radius 0.3 on a unit sphere has 3e-4.) Of a
+// and Policarpo (2005), chapter 5, would reject every small mesh: a ring of radius 0.3 on a unit sphere has 3e-4.) Of a
 // matrix with ones on its diagonal, whose eigenvalues add up to n, the smallest eigenvalue is then at least 5e-7 for two terms and, as
 // the other two multiply to at most (3/2)^2, 4.4e-7 for three: the same bound serves both.
 constexpr double kSingularFraction = 1e-6;

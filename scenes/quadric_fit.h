@@ -2,7 +2,7 @@
 // RP-351 (2005), section 3).
 //
 // x and y are world units along the unit tangents of s and t, which need not be at a right angle; z along the unit normal, outward.
-// A > 0 where the surface is convex along s: the sign their Eqs 6 and 7 need, not that of their fit (TECHNIQUES E13). Coefficients are
+// A > 0 where the surface is convex along s: the sign their Eqs 6 and 7 need, not that of their fit of section 3.1. Coefficients are
 // world units^-1. The cross term is this project's.
 #pragma once
 

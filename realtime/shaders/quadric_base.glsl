@@ -22,8 +22,8 @@ ReliefFrame tiltedFrame(ReliefFrame frame, vec2 stTravelled) {
 
 // --- D_z: depth along the fragment's normal (Oliveira, Policarpo, RP-351, Eq. 7) ---------------------------------------
 // d(tau) = v_d tau - f tau^2 with f = alpha v_s^2 + gamma v_s v_t + beta v_t^2, alpha = A sx^2 / sz, beta = B sy^2 / sz (the mapping
-// scale squared: L5.7 of the original lacks it), gamma = C sx sy / sz. Where the ray leaves the layer without a hit the fragment lies
-// outside of the outline and is discarded.
+// scale squared: listing 5.7 of Watt and Policarpo 2005, chapter 5, lacks it), gamma = C sx sy / sz. Where the ray leaves the layer
+// without a hit the fragment lies outside of the outline and is discarded.
 
 // End of the search interval in world units, and the depth there: the first of d = 1, at
 // tau = 2 / (v_d + sqrt(v_d^2 - 4 f)), and the return to d = 0, at tau = v_d / f. The form is stable for every f through

@@ -54,7 +54,7 @@ TEST(QuadricFit, FindsTheQuadricThePointsLieOn) {
 }
 
 TEST(QuadricFit, OfASaddleXYNeedsTheCrossTerm) {
-    // z = x y has no curvature along its axes (TECHNIQUES E28); turned by 45 degrees it is (x^2 - y^2) / 2.
+    // z = x y has no curvature along its axes; turned by 45 degrees it is (x^2 - y^2) / 2.
     const auto ring = ringOn([](double x, double y) { return x * y; }, 0.1, 8);
     const RingFit along = fitQuadric(frameAt(0), ring), turned = fitQuadric(frameAt(kPi / 4), ring);
     EXPECT_NEAR(along.twoTerms.a, 0, 1e-12);

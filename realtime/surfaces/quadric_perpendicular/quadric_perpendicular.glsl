@@ -1,12 +1,12 @@
-// Depth below a quadric, perpendicular to the ray: D_U (Oliveira, Policarpo, RP-351, Eqs 3 to 6; TECHNIQUES section 2, E14, E15).
+// Depth below a quadric, perpendicular to the ray: D_U (Oliveira, Policarpo, RP-351, Eqs 3 to 6).
 //
 // U is the part of the outward normal N at a right angle to the ray V, made unit: it lies in the plane of N and V. In that plane, x along
 // the ray's way over the tangent plane, z inward, the quadric is z = k x^2 with its curvature k in that direction, and
 //     V = (s, c),  U = (c, -s),  s and c the sine and cosine between ray and inward normal.
 // From P = tau V the distance sigma along U to the quadric solves A sigma^2 + B sigma + C = 0 with
 //     A = k c^2,  B = 2 k tau s c + s,  C = k tau^2 s^2 - tau c:
-// their Eq. 6 with z inward, where -U_z = s (E15: chapter 5 lost it). Its discriminant is s^2 + 4 k c tau. d = sigma / sz: the
-// perpendicular is taken in tangent space, which scaling doesn't keep (E14).
+// their Eq. 6 with z inward, where -U_z = s (lost in Watt and Policarpo 2005, chapter 5). Its discriminant is s^2 + 4 k c tau.
+// d = sigma / sz: the perpendicular is taken in tangent space; scaling doesn't keep right angles.
 //
 // Eq. 7 takes over where there is no such point (discriminant < 0: concave), and where the ray runs along N and U has no
 // direction.
