@@ -26,14 +26,15 @@ DepthRange depthRange(const Comparison& comparison) {
     return {1, "no relief depth known, no error to scale by"};
 }
 
-std::string Report::save(const std::string& name, const Picture& picture) const {
-    const std::string file = safeFileName(name) + ".png";
+std::string Report::save(const std::string& stem, const std::string& what, const Picture& picture) const {
+    // Each part by itself: a long name must not cost what tells its pictures apart.
+    const std::string file = safeFileName(stem) + (what.empty() ? "" : safeFileName(what)) + ".png";
     writePng(folder_ / file, picture.width, picture.height, picture.rgb);
     return file;
 }
 
 void Report::addReference(const Frame& reference) {
-    pictures_.reference = save("reference", colorPicture(reference));
+    pictures_.reference = save("reference", "", colorPicture(reference));
 }
 
 std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, const Comparison& comparison,
@@ -44,25 +45,25 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
     const FramePair pair(reference, test, objects);
 
     std::vector<ReportPicture> entries;
-    entries.push_back({save(stem + "_color", colorPicture(test)), "Colour", Kind::Color});
+    entries.push_back({save(stem, "_color", colorPicture(test)), "Colour", Kind::Color});
     entries.push_back(
-        {save(stem + "_silhouette", silhouettePicture(pair)), "Silhouette difference", Kind::Silhouette});
+        {save(stem, "_silhouette", silhouettePicture(pair)), "Silhouette difference", Kind::Silhouette});
     if (!comparison.referenceDepth.empty() && !comparison.testDepth.empty()) {
         const DepthRange range = depthRange(comparison);
         const Picture picture =
             depthErrorPicture(pair, comparison.referenceDepth, comparison.testDepth, range.worldUnits);
-        entries.push_back({save(stem + "_depth", picture), "Depth error, signed", Kind::DepthError,
+        entries.push_back({save(stem, "_depth", picture), "Depth error, signed", Kind::DepthError,
                            fmt::format("{:.3g}", range.worldUnits), range.note});
     }
     for (const auto& [light, agreement] : comparison.pooled.shadow)
         if (pair.missingChannel(shadowChannel(light)).empty())
-            entries.push_back({save(stem + "_shadow_" + light, shadowPicture(pair, light)),
+            entries.push_back({save(stem, "_shadow_" + light, shadowPicture(pair, light)),
                                "Shadow difference, light " + light, Kind::Shadow});
     const SearchIterations& iterations = comparison.pooled.iterations;
     if (iterations.most && *iterations.most > 0 && test.has("id")) {
         // By the 99th percentile, or a few pixels would leave the rest pale.
         const double most = std::max(*iterations.p99, 1.0);
-        entries.push_back({save(stem + "_iterations", iterationsPicture(test, most)),
+        entries.push_back({save(stem, "_iterations", iterationsPicture(test, most)),
                            "Iterations of the search", Kind::Iterations, fmt::format("{:.0f}", most), "",
                            iterations.histogram});
     }
@@ -85,7 +86,7 @@ void Report::saveCurvature(const std::string& stem, const Frame& test,
     if (!(range > 0)) return; // no base is bent
     for (const auto& [channel, caption] : channels)
         if (channel != "curvature.cross" || curvatureRange(test, channel) > 0)
-            entries.push_back({save(stem + "_" + channel, curvaturePicture(test, channel, range)), caption,
+            entries.push_back({save(stem, "_" + channel, curvaturePicture(test, channel, range)), caption,
                                Kind::Curvature, fmt::format("{:.3g}", range)});
 }
 

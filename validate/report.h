@@ -28,7 +28,7 @@ class Report {
     void write(const Results& results) const;
 
   private:
-    std::string save(const std::string& name, const Picture& picture) const;
+    std::string save(const std::string& stem, const std::string& what, const Picture& picture) const;
     std::vector<ReportPicture> saveDifferences(const std::string& stem, const Comparison& comparison,
                                                const Frame& reference, const Frame& test) const;
     void saveCurvature(const std::string& stem, const Frame& test, std::vector<ReportPicture>& entries) const;

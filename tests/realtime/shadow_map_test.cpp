@@ -247,6 +247,16 @@ TEST(ShadowMap, ALampReachesAllSixSides) {
     }
 }
 
+TEST(ShadowMap, WithoutLightsThePictureIsTheOneWithoutMaps) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    const Scene scene = sceneOfObjects(
+        {plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})}, {}, fromAbove(3));
+    const Frame frame = draw(scene, kMap), without = draw(scene, "linear_binary:shadow=none");
+    EXPECT_EQ(frame.channelNames(), without.channelNames());
+    for (size_t i = 0; i < frame.pixelCount(); ++i)
+        ASSERT_EQ(frame.channel("R")[i], without.channel("R")[i]);
+}
+
 TEST(ShadowMap, ALightWithNothingInReachLeavesAllLit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A lamp beside the floor: five of its six faces see nothing. One far off sees all of the scene in a texel.

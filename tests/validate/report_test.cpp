@@ -1,5 +1,7 @@
 #include "../../validate/pictures.h"
+#include "../../validate/report.h"
 #include "../../validate/report_page.h"
+#include "../scenes/test_files.h"
 #include "sample_results.h"
 
 #include <gtest/gtest.h>
@@ -107,6 +109,19 @@ TEST(Pictures, CurvatureIsRedWhereConvexBlueWhereConcaveGreenWhereLevel) {
     // Ten finite values; nine of them within 0.5, whatever the tenth.
     EXPECT_EQ(curvatureRange(test, "curvature.a"), 0.5);
     EXPECT_EQ(curvatureRange(empty, "curvature.a"), 0);
+}
+
+TEST(ReportFiles, EachPictureOfALongNameHasAFileOfItsOwn) {
+    const TemporaryFolder folder;
+    const Frame reference = sampleReference(), test = shiftedRight(reference);
+    TechniqueOutcome technique;
+    technique.name = std::string(150, 'x');
+    technique.comparison = compareFrames(reference, test, {}, std::nullopt);
+    Report report(folder.path());
+    report.addTechnique(technique, reference, test);
+    const std::string stem = "1_" + std::string(98, 'x'); // a hundred letters of the name are kept
+    for (const char* what : {"_color", "_silhouette", "_depth"})
+        EXPECT_TRUE(std::filesystem::exists(folder / (stem + what + ".png"))) << what;
 }
 
 TEST(ReportPage, EscapesEveryTextFromOutside) {
