@@ -4,6 +4,7 @@
 #include "../scenes/error.h"
 #include "../scenes/scene_metadata.h"
 #include "commands/commands.h"
+#include "usage.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -216,38 +217,6 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     studyCase->add_option("PARENT", arguments.parent, "");
     studyCase->add_option("--threads", arguments.threads, "");
     studyCase->callback([&] { run = [&] { return runStudyCase(arguments.parent); }; });
-}
-
-/// A message of CLI11 as one of ours, with a guess at what was meant.
-InputError usageError(const CLI::App& app, const CLI::ParseError& error) {
-    const auto used = app.get_subcommands();
-    const CLI::App& command = used.empty() ? app : *used[0];
-    const std::string where = used.empty() ? "plumbline" : command.get_name();
-    const std::string help =
-        fmt::format("'plumbline {}--help' lists what there is", used.empty() ? "" : where + " ");
-    std::vector<std::string> choices;
-    for (const CLI::Option* option : command.get_options())
-        for (const std::string& name : option->get_lnames())
-            choices.push_back("--" + name);
-    const std::vector<std::string> unknown = command.remaining();
-    if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !unknown.empty()) {
-        const std::string guess = didYouMean(unknown[0], choices);
-        return {where, fmt::format("'{}' was not expected", unknown[0]), "", guess.empty() ? help : guess};
-    }
-    return {where, error.what(), "", help};
-}
-
-/// CLI11 would only say that a command is missing.
-void requireCommand(const CLI::App& app, const std::string& first) {
-    if (first == kDrawWorkerCommand || first == kStudyCaseCommand) return;
-    std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({}))
-        if (!command->get_group().empty()) names.push_back(command->get_name());
-    for (const char* option : {"-h", "--help", "--version"})
-        names.emplace_back(option);
-    if (std::find(names.begin(), names.end(), first) != names.end()) return;
-    throw InputError("plumbline", fmt::format("there is no command '{}'", first), listOf(names),
-                     didYouMean(first, names));
 }
 
 void limitThreads(int threads, std::unique_ptr<tbb::global_control>& control) {

@@ -33,6 +33,13 @@ TEST_F(EndToEnd, UnknownCommandsAndOptions) {
     expectRefusal(run({"compare", "only_one.exr"}), 2, "TEST");
     expectRefusal(run({"list", "scense"}), 2, "did you mean 'scenes'?");
     expectRefusal(run({"--frobnicate"}), 2, "--frobnicate");
+    expectRefusal(run({"study"}), 2, "study: nothing says what to do; expected run or report");
+    expectRefusal(run({"study", "rum"}), 2,
+                  "study: there is no 'rum'; expected run or report; did you mean 'run'?");
+    expectRefusal(run({"study", "run"}), 2,
+                  "study run: STUDY is required; 'plumbline study run --help' lists what there is");
+    expectRefusal(run({"study", "run", "quadric", "--jbos", "3"}), 2,
+                  "study run: '--jbos' was not expected; did you mean '--jobs'?");
     expectRefusal(run({"list", "scenes", "extra"}), 2, "'extra' was not expected");
 }
 
