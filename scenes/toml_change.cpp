@@ -51,6 +51,7 @@ std::vector<std::string> stepsOf(const std::string& path) {
 
 void TomlTable::change(const std::string& where, const std::string& path, const std::string& value) {
     TomlValue parsed;
+    checkKeyDepth(where, value);
     try {
         const toml::table table = toml::parse("value = " + value);
         if (table.size() != 1) throw InputError(where, fmt::format("'{}' is more than a value", value));

@@ -36,6 +36,9 @@ struct TomlNode {
     std::set<std::string, std::less<>> known; // asked for, present or not
 };
 
+/// Throws InputError for a dotted key of more parts than a stack holds of the parser's steps; values it limits itself.
+void checkKeyDepth(const std::string& where, std::string_view text);
+
 /// "camera.width"; either may be empty.
 std::string joinPath(const std::string& path, std::string_view key);
 TomlValue convertValue(const toml::node& node, const std::string& file, const std::string& path);

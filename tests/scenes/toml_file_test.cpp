@@ -38,8 +38,7 @@ TEST(TomlFile, ArraysOfWholeNumbersAndInlineTables) {
     const std::vector<TomlTable> tables = root.tables("t");
     ASSERT_EQ(tables.size(), 2u);
     EXPECT_EQ(tables[1].integer("x", 0, 9), 2);
-    EXPECT_EQ(inputErrorOf([&] { tables[1].finish(); }),
-              "a.toml:5: t.y: unknown field; expected x");
+    EXPECT_EQ(inputErrorOf([&] { tables[1].finish(); }), "a.toml:5: t.y: unknown field; expected x");
 }
 
 TEST(TomlFile, FallbacksStandForMissingFieldsAlone) {
@@ -96,6 +95,21 @@ TEST(TomlFile, SyntaxErrorsHaveTheirLine) {
     EXPECT_THAT(inputErrorOf([] { parse("a = \"\xff\xfe\"\n"); }), HasSubstr("not valid TOML"));
     EXPECT_THAT(inputErrorOf([] { parse(std::string("a = \0", 5)); }), HasSubstr("not valid TOML"));
     EXPECT_THAT(inputErrorOf([] { parse("a = " + std::string(100000, '[')); }), HasSubstr("not valid TOML"));
+}
+
+TEST(TomlFile, KeysAreNoDeeperThanTheParserCanGo) {
+    const auto deep = [](int parts) {
+        std::string key = "a";
+        for (int i = 1; i < parts; ++i)
+            key += ".a";
+        return key;
+    };
+    EXPECT_TRUE(parse(deep(1000) + " = 1").has("a"));
+    EXPECT_EQ(inputErrorOf([&] { parse(deep(100000) + " = 1"); }),
+              "a.toml: has a key of more than 1000 parts; expected a few");
+    EXPECT_EQ(
+        inputErrorOf([&] { parse("b = 1").change("--scene-set", "b", "{ " + deep(100000) + " = 1 }"); }),
+        "--scene-set: has a key of more than 1000 parts; expected a few");
 }
 
 } // namespace
