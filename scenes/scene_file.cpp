@@ -78,21 +78,6 @@ class SceneReader {
         return purpose;
     }
 
-    /// Names become parts of channel and file names and of columns.
-    std::string readName(const TomlTable& table, std::set<std::string>& taken) const {
-        std::string name = table.text("name");
-        const auto allowed = [](unsigned char c) {
-            return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-                   c == '-';
-        };
-        if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), allowed))
-            table.fail("name", fmt::format("is \"{}\"", name.substr(0, 64)),
-                       "1 to 64 of the letters a-z A-Z 0-9 _ -");
-        if (!taken.insert(name).second)
-            table.fail("name", fmt::format("\"{}\" is taken already", name), "another one");
-        return name;
-    }
-
     void readLights() {
         std::set<std::string> names;
         const std::vector<TomlTable> tables = root_.tables("light");
@@ -100,7 +85,7 @@ class SceneReader {
             tables[kMostLights].fail({}, fmt::format("is one of {} lights", tables.size()), "at most 16");
         for (const TomlTable& table : tables) {
             Light light;
-            light.name = readName(table, names);
+            light.name = table.name(names);
             if (table.has("to_light") == table.has("position"))
                 table.fail({}, table.has("position") ? "has both to_light and position" : "has no place",
                            "to_light (a distant light) or position (a near one)");
@@ -131,7 +116,7 @@ class SceneReader {
     }
 
     void readMap(const TomlTable& table) {
-        const std::string name = readName(table, mapNames_);
+        const std::string name = table.name(mapNames_);
         const std::vector<std::string> wraps{"repeat", "clamp"};
         const std::vector<std::string> wrap =
             table.texts("wrap", std::vector<std::string>{"repeat", "repeat"});
@@ -178,7 +163,7 @@ class SceneReader {
         std::set<std::string> names;
         for (const TomlTable& table : tables) {
             SceneObject object;
-            object.name = readName(table, names);
+            object.name = table.name(names);
             readSurface(table, object);
             readPlacement(table, object);
             if (table.has("relief")) readRelief(table, object);

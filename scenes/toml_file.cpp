@@ -259,6 +259,18 @@ std::string TomlTable::choice(std::string_view key, const std::vector<std::strin
     return *text;
 }
 
+std::string TomlTable::name(std::set<std::string>& taken) const {
+    std::string name = text("name");
+    const auto allowed = [](unsigned char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+               c == '-';
+    };
+    if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), allowed))
+        fail("name", fmt::format("is \"{}\"", name.substr(0, 64)), "1 to 64 of the letters a-z A-Z 0-9 _ -");
+    if (!taken.insert(name).second) fail("name", fmt::format("\"{}\" is taken already", name), "another one");
+    return name;
+}
+
 std::vector<std::string> TomlTable::texts(std::string_view key,
                                           std::optional<std::vector<std::string>> fallback) const {
     const TomlValue* value = find(key);

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,9 @@ class TomlTable {
     /// One of `choices`.
     std::string choice(std::string_view key, const std::vector<std::string>& choices,
                        std::optional<std::string> fallback = {}) const;
+    /// The field `name`: 1 to 64 of the letters a-z A-Z 0-9 _ -, none of those in `taken`, to which it is added. Names become parts of
+    /// channels, files and columns.
+    std::string name(std::set<std::string>& taken) const;
     /// An array of texts.
     std::vector<std::string> texts(std::string_view key,
                                    std::optional<std::vector<std::string>> fallback = {}) const;

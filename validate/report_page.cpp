@@ -3,6 +3,7 @@
 #include "../scenes/data_folder.h"
 #include "../scenes/error.h"
 #include "output_files.h"
+#include "page_template.h"
 #include "pictures.h"
 #include "report_cells.h"
 
@@ -17,16 +18,6 @@ namespace plumbline {
 namespace {
 
 using namespace report;
-
-std::string readTemplate(const char* name) {
-    const std::filesystem::path file = dataFolder() / "validate" / "report" / name;
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream)
-        throw MachineError(file.string(), "the report's template can't be read", "an undamaged installation");
-    return text.str();
-}
 
 std::string withThousands(double count) {
     std::string digits = fmt::format("{:.0f}", count);
@@ -232,10 +223,7 @@ std::string reportPage(const Results& results, const ReportPictures& pictures) {
     const std::string pictureLayout = readTemplate("pictures.mustache");
     page.set("picture_list", data(kainjow::mustache::partial([&] { return pictureLayout; })));
 
-    kainjow::mustache::mustache layout(readTemplate("index.mustache"));
-    if (!layout.is_valid())
-        throw MachineError("validate/report/index.mustache", layout.error_message(), "a valid template");
-    return layout.render(page);
+    return renderTemplate("index.mustache", page);
 }
 
 } // namespace plumbline

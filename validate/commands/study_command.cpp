@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <set>
+#include <span>
 #include <thread>
 
 namespace plumbline {
@@ -34,6 +35,14 @@ void requireConsent(uint64_t count, const StudyArguments& arguments) {
     if (count > kManyCases && !arguments.yes)
         throw InputError(arguments.study, fmt::format("has {} cases", count),
                          fmt::format("at most {} without --yes", kManyCases));
+}
+
+std::filesystem::path outputFolder(const Study& study, const StudyArguments& arguments) {
+    return arguments.output.value_or(std::filesystem::path("plumbline-out") / ("study-" + study.name));
+}
+
+int coreCount() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
 /// Names and settings of every grid, before anything is drawn.
@@ -65,8 +74,7 @@ CaseOptions caseOptions(const Study& study, const StudyArguments& arguments, int
     options.errorPx = study.errorPx;
     options.glBackend = arguments.glBackend;
     options.glDevice = arguments.glDevice;
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    options.threads = std::max(1, (arguments.threads > 0 ? arguments.threads : cores) / jobs);
+    options.threads = std::max(1, (arguments.threads > 0 ? arguments.threads : coreCount()) / jobs);
     options.timeLimitSeconds = study.timeLimitSeconds;
     return options;
 }
@@ -109,8 +117,9 @@ void writeTable(const StudyFolder& folder, const StudyState& state) {
 }
 
 /// A case's failures, each text once: what fails in one often fails in all.
-void tell(const StudyCase& studyCase, const json& outcome, std::set<std::string>& said, Progress& progress) {
-    for (const StudyRow& row : rowsOf(studyCase, outcome))
+void tell(const StudyCase& studyCase, std::span<const StudyRow> rows, std::set<std::string>& said,
+          Progress& progress) {
+    for (const StudyRow& row : rows)
         if (!row.error.empty() && said.insert(errorOf(row)).second)
             progress.say(
                 fmt::format("{} {}: {}", studyCase.scene, fmt::join(studyCase.changes, " "), errorOf(row)));
@@ -125,9 +134,10 @@ void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const 
     progress.step(fmt::format("{} cases, {} at a time", state.open.size(), jobs));
     runCases(state.open, jobs, options, [&](const StudyCase& studyCase, const json& outcome) {
         folder.store(studyCase, outcome);
+        const size_t before = state.rows.size();
         state.add(studyCase, outcome);
         ++done;
-        tell(studyCase, outcome, said, progress);
+        tell(studyCase, std::span<const StudyRow>(state.rows).subspan(before), said, progress);
         progress.step(fmt::format("{} of {} cases, {} failed, about {} left", done, state.open.size(),
                                   state.failed, timeLeft(start, done, state.open.size())));
         const auto now = std::chrono::steady_clock::now();
@@ -145,12 +155,10 @@ int runStudy(const StudyArguments& arguments) {
     const Study study = readStudy(findStudy(arguments.study));
     requireConsent(caseCount(study), arguments);
     checkTechniques(study);
-    const int jobs = arguments.jobs > 0 ? arguments.jobs
-                                        : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    const int jobs = arguments.jobs > 0 ? arguments.jobs : coreCount();
     const CaseOptions options = caseOptions(study, arguments, jobs);
     checkCaseOptions(options);
-    const StudyFolder folder(
-        arguments.output.value_or(std::filesystem::path("plumbline-out") / ("study-" + study.name)), study);
+    const StudyFolder folder(outputFolder(study, arguments), study);
     const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
     StudyState state = readState(folder, cases);
     const size_t known = cases.size() - state.open.size();
@@ -170,8 +178,7 @@ int runStudy(const StudyArguments& arguments) {
 int runStudyReport(const StudyArguments& arguments) {
     const Study study = readStudy(findStudy(arguments.study));
     requireConsent(caseCount(study), arguments);
-    const StudyFolder folder = StudyFolder::open(
-        arguments.output.value_or(std::filesystem::path("plumbline-out") / ("study-" + study.name)), study);
+    const StudyFolder folder = StudyFolder::open(outputFolder(study, arguments), study);
     const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
     const StudyState state = readState(folder, cases);
     if (state.rows.empty())

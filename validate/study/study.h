@@ -40,10 +40,13 @@ struct StudyGrid {
     double timingBudgetMs = 0; // a technique; 0: drawn once
 };
 
+/// What a technique is held against where it isn't another one: no label may be this.
+inline constexpr const char* kAgainstReference = "reference";
+
 /// Which rows of the results a table or a plot is made of.
 struct StudyRows {
     std::string grid;
-    std::string against = "reference";                     // or the label of a pair's first technique
+    std::string against = kAgainstReference;               // or the label of a pair's first technique
     std::map<std::string, std::vector<std::string>> where; // axis, "scene" or "technique": values allowed
     std::string figure;                                    // column of results.csv
     std::string statistic = "median"; // of the rows that fall together: median, mean, min, max, count

@@ -16,22 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kStatistics{"median", "mean", "min", "max", "count"};
-/// What techniques are held against where it isn't one of them.
-const std::string kReference = "reference";
 /// What rows can be told apart by beside the axes.
 const std::vector<std::string> kColumns{"scene", "technique"};
-
-/// Names end up in columns and in file names.
-std::string readName(const TomlTable& table, std::set<std::string>& taken) {
-    std::string name = table.text("name");
-    const auto allowed = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_' || c == '-'; };
-    if (name.empty() || name.size() > 64 || !std::all_of(name.begin(), name.end(), allowed))
-        table.fail("name", fmt::format("is \"{}\"", name.substr(0, 64)),
-                   "1 to 64 of the letters a-z A-Z 0-9 _ -");
-    if (!taken.insert(name).second)
-        table.fail("name", fmt::format("\"{}\" is taken already", name), "another one");
-    return name;
-}
 
 /// A text of one line: it ends up in tables, pages and plots.
 std::string readLine(const TomlTable& table, const char* key) {
@@ -73,7 +59,7 @@ class StudyReader {
   private:
     void readGrid(const TomlTable& table) {
         StudyGrid grid;
-        grid.name = readName(table, gridNames_);
+        grid.name = table.name(gridNames_);
         grid.scenes = textsOrOne(table, "scenes");
         for (const std::string& scene : grid.scenes)
             grid.sceneFiles.push_back(findSceneOf(table, scene));
@@ -83,11 +69,11 @@ class StudyReader {
         grid.timingBudgetMs = table.number("timing_budget_ms", 0, 1e6, 0.0);
         std::set<std::string> axisNames(kColumns.begin(), kColumns.end());
         for (const TomlTable& axis : table.tables("axis"))
-            addAxis(grid, axis, readName(axis, axisNames));
+            addAxis(grid, axis, axis.name(axisNames));
         std::set<std::string> labels;
         for (const TomlTable& technique : table.tables("technique")) {
             StudyTechnique entry{readLine(technique, "label"), technique.text("name")};
-            if (entry.label == kReference || !labels.insert(entry.label).second)
+            if (entry.label == kAgainstReference || !labels.insert(entry.label).second)
                 technique.fail("label", fmt::format("is \"{}\"", entry.label), "a text of its own");
             technique.finish();
             grid.techniques.push_back(entry);
@@ -151,10 +137,10 @@ class StudyReader {
     StudyRows readRows(const TomlTable& table, const StudyGrid& grid) const {
         StudyRows rows;
         rows.grid = grid.name;
-        std::vector<std::string> against{kReference};
+        std::vector<std::string> against{kAgainstReference};
         for (const StudyPair& pair : grid.pairs)
             against.push_back(pair.first);
-        rows.against = table.choice("against", against, kReference);
+        rows.against = table.choice("against", against, kAgainstReference);
         rows.figure = table.text("figure");
         rows.statistic = table.choice("statistic", kStatistics, "median");
         if (!table.has("where")) return rows;
@@ -186,7 +172,7 @@ class StudyReader {
     void readPlot(const TomlTable& table) {
         const StudyGrid& grid = readGridName(table);
         StudyPlot plot;
-        plot.name = readName(table, plotNames_);
+        plot.name = table.name(plotNames_);
         plot.title = readLine(table, "title");
         plot.x = table.choice("x", groupings(grid));
         plot.lines = table.choice("lines", groupings(grid), "technique");

@@ -1,24 +1,23 @@
 #include "study_report.h"
 
-#include "../../scenes/data_folder.h"
 #include "../../scenes/error.h"
-#include "../../scenes/read_file.h"
 #include "../../scenes/replace_file.h"
 #include "../../scenes/scene_metadata.h"
 #include "../output_files.h"
+#include "../page_template.h"
+#include "../report_cells.h"
 #include "study_plot.h"
 
 #include <fmt/format.h>
-#include <kainjow/mustache.hpp>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
 namespace plumbline {
 namespace {
 
 namespace fs = std::filesystem;
-using kainjow::mustache::data;
+using report::data, report::listOfTexts, report::setIfAny;
 
 /// A table's texts: head and rows, the first cell of each the group's name.
 struct TableTexts {
@@ -39,7 +38,7 @@ auto inContext(const std::string& context, const Action& action) {
 
 std::string describeWhere(const StudyRows& choice) {
     std::string text = fmt::format("{} of {}", choice.statistic, choice.figure);
-    if (choice.against != "reference") text += ", against " + choice.against;
+    if (choice.against != kAgainstReference) text += ", against " + choice.against;
     for (const auto& [key, values] : choice.where)
         text += fmt::format("; {} {}", key, fmt::join(values, ", "));
     return text;
@@ -49,19 +48,21 @@ TableTexts textsOf(const Study& study, const StudyTable& table, const std::vecto
     const StudyGrid& grid = gridNamed(study, table.data.grid);
     const StudyCells cells = inContext("table '" + table.title + "'",
                                        [&] { return cellsOf(rows, table.data, table.rows, table.columns); });
-    std::set<std::string> usedRows, usedColumns;
-    for (const auto& [key, value] : cells.values) {
-        usedRows.insert(key.first);
-        usedColumns.insert(key.second);
-    }
+    const auto used = [&](const std::string& grouping, auto part) {
+        std::vector<std::string> values = groupValues(grid, grouping);
+        std::erase_if(values, [&](const std::string& value) {
+            return std::none_of(cells.values.begin(), cells.values.end(),
+                                [&](const auto& cell) { return cell.first.*part == value; });
+        });
+        return values;
+    };
+    using Names = std::pair<std::string, std::string>;
+    const std::vector<std::string> columns = used(table.columns, &Names::second);
     TableTexts texts{table.title, describeWhere(table.data), {table.rows + " \\ " + table.columns}, {}};
-    for (const std::string& column : groupValues(grid, table.columns))
-        if (usedColumns.contains(column)) texts.head.push_back(column);
-    for (const std::string& name : groupValues(grid, table.rows)) {
-        if (!usedRows.contains(name)) continue;
+    texts.head.insert(texts.head.end(), columns.begin(), columns.end());
+    for (const std::string& name : used(table.rows, &Names::first)) {
         std::vector<std::string> line{name};
-        for (const std::string& column : groupValues(grid, table.columns)) {
-            if (!usedColumns.contains(column)) continue;
+        for (const std::string& column : columns) {
             const auto found = cells.values.find({name, column});
             line.push_back(found == cells.values.end() ? "–" : fmt::format("{:.4g}", found->second));
         }
@@ -92,16 +93,6 @@ std::string markdownOf(const TableTexts& table) {
     for (const auto& row : table.rows)
         text += line(row);
     return text + "\n";
-}
-
-data listOfTexts(const std::vector<std::string>& texts) {
-    data list{data::type::list};
-    for (const std::string& text : texts) {
-        data entry{data::type::object};
-        entry.set("text", text);
-        list << entry;
-    }
-    return list;
 }
 
 data dataOf(const TableTexts& table) {
@@ -142,7 +133,7 @@ void writeStudyReport(const Study& study, const std::vector<StudyRow>& rows, siz
     page.set("purpose", study.purpose);
     page.set("program", programName());
     page.set("cases", std::to_string(cases));
-    if (missing > 0) page.set("missing", std::to_string(missing));
+    setIfAny(page, "missing", missing > 0 ? std::to_string(missing) : "");
     page.set("errors", listOfTexts(errorsOf(rows)));
 
     data plots{data::type::list}, tables{data::type::list};
@@ -166,12 +157,8 @@ void writeStudyReport(const Study& study, const std::vector<StudyRow>& rows, siz
     }
     page.set("plots", plots);
     page.set("tables", tables);
-    const fs::path layoutFile = dataFolder() / "validate" / "report" / "study.mustache";
-    kainjow::mustache::mustache layout(readWholeFile(layoutFile));
-    if (!layout.is_valid())
-        throw MachineError(layoutFile.string(), layout.error_message(), "a valid template");
     replaceFile(folder / "tables.md", markdown);
-    replaceFile(folder / "index.html", layout.render(page));
+    replaceFile(folder / "index.html", report::renderTemplate("study.mustache", page));
 }
 
 } // namespace plumbline

@@ -79,28 +79,25 @@ std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const json& outcome) {
         if (outcome.contains(part)) flatten(outcome[part], part, base.figures);
 
     std::vector<StudyRow> rows;
-    for (const json& technique : outcome.at("techniques")) {
+    const auto add = [&](const json& entry, const char* technique, const std::string& against) {
         StudyRow row = base;
-        row.technique = labelOf(*studyCase.grid, textAt(technique, "name"));
-        row.against = "reference";
-        row.error = textAt(technique.at("result"), "error");
-        flatten(technique.at("result"), "", row.figures);
+        row.technique = labelOf(*studyCase.grid, textAt(entry, technique));
+        row.against = against;
+        row.error = textAt(entry.at("result"), "error");
+        flatten(entry.at("result"), "", row.figures);
         rows.push_back(std::move(row));
-    }
-    for (const json& pair : outcome.at("pairs")) {
-        StudyRow row = base;
-        row.technique = labelOf(*studyCase.grid, textAt(pair, "second"));
-        row.against = labelOf(*studyCase.grid, textAt(pair, "first"));
-        row.error = textAt(pair.at("result"), "error");
-        flatten(pair.at("result"), "", row.figures);
-        rows.push_back(std::move(row));
-    }
+    };
+    for (const json& technique : outcome.at("techniques"))
+        add(technique, "name", kAgainstReference);
+    for (const json& pair : outcome.at("pairs"))
+        add(pair, "second", labelOf(*studyCase.grid, textAt(pair, "first")));
     return rows;
 }
 
 std::string errorOf(const StudyRow& row) {
     if (row.technique.empty()) return row.error;
-    return row.technique + (row.against == "reference" ? "" : " against " + row.against) + ": " + row.error;
+    return row.technique + (row.against == kAgainstReference ? "" : " against " + row.against) + ": " +
+           row.error;
 }
 
 std::string studyCsv(const std::vector<StudyRow>& rows) {

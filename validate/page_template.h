@@ -1,0 +1,16 @@
+// The templates of validate/report/.
+#pragma once
+
+#include <kainjow/mustache.hpp>
+
+#include <string>
+
+namespace plumbline::report {
+
+/// Throws MachineError if it can't be read.
+std::string readTemplate(const char* name);
+
+/// The page a template makes of `page`. Throws MachineError for a template that is damaged.
+std::string renderTemplate(const char* name, const kainjow::mustache::data& page);
+
+} // namespace plumbline::report
