@@ -1,6 +1,6 @@
 #include "image_error.h"
 
-#include "pictures.h"
+#include "report/pictures.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 #include "../../validate/image_error.h"
-#include "../../validate/pictures.h"
+#include "../../validate/report/pictures.h"
 #include "random_frames.h"
 
 #include <gtest/gtest.h>

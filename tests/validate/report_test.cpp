@@ -1,6 +1,6 @@
-#include "../../validate/pictures.h"
-#include "../../validate/report.h"
-#include "../../validate/report_page.h"
+#include "../../validate/report/pictures.h"
+#include "../../validate/report/report.h"
+#include "../../validate/report/report_page.h"
 #include "../scenes/test_files.h"
 #include "sample_results.h"
 

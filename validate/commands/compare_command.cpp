@@ -4,7 +4,7 @@
 #include "../../scenes/scene_metadata.h"
 #include "../frame_metadata.h"
 #include "../output_files.h"
-#include "../report.h"
+#include "../report/report.h"
 #include "shared.h"
 
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 #include "../../scenes/replace_file.h"
 #include "../../scenes/scene_metadata.h"
 #include "../output_files.h"
-#include "../page_template.h"
-#include "../report_cells.h"
+#include "../report/page_template.h"
+#include "../report/report_cells.h"
 #include "study_plot.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // The folder report/: index.html and the pictures it shows, as PNG. Offline, no scripts.
 #pragma once
 
-#include "../scenes/frame.h"
+#include "../../scenes/frame.h"
 #include "report_page.h"
 
 #include <filesystem>

@@ -1,8 +1,8 @@
 #include "report.h"
 
-#include "../scenes/image_file.h"
-#include "../scenes/replace_file.h"
-#include "output_files.h"
+#include "../../scenes/image_file.h"
+#include "../../scenes/replace_file.h"
+#include "../output_files.h"
 #include "pictures.h"
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 #include "report_page.h"
 
-#include "../scenes/data_folder.h"
-#include "../scenes/error.h"
-#include "output_files.h"
+#include "../../scenes/data_folder.h"
+#include "../../scenes/error.h"
+#include "../output_files.h"
 #include "page_template.h"
 #include "pictures.h"
 #include "report_cells.h"

@@ -1,4 +1,4 @@
-// The templates of validate/report/.
+// The templates of validate/report/page/.
 #pragma once
 
 #include <kainjow/mustache.hpp>

@@ -1,7 +1,7 @@
 // The text of report/index.html from results and the names of the pictures beside it.
 #pragma once
 
-#include "results.h"
+#include "../results.h"
 
 #include <map>
 #include <string>
@@ -26,7 +26,7 @@ struct ReportPictures {
     std::vector<ReportPicture> baseGap; // of the reference on the proxy, held against the other
 };
 
-/// Fills validate/report/index.mustache and pictures.mustache in it, which escape every text. Throws
+/// Fills validate/report/page/index.mustache and pictures.mustache in it, which escape every text. Throws
 /// MachineError if the template is missing.
 std::string reportPage(const Results& results, const ReportPictures& pictures);
 

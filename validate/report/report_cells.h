@@ -2,7 +2,7 @@
 // side, so that they can't part.
 #pragma once
 
-#include "results.h"
+#include "../results.h"
 
 #include <kainjow/mustache.hpp>
 

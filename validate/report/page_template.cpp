@@ -1,7 +1,7 @@
 #include "page_template.h"
 
-#include "../scenes/data_folder.h"
-#include "../scenes/error.h"
+#include "../../scenes/data_folder.h"
+#include "../../scenes/error.h"
 
 #include <fstream>
 #include <sstream>
@@ -9,7 +9,7 @@
 namespace plumbline::report {
 
 std::string readTemplate(const char* name) {
-    const std::filesystem::path file = dataFolder() / "validate" / "report" / name;
+    const std::filesystem::path file = dataFolder() / "validate" / "report" / "page" / name;
     std::ifstream stream(file, std::ios::binary);
     std::ostringstream text;
     text << stream.rdbuf();
@@ -21,7 +21,7 @@ std::string readTemplate(const char* name) {
 std::string renderTemplate(const char* name, const kainjow::mustache::data& page) {
     kainjow::mustache::mustache layout(readTemplate(name));
     if (!layout.is_valid())
-        throw MachineError(std::string("validate/report/") + name, layout.error_message(),
+        throw MachineError(std::string("validate/report/page/") + name, layout.error_message(),
                            "a valid template");
     return layout.render(page);
 }
