@@ -48,6 +48,10 @@ void addScene(CLI::App& command, std::string& scene, std::vector<std::string>& c
         ->allow_extra_args(false);
 }
 
+void addSingleFile(CLI::App& command, bool& singleFile) {
+    command.add_flag("--single-file", singleFile, "Write the report as one file that holds everything");
+}
+
 /// `bases`: what --base may be.
 void addReferenceOptions(CLI::App& command, ReferenceArguments& arguments, const char* bases) {
     command
@@ -161,6 +165,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     validate
         ->add_option("-o", arguments.validate.output, "Folder of the results (default: plumbline-out/SCENE)")
         ->type_name("DIR");
+    addSingleFile(*validate, arguments.validate.singleFile);
     addReferenceOptions(*validate, arguments.validate.reference, "limit|proxy|both");
     addRealtimeOptions(*validate, arguments.validate.realtime);
     addThreads(*validate, arguments);
@@ -195,6 +200,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     compare->add_option("TEST", arguments.compare.test, "The frame to judge, EXR")->required();
     compare->add_option("-o", arguments.compare.output, "Folder for results and report")->type_name("DIR");
     compare->add_flag("--json", arguments.compare.json, "Print results.json instead of the table");
+    addSingleFile(*compare, arguments.compare.singleFile);
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
     addBake(app, arguments, run);

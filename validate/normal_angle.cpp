@@ -9,14 +9,9 @@ namespace {
 
 constexpr std::array<const char*, 3> kChannels{"N.X", "N.Y", "N.Z"};
 
-struct NormalPlanes {
-    std::array<std::span<const float>, 3> planes;
-    explicit NormalPlanes(const Frame& frame) {
-        for (size_t axis = 0; axis < 3; ++axis)
-            planes[axis] = frame.channel(kChannels[axis]);
-    }
-    Vec3 at(uint32_t pixel) const { return {planes[0][pixel], planes[1][pixel], planes[2][pixel]}; }
-};
+Vec3 normalAt(const std::array<std::span<const float>, 3>& planes, uint32_t pixel) {
+    return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
+}
 
 bool usable(const Vec3& normal) {
     const double length = glm::length(normal); // NaN or infinite if a component is
@@ -25,22 +20,35 @@ bool usable(const Vec3& normal) {
 
 } // namespace
 
+PixelNormalAngle::PixelNormalAngle(const FramePair& pair) {
+    for (size_t axis = 0; axis < 3; ++axis) {
+        missing_ = pair.missingChannel(kChannels[axis]);
+        if (!missing_.empty()) return;
+        reference_[axis] = pair.reference().channel(kChannels[axis]);
+        test_[axis] = pair.test().channel(kChannels[axis]);
+    }
+}
+
+double PixelNormalAngle::degreesAt(uint32_t pixel) const {
+    const Vec3 a = normalAt(reference_, pixel), b = normalAt(test_, pixel);
+    if (!usable(a) || !usable(b)) return kNanF;
+    return degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)));
+}
+
 NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection) {
     NormalAngle result;
-    for (const char* channel : kChannels)
-        if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
-            result.meanDegrees = result.p95Degrees = Figure::absent(missing);
-            return result;
-        }
-    const NormalPlanes reference(pair.reference()), test(pair.test());
+    const PixelNormalAngle angle(pair);
+    if (!angle.missing().empty()) {
+        result.meanDegrees = result.p95Degrees = Figure::absent(angle.missing());
+        return result;
+    }
     std::vector<double> angles;
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo&) {
-        const Vec3 a = reference.at(pixel), b = test.at(pixel);
-        if (!usable(a) || !usable(b)) {
+        const double degrees = angle.degreesAt(pixel);
+        if (std::isnan(degrees))
             ++result.invalidPx;
-            return;
-        }
-        angles.push_back(degrees(std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b))));
+        else
+            angles.push_back(degrees);
     });
     result.domainPx = angles.size();
     if (angles.empty()) {

@@ -9,12 +9,28 @@
 #include "figure.h"
 #include "frame_pair.h"
 
+#include <array>
+
 namespace plumbline {
 
 struct NormalAngle {
     uint64_t domainPx = 0;
     uint64_t invalidPx = 0; // shared, but a normal is zero, NaN or infinite
     Figure meanDegrees, p95Degrees;
+};
+
+/// The angle pixel by pixel, whatever objects are shown there. The pair must outlive it.
+class PixelNormalAngle {
+  public:
+    explicit PixelNormalAngle(const FramePair& pair);
+    /// Why there are no angles: a channel that a frame lacks; empty if there are.
+    const std::string& missing() const { return missing_; }
+    /// Degrees in [0, 180]; NaN where either frame has no usable normal. Only if nothing is missing.
+    double degreesAt(uint32_t pixel) const;
+
+  private:
+    std::string missing_;
+    std::array<std::span<const float>, 3> reference_, test_;
 };
 
 NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection);

@@ -92,6 +92,7 @@ Json toJson(const Comparison& comparison) {
 
 Json toJson(const TechniqueOutcome& technique) {
     Json json{{"name", technique.name}, {"parameters", technique.parameters}};
+    if (technique.control) json["control"] = true;
     json["gl"] = {{"backend", technique.backend}, {"renderer", technique.renderer}};
     if (technique.error) {
         json["error"] = *technique.error;

@@ -117,7 +117,7 @@ TEST(ReportFiles, EachPictureOfALongNameHasAFileOfItsOwn) {
     TechniqueOutcome technique;
     technique.name = std::string(150, 'x');
     technique.comparison = compareFrames(reference, test, {}, std::nullopt);
-    Report report(folder.path());
+    Report report(folder.path(), {.interactive = false, .singleFile = false});
     report.addTechnique(technique, reference, test);
     const std::string stem = "1_" + std::string(98, 'x'); // a hundred letters of the name are kept
     for (const char* what : {"_color", "_silhouette", "_depth"})
@@ -140,13 +140,13 @@ TEST(ReportPage, EscapesEveryTextFromOutside) {
     picture.caption = hostile;
     picture.file = "a.png";
     pictures.techniques[hostile] = {picture};
-    const std::string page = reportPage(results, pictures);
+    const std::string page = reportPage(results, pictures, {});
     EXPECT_THAT(page, Not(HasSubstr("<script")));
     EXPECT_THAT(page, HasSubstr("&lt;script&gt;"));
 }
 
 TEST(ReportPage, SaysWhatAPersonMustKnow) {
-    const std::string page = reportPage(sampleResults(), {});
+    const std::string page = reportPage(sampleResults(), {}, {});
     EXPECT_THAT(page, HasSubstr("A scene &lt;of&gt; paint &amp; &quot;quotes&quot;"));
     EXPECT_THAT(page, HasSubstr("1 234 567 micro-triangles"));
     EXPECT_THAT(page, HasSubstr("8 segments per control edge instead of the 16"));
@@ -169,7 +169,7 @@ TEST(ReportPage, ShowsTheGapBetweenTheBases) {
     picture.caption = "Silhouette difference";
     picture.file = "gap.png";
     pictures.baseGap = {picture};
-    const std::string page = reportPage(sampleResultsOnBothBases(), pictures);
+    const std::string page = reportPage(sampleResultsOnBothBases(), pictures, {});
     const size_t begin = page.find("id=\"base\""), end = page.find("id=\"linear_binary\"");
     ASSERT_LT(begin, end);
     const std::string section = page.substr(begin, end - begin);
@@ -179,11 +179,11 @@ TEST(ReportPage, ShowsTheGapBetweenTheBases) {
                 HasSubstr("src=\"gap.png\" alt=\"Silhouette difference of the reference on the proxy\""));
     EXPECT_THAT(section, HasSubstr(cssColor(palette::kMissing))); // its legend
     EXPECT_THAT(section, HasSubstr("The aim isn&apos;t met: --memory 1 MB."));
-    EXPECT_THAT(reportPage(sampleResults(), {}), Not(HasSubstr("id=\"base\"")));
+    EXPECT_THAT(reportPage(sampleResults(), {}, {}), Not(HasSubstr("id=\"base\"")));
 }
 
 TEST(ReportPage, NeedsNothingFromTheNetwork) {
-    const std::string page = reportPage(sampleResults(), {});
+    const std::string page = reportPage(sampleResults(), {}, {});
     for (const char* remote : {"http:", "https:", "//cdn", "<script", "<link", "@import"})
         EXPECT_THAT(page, Not(HasSubstr(remote))) << remote;
 }

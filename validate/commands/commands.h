@@ -50,12 +50,14 @@ struct ValidateArguments {
     ReferenceArguments reference;
     RealtimeArguments realtime;
     std::optional<std::filesystem::path> output; // folder
+    bool singleFile = false;                     // the report
 };
 
 struct CompareArguments {
     std::filesystem::path reference, test;
     std::optional<std::filesystem::path> output; // folder
     bool json = false;
+    bool singleFile = false; // the report
 };
 
 inline constexpr uint64_t kDefaultCheckRays = 1'000'000;

@@ -51,9 +51,10 @@ Results compareFiles(const CompareArguments& arguments, const Frame& reference, 
     return results;
 }
 
-void writeComparison(const std::filesystem::path& folder, const Results& results, const Frame& reference,
+void writeComparison(const CompareArguments& arguments, const Results& results, const Frame& reference,
                      const Frame& test) {
-    Report report(folder / "report");
+    const std::filesystem::path folder = *arguments.output;
+    Report report(folder / "report", ReportOptions::possible(arguments.singleFile));
     report.addReference(reference);
     report.addTechnique(results.techniques[0], reference, test);
     replaceFile(folder / "results.json", toJson(results));
@@ -69,7 +70,7 @@ int runCompare(const CompareArguments& arguments) {
     if (arguments.output) {
         requireWritableFolder(*arguments.output);
         requireWritableFolder(*arguments.output / "report");
-        writeComparison(*arguments.output, results, reference, test);
+        writeComparison(arguments, results, reference, test);
     }
     if (arguments.json) {
         fmt::print("{}", toJson(results));
@@ -78,7 +79,7 @@ int runCompare(const CompareArguments& arguments) {
     fmt::print("{}", toTable(results));
     for (const std::string& note : results.techniques[0].comparison.notes)
         fmt::print("note: {}\n", note);
-    if (arguments.output) fmt::print("report: {}\n", (*arguments.output / "report" / "index.html").string());
+    if (arguments.output) fmt::print("{}", reportLine(*arguments.output / "report" / "index.html"));
     return kExitDone;
 }
 

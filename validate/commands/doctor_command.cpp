@@ -3,6 +3,7 @@
 #include "../../scenes/error.h"
 #include "../../scenes/scene_file.h"
 #include "../../scenes/scene_metadata.h"
+#include "../report/page_bundle.h"
 #include "shared.h"
 
 #include <fmt/format.h>
@@ -13,7 +14,7 @@
 namespace plumbline {
 namespace {
 
-void report(bool good, const std::string& what, const std::string& detail) {
+void printLine(bool good, const std::string& what, const std::string& detail) {
     fmt::print("{:<4} {:<16} {}\n", good ? "ok" : "--", what, detail);
 }
 
@@ -25,13 +26,19 @@ std::string memoryText() {
 
 bool checkData() {
     try {
-        report(true, "data",
+        printLine(true, "data",
                fmt::format("{}, {} scenes in the library", dataFolder().string(), libraryScenes().size()));
         return true;
     } catch (const std::runtime_error& error) {
-        report(false, "data", error.what());
+        printLine(false, "data", error.what());
         return false;
     }
+}
+
+/// Plain reports are no reason to fail.
+void checkReportPage() {
+    const std::string_view plain = report::plainReportReason();
+    printLine(plain.empty(), "report", plain.empty() ? "interactive" : fmt::format("plain pages: {}", plain));
 }
 
 /// Never a reason to fail: without one maps are made each time.
@@ -46,12 +53,12 @@ bool canBeWritten(std::filesystem::path folder) {
 void reportCache() {
     const std::optional<std::filesystem::path> folder = bakeCacheFolder();
     if (!folder) {
-        report(false, "cache",
+        printLine(false, "cache",
                "none of PLUMBLINE_CACHE, XDG_CACHE_HOME and HOME is set: baked maps aren't kept");
         return;
     }
     if (!canBeWritten(*folder)) {
-        report(false, "cache", fmt::format("{} can't be written: baked maps aren't kept", folder->string()));
+        printLine(false, "cache", fmt::format("{} can't be written: baked maps aren't kept", folder->string()));
         return;
     }
     size_t maps = 0;
@@ -66,7 +73,7 @@ void reportCache() {
         ++maps;
         bytes += size;
     }
-    report(true, "cache",
+    printLine(true, "cache",
            fmt::format("{}, {} baked maps, {:.1f} MB; may be deleted at any time", folder->string(), maps,
                        static_cast<double>(bytes) / 1e6));
 }
@@ -75,11 +82,11 @@ void reportCache() {
 bool checkGl() {
     bool any = false;
     for (const GlProbe& probe : probeGl()) {
-        report(probe.works, "GL " + probe.backend, probe.detail);
+        printLine(probe.works, "GL " + probe.backend, probe.detail);
         any = any || probe.works;
     }
     if (!any)
-        report(false, "GL",
+        printLine(false, "GL",
                "nothing works: no 'validate' and no 'realtime'; install libegl1 and libgl1-mesa-dri");
     return any;
 }
@@ -89,16 +96,16 @@ bool checkTechniques() {
         std::string names;
         for (const TechniqueInfo& technique : listTechniques())
             names += (names.empty() ? "" : ", ") + technique.name;
-        report(true, "techniques", names);
+        printLine(true, "techniques", names);
         return true;
     } catch (const std::runtime_error& error) {
-        report(false, "techniques", error.what());
+        printLine(false, "techniques", error.what());
         return false;
     }
 }
 #else
 bool checkGl() {
-    report(false, "GL", "built without it (preset no-gl): no 'validate' and no 'realtime'");
+    printLine(false, "GL", "built without it (preset no-gl): no 'validate' and no 'realtime'");
     return false;
 }
 bool checkTechniques() {
@@ -109,9 +116,10 @@ bool checkTechniques() {
 } // namespace
 
 int runDoctor() {
-    report(true, "program", programName());
-    report(true, "machine", fmt::format("{} threads, {}", std::thread::hardware_concurrency(), memoryText()));
+    printLine(true, "program", programName());
+    printLine(true, "machine", fmt::format("{} threads, {}", std::thread::hardware_concurrency(), memoryText()));
     reportCache();
+    checkReportPage();
     const bool data = checkData(), techniques = checkTechniques(), gl = checkGl();
     return data && techniques && gl ? kExitDone : kExitMachine;
 }

@@ -1,6 +1,7 @@
 #include "shared.h"
 
 #include "../../scenes/error.h"
+#include "../report/page_bundle.h"
 
 #include <fmt/format.h>
 
@@ -108,6 +109,12 @@ ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame) {
 
 SceneSummary summaryOf(const Scene& scene) {
     return {scene.name, scene.purpose, scene.hash, scene.changes, scene.camera.width, scene.camera.height};
+}
+
+std::string reportLine(const std::filesystem::path& page) {
+    const std::string_view plain = report::plainReportReason();
+    return fmt::format("report: {}\n{}", page.string(),
+                       plain.empty() ? "" : fmt::format("(a plain one: {})\n", plain));
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {

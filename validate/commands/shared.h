@@ -33,6 +33,9 @@ ReferenceOptions referenceOptions(const ReferenceArguments& arguments);
 ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame);
 SceneSummary summaryOf(const Scene& scene);
 
+/// Where the report is, and why it is a plain one if it is: a line for stdout.
+std::string reportLine(const std::filesystem::path& page);
+
 /// Prints them on stderr, a line "warning: …" each.
 void printWarnings(const std::vector<std::string>& warnings);
 

@@ -39,10 +39,11 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
                    TechniqueDrawer& drawer, const std::vector<MicroMesh>* microMeshes) {
     Trial trial;
     trial.outcome.name = displayName(request, settings);
+    trial.outcome.control = drawsMicroTriangles(request);
     trial.outcome.limits = limitsOf(request);
     try {
         TechniqueResult result =
-            drawer.draw(request, settings, drawsMicroTriangles(request) ? microMeshes : nullptr);
+            drawer.draw(request, settings, trial.outcome.control ? microMeshes : nullptr);
         trial.outcome.parameters = result.parameters;
         trial.outcome.backend = result.backend;
         trial.outcome.renderer = result.renderer;

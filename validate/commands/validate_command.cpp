@@ -44,6 +44,8 @@ struct OutputFolder {
             std::filesystem::remove(file, error);
             if (error) throw InputError(file.string(), "can't be replaced", "the name of a file");
         }
+        std::error_code ignored; // what is left of it is only not shown
+        std::filesystem::remove_all(report / "data", ignored);
     }
 
     /// A file of its own for each name, though two may be safe in the same way.
@@ -179,7 +181,7 @@ int runValidate(const ValidateArguments& arguments) {
                     references.summary,
                     compareBases(references, scene),
                     {}};
-    Report report(output.report);
+    Report report(output.report, ReportOptions::possible(arguments.singleFile));
     writeReferences(references, results, output, report);
     int exitCode = kExitDone;
     std::set<std::string> warned;
@@ -196,8 +198,7 @@ int runValidate(const ValidateArguments& arguments) {
         output.write(results,
                      report); // whole after every technique: a run that is stopped leaves what was finished
     }
-    fmt::print("{}\n{}", toTable(results),
-               fmt::format("report: {}\n", (output.report / "index.html").string()));
+    fmt::print("{}\n{}", toTable(results), reportLine(output.report / "index.html"));
     return exitCode;
 }
 

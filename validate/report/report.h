@@ -1,7 +1,13 @@
-// The folder report/: index.html and the pictures it shows, as PNG. Offline, no scripts.
+// The folder report/: index.html and what it shows. Offline; it opens from disk.
+//
+// With the interactive page (page_bundle.h): index.html, report.js, data/*.js with the planes of each frame, pictures of curvatures.
+// Without: index.html without scripts and every picture as PNG. As a single file: index.html alone, whole.
 #pragma once
 
 #include "../../scenes/frame.h"
+#include "failing_pixels.h"
+#include "frame_data.h"
+#include "report_data.h"
 #include "report_page.h"
 
 #include <filesystem>
@@ -11,13 +17,21 @@ namespace plumbline {
 
 struct Picture;
 
+struct ReportOptions {
+    bool interactive = true; // needs the page's script: ReportOptions::possible()
+    bool singleFile = false;
+
+    /// The interactive page where the program holds it, else the plain one.
+    static ReportOptions possible(bool singleFile);
+};
+
 /// Paints while the frames are there and writes the page from what it painted, so that a run needs to hold
 /// only the reference and one test frame at a time, and a run that is stopped leaves a page of what was
 /// finished.
 class Report {
   public:
     /// `folder`: the page becomes folder/index.html. Must exist.
-    explicit Report(std::filesystem::path folder) : folder_(std::move(folder)) {}
+    Report(std::filesystem::path folder, ReportOptions options);
 
     void addReference(const Frame& reference);
     /// `technique.comparison` must be of these two frames.
@@ -30,20 +44,19 @@ class Report {
   private:
     std::string save(const std::string& stem, const std::string& what, const Picture& picture) const;
     std::vector<ReportPicture> saveDifferences(const std::string& stem, const Comparison& comparison,
-                                               const Frame& reference, const Frame& test) const;
+                                               const FramePair& pair) const;
     void saveCurvature(const std::string& stem, const Frame& test, std::vector<ReportPicture>& entries) const;
+    void saveFrame(report::FrameEntry entry, const report::FrameData& frame);
+    void saveTest(const std::string& stem, report::FrameEntry entry, const Comparison& comparison,
+                  const FramePair& pair);
 
     std::filesystem::path folder_;
+    ReportOptions options_;
     ReportPictures pictures_;
+    report::ReportData data_;
+    report::FailingPixels failing_;
+    std::vector<std::pair<std::string, std::string>>
+        embedded_; // file and planes of frames, if all is one file
 };
-
-/// Full colour of the signed depth error's map, world units: a quarter of the largest relief depth, so that
-/// pictures of different techniques and runs compare; without a relief depth, the comparison's own p95 (1 if
-/// that is 0).
-struct DepthRange {
-    double worldUnits = 1;
-    std::string note; // how it came about
-};
-DepthRange depthRange(const Comparison& comparison);
 
 } // namespace plumbline

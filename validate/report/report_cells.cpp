@@ -2,29 +2,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline::report {
 namespace {
 
-/// A figure with its interval below it.
-data cell(const Figure& figure, const Interval& interval, const char* format) {
-    data entry = report::cell(figure, format);
-    if (interval.low)
-        entry.set("interval", fmt::format("{}–{}", fmt::format(fmt::runtime(format), *interval.low),
-                                          fmt::format(fmt::runtime(format), *interval.high)));
+data cellOf(const Column& column, const ColumnValue& value) {
+    data entry = cell(value.figure, column.format);
+    if (!value.figure) return entry;
+    entry.set("value", fmt::format("{}", *value.figure));
+    if (value.interval.low)
+        entry.set("interval",
+                  fmt::format("{}–{}", fmt::format(fmt::runtime(column.format), *value.interval.low),
+                              fmt::format(fmt::runtime(column.format), *value.interval.high)));
     return entry;
 }
 
-data cell(uint64_t count) {
-    data entry{data::type::object};
-    entry.set("text", std::to_string(count));
-    return entry;
+Figure count(uint64_t pixels) {
+    return {static_cast<double>(pixels)};
 }
 
-void addHead(data& heads, const std::string& text, const std::string& unit) {
-    data head{data::type::object};
-    head.set("text", text);
-    setIfAny(head, "unit", unit);
-    heads << head;
+ShadowAgreement shadowOf(const MetricSet& metrics, const std::string& light) {
+    const auto found = metrics.shadow.find(light);
+    return found == metrics.shadow.end() ? ShadowAgreement{} : found->second;
+}
+
+/// A column of a figure without an interval.
+Column plain(const char* key, const char* text, const char* unit, const char* better, const char* format,
+             std::function<Figure(const MetricSet&)> figure) {
+    return {key,
+            text,
+            unit,
+            better,
+            format,
+            [figure = std::move(figure)](const RowFigures& row) { return ColumnValue{figure(row.metrics), {}}; }};
+}
+
+bool isBetter(const Column& column, double a, double b) {
+    return column.better == "high" ? a > b : a < b;
 }
 
 } // namespace
@@ -40,7 +55,7 @@ data listOfTexts(const std::vector<std::string>& texts) {
     return list;
 }
 
-data cell(const Figure& figure, const char* format) {
+data cell(const Figure& figure, const std::string& format) {
     data entry{data::type::object};
     entry.set("text", figure ? fmt::format(fmt::runtime(format), *figure) : std::string("–"));
     setIfAny(entry, "reason", figure.reason());
@@ -55,53 +70,114 @@ std::set<std::string> lightsOf(const Results& results) {
     return lights;
 }
 
-data metricHeads(const std::set<std::string>& lights) {
-    data heads{data::type::list};
-    addHead(heads, "silhouette IoU", "");
-    addHead(heads, "missing", "px");
-    addHead(heads, "extra", "px");
-    addHead(heads, "outline off", "mean, px");
-    addHead(heads, "outline off", "95 %, px");
-    addHead(heads, "depth bias", "relief depth");
-    addHead(heads, "depth RMSE", "relief depth");
-    addHead(heads, "depth p99", "relief depth");
-    addHead(heads, "off by > 5 %", "share");
+std::vector<Column> metricColumns(const std::set<std::string>& lights) {
+    using Set = const MetricSet&;
+    std::vector<Column> columns{
+        {"silhouette.iou", "silhouette IoU", "", "high", "{:.5f}",
+         [](const RowFigures& row) {
+             return ColumnValue{row.metrics.silhouette.iou, row.metrics.silhouette.iouRange};
+         }},
+        plain("silhouette.missing_px", "missing", "px", "low", "{:.0f}",
+              [](Set m) { return count(m.silhouette.missingPx); }),
+        plain("silhouette.extra_px", "extra", "px", "low", "{:.0f}",
+              [](Set m) { return count(m.silhouette.extraPx); }),
+        plain("silhouette.contour_mean_px", "outline off", "mean, px", "low", "{:.2f}",
+              [](Set m) { return m.contour.meanPx; }),
+        plain("silhouette.hausdorff95_px", "outline off", "95 %, px", "low", "{:.2f}",
+              [](Set m) { return m.contour.hausdorff95Px; }),
+        plain("depth.bias_relief", "depth bias", "relief depth", "", "{:+.4f}",
+              [](Set m) { return m.depth.relief.bias; }),
+        plain("depth.rmse_relief", "depth RMSE", "relief depth", "low", "{:.4f}",
+              [](Set m) { return m.depth.relief.rmse; }),
+        plain("depth.p99_relief", "depth p99", "relief depth", "low", "{:.4f}",
+              [](Set m) { return m.depth.relief.p99; }),
+        plain("depth.badpix_5pct", "off by > 5 %", "share", "low", "{:.4f}",
+              [](Set m) { return m.depth.badpix5pct; }),
+    };
     for (const std::string& light : lights) {
-        addHead(heads, "shadow agreement", light);
-        addHead(heads, "shadow error rate", light + ", balanced");
+        columns.push_back({"shadow." + light + ".agreement", "shadow agreement", light, "high", "{:.4f}",
+                           [light](const RowFigures& row) {
+                               const ShadowAgreement shadow = shadowOf(row.metrics, light);
+                               return ColumnValue{shadow.agreement, shadow.agreementRange};
+                           }});
+        columns.push_back({"shadow." + light + ".ber", "shadow error rate", light + ", balanced", "low",
+                           "{:.4f}", [light](const RowFigures& row) {
+                               return ColumnValue{shadowOf(row.metrics, light).ber, {}};
+                           }});
     }
-    addHead(heads, "normal", "mean, degrees");
-    addHead(heads, "st", "mean, texels");
+    columns.push_back(plain("normal.mean_degrees", "normal", "mean, degrees", "low", "{:.2f}",
+                            [](Set m) { return m.normal.meanDegrees; }));
+    columns.push_back(plain("st.mean_texels", "st", "mean, texels", "low", "{:.2f}",
+                            [](Set m) { return m.st.meanTexels; }));
+    return columns;
+}
+
+std::vector<Column> techniqueColumns(const std::set<std::string>& lights) {
+    std::vector<Column> columns = metricColumns(lights);
+    columns.push_back(plain("cost.fetches_mean", "look-ups", "a pixel", "low", "{:.1f}",
+                            [](const MetricSet& metrics) { return metrics.cost.mean; }));
+    columns.push_back({"cost.ms_median", "time", "ms", "low", "{:.1f}", [](const RowFigures& row) {
+                           return ColumnValue{row.milliseconds, {}};
+                       }});
+    return columns;
+}
+
+namespace {
+
+data headOf(const Column& column) {
+    data head{data::type::object};
+    head.set("key", column.key);
+    head.set("text", column.text);
+    setIfAny(head, "unit", column.unit);
+    setIfAny(head, "better", column.better);
+    return head;
+}
+
+RowFigures rowOf(const TechniqueOutcome& technique) {
+    return {technique.comparison.pooled, technique.msMedian};
+}
+
+} // namespace
+
+data headsOf(const std::vector<Column>& columns) {
+    data heads{data::type::list};
+    for (const Column& column : columns)
+        heads << headOf(column);
     return heads;
 }
 
-data metricCells(const MetricSet& metrics, const std::set<std::string>& lights) {
+data cellsOf(const std::vector<Column>& columns, const RowFigures& row) {
     data cells{data::type::list};
-    cells << cell(metrics.silhouette.iou, metrics.silhouette.iouRange, "{:.5f}")
-          << cell(metrics.silhouette.missingPx) << cell(metrics.silhouette.extraPx)
-          << cell(metrics.contour.meanPx, "{:.2f}") << cell(metrics.contour.hausdorff95Px, "{:.2f}")
-          << cell(metrics.depth.relief.bias, "{:+.4f}") << cell(metrics.depth.relief.rmse, "{:.4f}")
-          << cell(metrics.depth.relief.p99, "{:.4f}") << cell(metrics.depth.badpix5pct, "{:.4f}");
-    for (const std::string& light : lights) {
-        const auto found = metrics.shadow.find(light);
-        const ShadowAgreement shadow = found == metrics.shadow.end() ? ShadowAgreement{} : found->second;
-        cells << cell(shadow.agreement, shadow.agreementRange, "{:.4f}") << cell(shadow.ber, "{:.4f}");
-    }
-    cells << cell(metrics.normal.meanDegrees, "{:.2f}") << cell(metrics.st.meanTexels, "{:.2f}");
+    for (const Column& column : columns)
+        cells << cellOf(column, column.value(row));
     return cells;
 }
 
-data techniqueHeads(const std::set<std::string>& lights) {
-    data heads = metricHeads(lights);
-    addHead(heads, "look-ups", "a pixel");
-    addHead(heads, "time", "ms");
-    return heads;
+std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, const Results& results) {
+    std::vector<std::optional<double>> best(columns.size());
+    int judged = 0;
+    for (const TechniqueOutcome& technique : results.techniques) {
+        if (technique.error || technique.control) continue;
+        ++judged;
+        for (size_t i = 0; i < columns.size(); ++i)
+            if (const Figure figure = columns[i].value(rowOf(technique)).figure;
+                figure && !columns[i].better.empty() && (!best[i] || isBetter(columns[i], *figure, *best[i])))
+                best[i] = *figure;
+    }
+    if (judged < 2) best.assign(columns.size(), std::nullopt);
+    return best;
 }
 
-data techniqueCells(const MetricSet& metrics, const std::set<std::string>& lights,
-                    const Figure& milliseconds) {
-    data cells = metricCells(metrics, lights);
-    cells << cell(metrics.cost.mean, "{:.1f}") << cell(milliseconds, "{:.1f}");
+data techniqueCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
+                    const std::vector<std::optional<double>>& best) {
+    data cells{data::type::list};
+    for (size_t i = 0; i < columns.size(); ++i) {
+        const ColumnValue value = columns[i].value(rowOf(technique));
+        data entry = cellOf(columns[i], value);
+        if (!technique.control && value.figure && best[i] && *value.figure == *best[i])
+            entry.set("mark", "best");
+        cells << entry;
+    }
     return cells;
 }
 

@@ -1,11 +1,12 @@
-// Cells of the report's tables as data for its template: the columns of a table and its rows are made side by
-// side, so that they can't part.
+// Cells of the report's tables as data for its template. A column is one row of metricColumns(): head, figures, and which end is better.
 #pragma once
 
 #include "../results.h"
 
 #include <kainjow/mustache.hpp>
 
+#include <functional>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -19,16 +20,41 @@ void setIfAny(data& entry, const std::string& key, const std::string& text);
 data listOfTexts(const std::vector<std::string>& texts);
 
 /// `format` of fmt for the figure; a dash with its reason where there is none.
-data cell(const Figure& figure, const char* format);
+data cell(const Figure& figure, const std::string& format);
 
 std::set<std::string> lightsOf(const Results& results);
 
-/// Heads of the metrics' columns: two for each light.
-data metricHeads(const std::set<std::string>& lights);
-data metricCells(const MetricSet& metrics, const std::set<std::string>& lights);
-/// Heads of metricHeads and of what a technique costs.
-data techniqueHeads(const std::set<std::string>& lights);
-data techniqueCells(const MetricSet& metrics, const std::set<std::string>& lights,
-                    const Figure& milliseconds);
+struct ColumnValue {
+    Figure figure;
+    Interval interval;
+};
+
+/// A row of a table: of a technique or of one object in it.
+struct RowFigures {
+    const MetricSet& metrics;
+    Figure milliseconds = Figure::absent("time is measured for the whole frame");
+};
+
+struct Column {
+    std::string key;        // as `plumbline list metrics` has it, with the light's name
+    std::string text, unit; // of its head
+    std::string better;     // "high", "low", or empty where neither end is
+    std::string format;     // of fmt
+    std::function<ColumnValue(const RowFigures&)> value;
+};
+
+/// What is measured: two columns for each light.
+std::vector<Column> metricColumns(const std::set<std::string>& lights);
+/// Those, and what a technique costs.
+std::vector<Column> techniqueColumns(const std::set<std::string>& lights);
+
+data headsOf(const std::vector<Column>& columns);
+data cellsOf(const std::vector<Column>& columns, const RowFigures& row);
+
+/// The best figure of each column among techniques; of a control, of a single technique and where neither end is better there is none.
+std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, const Results& results);
+/// Pooled figures; those that are the best are marked.
+data techniqueCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
+                    const std::vector<std::optional<double>>& best);
 
 } // namespace plumbline::report

@@ -3,9 +3,11 @@
 #include "../../scenes/data_folder.h"
 #include "../../scenes/error.h"
 #include "../output_files.h"
+#include "page_bundle.h"
 #include "page_template.h"
 #include "pictures.h"
 #include "report_cells.h"
+#include "report_data.h"
 
 #include <fmt/format.h>
 
@@ -135,19 +137,19 @@ data pictureList(const std::vector<ReportPicture>& entries) {
     return pictures;
 }
 
-data objectRows(const Comparison& comparison, const std::set<std::string>& lights) {
+data objectRows(const Comparison& comparison, const std::vector<Column>& columns) {
     data objects{data::type::list};
     for (const ObjectComparison& object : comparison.objects) {
         data row{data::type::object};
         row.set("object", object.object.name);
-        row.set("object_cells", techniqueCells(object.metrics, lights,
-                                               Figure::absent("time is measured for the whole frame")));
+        row.set("object_cells", cellsOf(columns, {object.metrics}));
         objects << row;
     }
     return objects;
 }
 
-data techniqueSection(const TechniqueOutcome& technique, const std::set<std::string>& lights,
+data techniqueSection(const TechniqueOutcome& technique, const std::vector<Column>& columns,
+                      const std::vector<std::optional<double>>& best,
                       const std::vector<ReportPicture>& pictures) {
     data section{data::type::object};
     section.set("name", technique.name);
@@ -164,41 +166,53 @@ data techniqueSection(const TechniqueOutcome& technique, const std::set<std::str
         return section;
     }
     const Comparison& comparison = technique.comparison;
-    section.set("cells", techniqueCells(comparison.pooled, lights, technique.msMedian));
-    section.set("objects", objectRows(comparison, lights));
+    section.set("cells", techniqueCells(columns, technique, best));
+    section.set("objects", objectRows(comparison, columns));
     section.set("several_objects", comparison.objects.size() > 1);
     section.set("notes", listOfTexts(comparison.notes));
     section.set("pictures", pictureList(pictures));
     return section;
 }
 
-data gapRow(const std::string& name, const Comparison& comparison, const std::set<std::string>& lights) {
+data gapRow(const std::string& name, const Comparison& comparison, const std::vector<Column>& columns) {
     data row{data::type::object};
     row.set("row", name);
-    row.set("gap_cells", metricCells(comparison.pooled, lights));
+    row.set("gap_cells", cellsOf(columns, {comparison.pooled}));
     return row;
 }
 
 /// The gap between the two references, and each technique against the one on the proxy.
-data baseGapData(const Results& results, const std::set<std::string>& lights,
-                 const ReportPictures& pictures) {
+data baseGapData(const Results& results, const std::vector<Column>& columns, const ReportPictures& pictures) {
     data section{data::type::object};
     section.set("name", "the reference on the proxy");
-    section.set("gap_heads", metricHeads(lights));
+    section.set("gap_heads", headsOf(columns));
     data rows{data::type::list};
-    rows << gapRow("the base gap", results.proxy->gap, lights);
+    rows << gapRow("the base gap", results.proxy->gap, columns);
     for (const TechniqueOutcome& technique : results.techniques)
-        if (technique.againstProxy) rows << gapRow(technique.name, *technique.againstProxy, lights);
+        if (technique.againstProxy) rows << gapRow(technique.name, *technique.againstProxy, columns);
     section.set("rows", rows);
     section.set("pictures", pictureList(pictures.baseGap));
     section.set("gap_limits", listOfTexts(referenceLimits(results.proxy->summary)));
     return section;
 }
 
+/// The page's data and, if all is one file, its frames and script: too large to go through a template.
+std::string scriptElements(const PageScripts& scripts) {
+    std::string text =
+        fmt::format("<script type=\"application/json\" id=\"report-data\">{}</script>\n", scripts.data);
+    for (const auto& [file, json] : scripts.frames)
+        text += fmt::format("<script type=\"application/json\" data-file=\"{}\">{}</script>\n", file,
+                            scriptSafe(json));
+    if (!scripts.script.empty()) text += fmt::format("<script>{}</script>\n", scripts.script);
+    return text;
+}
+
 } // namespace
 
-std::string reportPage(const Results& results, const ReportPictures& pictures) {
+std::string reportPage(const Results& results, const ReportPictures& pictures, const PageScripts& scripts) {
     const std::set<std::string> lights = lightsOf(results);
+    const std::vector<Column> columns = techniqueColumns(lights);
+    const auto best = bestOf(columns, results);
     data page{data::type::object};
     page.set("scene", results.scene.name);
     setIfAny(page, "purpose", results.scene.purpose);
@@ -207,23 +221,35 @@ std::string reportPage(const Results& results, const ReportPictures& pictures) {
     setIfAny(page, "changes", fmt::format("{}", fmt::join(results.scene.changes, ", ")));
     page.set("width", std::to_string(results.scene.width));
     page.set("height", std::to_string(results.scene.height));
+    page.set("certificate", certificateLine(results.reference.certificate));
     page.set("reference_picture", pictures.reference);
     page.set("reference", referenceData(results.reference));
     page.set("colors", paletteData());
-    page.set("heads", techniqueHeads(lights));
+    page.set("style", std::string(pageStyle()));
+    const bool interactive = !scripts.data.empty();
+    page.set("interactive", interactive);
+    if (!interactive) setIfAny(page, "plain_reason", std::string(plainReportReason()));
+    page.set("script_beside", interactive && scripts.script.empty());
+    page.set("heads", headsOf(columns));
+    page.set("columns", std::to_string(columns.size()));
+    page.set("has_best",
+             std::any_of(best.begin(), best.end(), [](const auto& value) { return value.has_value(); }));
     data sections{data::type::list};
     for (const TechniqueOutcome& technique : results.techniques) {
         const auto found = pictures.techniques.find(technique.name);
-        sections << techniqueSection(technique, lights,
+        sections << techniqueSection(technique, columns, best,
                                      found == pictures.techniques.end() ? std::vector<ReportPicture>{}
                                                                         : found->second);
     }
     page.set("techniques", sections);
-    if (results.proxy) page.set("base_gap", baseGapData(results, lights, pictures));
+    if (results.proxy) page.set("base_gap", baseGapData(results, metricColumns(lights), pictures));
     const std::string pictureLayout = readTemplate("pictures.mustache");
     page.set("picture_list", data(kainjow::mustache::partial([&] { return pictureLayout; })));
 
-    return renderTemplate("index.mustache", page);
+    std::string text = renderTemplate("index.mustache", page);
+    const size_t end = text.rfind("</body>");
+    if (interactive && end != std::string::npos) text.insert(end, scriptElements(scripts));
+    return text;
 }
 
 } // namespace plumbline

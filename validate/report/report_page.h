@@ -26,8 +26,15 @@ struct ReportPictures {
     std::vector<ReportPicture> baseGap; // of the reference on the proxy, held against the other
 };
 
+/// What the interactive page runs on; all empty: a plain page.
+struct PageScripts {
+    std::string data;                                        // reportDataJson()
+    std::string script;                                      // empty: report.js lies beside the page
+    std::vector<std::pair<std::string, std::string>> frames; // file and JSON of frames the page itself holds
+};
+
 /// Fills validate/report/page/index.mustache and pictures.mustache in it, which escape every text. Throws
 /// MachineError if the template is missing.
-std::string reportPage(const Results& results, const ReportPictures& pictures);
+std::string reportPage(const Results& results, const ReportPictures& pictures, const PageScripts& scripts);
 
 } // namespace plumbline

@@ -1,0 +1,28 @@
+// Depth errors of a technique as curves: the share of pixels off by more than a threshold, over thresholds, and the
+// histogram of signed errors. In relief depths, over the domain of the pooled depth figures (../depth_error.h).
+#pragma once
+
+#include "../compare.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace plumbline::report {
+
+/// From 1e-4 to 10 relief depths, eight to a decade; 1, 5 and 25 % of BadPix (Scharstein, Szeliski 2002) among them.
+std::vector<double> badpixThresholds();
+/// From -0.25 to 0.25 relief depths, a hundredth each.
+std::vector<double> histogramEdges();
+
+struct ErrorCurves {
+    std::vector<double> badpix; // share with |e| > badpixThresholds()[i], strictly
+    /// counts[i]: pixels with histogramEdges()[i] <= e < histogramEdges()[i + 1]; below and above: beyond the ends.
+    std::vector<uint64_t> counts;
+    uint64_t below = 0, above = 0;
+};
+
+/// `comparison` must be of this pair. None where the depth's pooled figures in relief depths are absent.
+std::optional<ErrorCurves> errorCurves(const FramePair& pair, const Comparison& comparison);
+
+} // namespace plumbline::report

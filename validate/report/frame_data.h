@@ -1,0 +1,30 @@
+// What the page shows of a frame: its planes, and how they are told to the page. src/data.ts reads them.
+#pragma once
+
+#include "../compare.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace plumbline::report {
+
+/// A frame packed: a JSON object, a member a layer, and the layers' names in order.
+struct FrameData {
+    std::vector<std::string> layers;
+    std::string json;
+};
+
+/// colour, object, depth, shadows, uncertain pixels. `depth`: planar, empty if there is none.
+FrameData packReference(const FramePair& pair, std::span<const float> depth);
+
+/// colour, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test frame.
+FrameData packTest(const FramePair& pair, std::span<const float> depth);
+
+/// One layer of counts.
+FrameData packCounts(const std::string& layer, const std::vector<uint16_t>& counts);
+
+/// The script that hands a frame to the page: a call of plumblineFrame(). `file`: as the page names it.
+std::string frameScript(const std::string& file, const FrameData& frame);
+
+} // namespace plumbline::report

@@ -1,0 +1,84 @@
+#include "report_data.h"
+
+#include "../metric_table.h"
+#include "failing_pixels.h"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace plumbline::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json metricsJson() {
+    Json metrics = Json::array();
+    for (const MetricInfo& metric : metricTable())
+        metrics.push_back({{"key", metric.key},
+                           {"label", metric.key},
+                           {"unit", metric.unit},
+                           {"meaning", metric.meaning},
+                           {"better", metric.best == "1"   ? "high"
+                                      : metric.best == "0" ? "low"
+                                                           : ""}});
+    return metrics;
+}
+
+Json toJson(const FrameEntry& frame) {
+    Json json{{"name", frame.name}, {"kind", frame.kind}, {"file", frame.file}, {"layers", frame.layers}};
+    if (frame.curves) {
+        json["badpix"] = frame.curves->badpix;
+        json["histogram"] = {
+            {"counts", frame.curves->counts}, {"below", frame.curves->below}, {"above", frame.curves->above}};
+    }
+    return json;
+}
+
+Json toJson(const ObjectInfo& object) {
+    const bool known = object.reliefDepth && *object.reliefDepth > 0;
+    return {{"id", object.id},
+            {"name", object.name},
+            {"relief_depth", known ? Json(*object.reliefDepth) : Json(nullptr)}};
+}
+
+} // namespace
+
+DepthRange depthRange(const Comparison& comparison) {
+    double deepest = 0;
+    for (const ObjectComparison& object : comparison.objects)
+        if (object.object.reliefDepth) deepest = std::max(deepest, *object.object.reliefDepth);
+    if (deepest > 0) return {0.25 * deepest, "a quarter of the relief depth"};
+    const Figure& p95 = comparison.pooled.depth.world.p95;
+    if (p95 && *p95 > 0) return {*p95, "95 % of the shared pixels lie within"};
+    return {1, "no relief depth known, no error to scale by"};
+}
+
+std::string scriptSafe(std::string json) {
+    // In JSON a '<' stands only inside of strings.
+    size_t at = 0;
+    while ((at = json.find('<', at)) != std::string::npos)
+        json.replace(at, 1, "\\u003c");
+    return json;
+}
+
+std::string reportDataJson(const Results& results, const ReportData& data) {
+    Json json{{"schema", 1},
+              {"width", results.scene.width},
+              {"height", results.scene.height},
+              {"results", Json::parse(plumbline::toJson(results))},
+              {"metrics", metricsJson()}};
+    json["frames"] = Json::array();
+    for (const FrameEntry& frame : data.frames)
+        json["frames"].push_back(toJson(frame));
+    json["objects"] = Json::array();
+    for (const ObjectInfo& object : data.objects)
+        json["objects"].push_back(toJson(object));
+    json["depth_range"] = {{"world", data.depthRange.worldUnits}, {"note", data.depthRange.note}};
+    json["failing"] = {{"of", data.failingOf}, {"meaning", FailingPixels::meaning()}};
+    json["curves"] = {{"thresholds", badpixThresholds()}, {"edges", histogramEdges()}};
+    return scriptSafe(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+} // namespace plumbline::report
