@@ -1,5 +1,10 @@
 // The interactive part of the report. The page is whole without it but for pictures and plots.
 import "./page.css";
-import { readReportData } from "./data";
+import { FrameStore, readReportData } from "./data";
+import { startViewer } from "./viewer/viewer";
 
-readReportData();
+const report = readReportData();
+const store = new FrameStore(report);
+
+const viewer = document.getElementById("viewer");
+if (viewer) startViewer(report, store, viewer);

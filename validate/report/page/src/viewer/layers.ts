@@ -1,0 +1,82 @@
+// What a pane can show of a frame, and why it can't.
+import type { FrameEntry, LayerName, ReportData } from "../data";
+
+export type LayerKey =
+  | "color"
+  | "silhouette"
+  | "depth_error"
+  | `shadow.${string}`
+  | "normal_angle"
+  | "fetches"
+  | "iterations"
+  | "depth"
+  | "failing";
+
+export interface LayerInfo {
+  key: LayerKey;
+  label: string;
+  /** Planes it takes of the frame and of the reference. */
+  ofFrame: LayerName[];
+  ofReference: LayerName[];
+}
+
+/** Every layer of the report in the order of the menus, a shadow for each light of the reference. */
+export function layersOf(report: ReportData): LayerInfo[] {
+  const lights = referenceOf(report).layers.filter((layer): layer is `shadow.${string}` => layer.startsWith("shadow."));
+  return [
+    { key: "color", label: "Colour", ofFrame: ["color"], ofReference: [] },
+    { key: "silhouette", label: "Silhouette difference", ofFrame: ["id"], ofReference: ["id"] },
+    { key: "depth_error", label: "Depth error", ofFrame: ["id", "depth"], ofReference: ["id", "depth"] },
+    ...lights.map((light): LayerInfo => ({
+      key: light,
+      label: `Shadow difference, ${light.slice("shadow.".length)}`,
+      ofFrame: ["id", light],
+      ofReference: ["id", light],
+    })),
+    { key: "normal_angle", label: "Normal angle", ofFrame: ["id", "normal_angle"], ofReference: [] },
+    { key: "fetches", label: "Look-ups", ofFrame: ["id", "fetches"], ofReference: [] },
+    { key: "iterations", label: "Iterations", ofFrame: ["id", "iterations"], ofReference: [] },
+    { key: "depth", label: "Depth", ofFrame: ["id", "depth"], ofReference: [] },
+    { key: "failing", label: "Share of failing techniques", ofFrame: ["failing"], ofReference: [] },
+  ];
+}
+
+const kPlaneWords: { [plane: string]: string } = {
+  color: "no colour",
+  id: "no object numbers",
+  depth: "no depth",
+  normal_angle: "no normals",
+  fetches: "look-ups aren't counted",
+  iterations: "iterations aren't counted",
+};
+
+/** Why the layer can't be shown of the frame; undefined if it can. */
+export function reasonAgainst(report: ReportData, layer: LayerInfo, frame: FrameEntry): string | undefined {
+  if (frame.kind === "summary" && layer.key !== "failing") return "not of all techniques together";
+  if (frame.kind !== "summary" && layer.key === "failing") return "only of all techniques together";
+  if (frame.kind === "reference" && layer.key === "depth_error") return "the reference against itself";
+  const lacking = layer.ofFrame.find((plane) => !frame.layers.includes(plane));
+  if (lacking) return kPlaneWords[lacking] ?? "no such shadow";
+  const reference = referenceOf(report);
+  const lackingThere = layer.ofReference.find((plane) => !reference.layers.includes(plane));
+  return lackingThere ? `${kPlaneWords[lackingThere] ?? "no such shadow"} in the reference` : undefined;
+}
+
+export function referenceOf(report: ReportData): FrameEntry {
+  const reference = report.frames.find((frame) => frame.kind === "reference");
+  if (!reference) throw new Error("the report holds no reference");
+  return reference;
+}
+
+export function frameLabel(frame: FrameEntry): string {
+  switch (frame.kind) {
+    case "reference":
+      return "Reference";
+    case "proxy":
+      return "Reference on the proxy";
+    case "summary":
+      return "All techniques";
+    case "technique":
+      return frame.name;
+  }
+}

@@ -1,0 +1,87 @@
+// Layers in colour.
+import { divergingColor, greyColor, palette, sequentialColor, type Packed } from "./colormaps";
+import type { ReportData } from "../data";
+import { roundedUp } from "./numbers";
+import type { Reading } from "./readings";
+
+/** Values at the two ends of the colour map. */
+export type Range = readonly [low: number, high: number];
+
+export interface Painting {
+  /** Packed, row 0 = top. */
+  pixels: Uint32Array<ArrayBuffer>;
+  /** Pixels in each of the reading's categories. */
+  counts: number[];
+}
+
+/** Colour of a value; NaN isn't given one. */
+export function mappedColor(map: Reading["map"], value: number, [low, high]: Range): Packed {
+  switch (map) {
+    case "picture":
+      return value;
+    case "diverging":
+      return divergingColor(value / high);
+    case "sequential":
+      return sequentialColor((value - low) / (high - low));
+    case "grey":
+      return greyColor((value - low) / (high - low));
+    case "none":
+      return palette.invalid;
+  }
+}
+
+export function paintLayer(reading: Reading, range: Range, pixelCount: number): Painting {
+  const pixels = new Uint32Array(pixelCount);
+  const counts = reading.categories.map(() => 0);
+  const colors = reading.categories.map((category) => category.color);
+  for (let pixel = 0; pixel < pixelCount; ++pixel) {
+    const category = reading.categoryAt(pixel);
+    if (category >= 0) {
+      pixels[pixel] = colors[category];
+      ++counts[category];
+    } else {
+      pixels[pixel] = mappedColor(reading.map, reading.valueAt(pixel), range);
+    }
+  }
+  return { pixels, counts };
+}
+
+/** Share of the pixels that full colour leaves out to begin with: a few wild values would pale all the rest. */
+const kBeyondRange = 0.01;
+
+const ranges = new WeakMap<Reading, Range>();
+
+/** From 0 to what all but the wildest values stay below, rounded up; of depths from the nearest to the farthest. */
+function rangeOfValues(reading: Reading, pixelCount: number): Range {
+  const values = new Float64Array(pixelCount);
+  let count = 0;
+  for (let pixel = 0; pixel < pixelCount; ++pixel) if (reading.categoryAt(pixel) < 0) values[count++] = reading.valueAt(pixel);
+  const sorted = values.subarray(0, count).sort();
+  if (count === 0) return [0, 1];
+  if (reading.map === "grey") return [sorted[0], sorted[count - 1]];
+  return [0, roundedUp(sorted[Math.floor((count - 1) * (1 - kBeyondRange))])];
+}
+
+/** The range that holds the own ranges of all these readings of one layer; never empty. */
+function sharedRange(readings: readonly Reading[], pixelCount: number): Range {
+  let [low, high] = [Infinity, -Infinity];
+  for (const reading of readings) {
+    const range = ranges.get(reading) ?? rangeOfValues(reading, pixelCount);
+    ranges.set(reading, range);
+    low = Math.min(low, range[0]);
+    high = Math.max(high, range[1]);
+  }
+  return low < high ? [low, high] : [low, low + 1];
+}
+
+/** Of one layer before anybody chose a range: the same for all panes of it, so that they compare. */
+export function usualRange(report: ReportData, readings: readonly Reading[]): Range {
+  const [first] = readings;
+  if (first.map === "none" || first.map === "picture") return [0, 1];
+  if (first.layer === "failing") return [0, report.failing.of];
+  if (first.layer !== "depth_error") return sharedRange(readings, report.width * report.height);
+  const { world } = report.depth_range;
+  const reliefs = report.objects.flatMap(({ relief_depth }) => relief_depth ?? []);
+  const end = first.unit === "world units" ? world : world / Math.min(...reliefs);
+  return [-end, end];
+}

@@ -1,0 +1,166 @@
+// What the viewer shows, and its way into the page's state (state.ts) and back.
+import type { FrameEntry, ReportData } from "../data";
+import { getState, updateState } from "../state";
+import { layersOf, reasonAgainst, referenceOf, type LayerKey } from "./layers";
+import type { Range } from "./paint";
+import type { DepthUnit } from "./readings";
+import type { Camera } from "./zoom";
+
+export const arrangements = ["side", "wipe", "flicker", "blend"] as const;
+export type Arrangement = (typeof arrangements)[number];
+
+export interface PaneChoice {
+  frame: string;
+  layer: LayerKey;
+}
+
+export interface Settings {
+  /** The technique the standard panes show; "" in a report without. */
+  technique: string;
+  /** The technique it is held against in them; "": none. */
+  against: string;
+  arrangement: Arrangement;
+  /** Panes side by side. Wipe, flicker and blend take the first two. */
+  paneCount: number;
+  panes: PaneChoice[];
+  camera: Camera;
+  unit: DepthUnit;
+  /** Ends of colour maps that somebody chose, by rangeKey(). */
+  ranges: { [key: string]: Range };
+  /** The pixel held with the crosshair, from the left and the top. */
+  held: { x: number; y: number } | null;
+  /** Of flicker: whether the second pane is seen. */
+  second: boolean;
+  /** Share of the width the first pane has, and how much of the second is seen, 0 to 1. */
+  wipe: number;
+  opacity: number;
+}
+
+export const kMostPanes = 4;
+/** CSS pixels of width below which panes stand one below the other, as viewer.css has it. */
+const kNarrowPx = 700;
+
+function usualPaneCount(): "2" | "4" {
+  return window.innerWidth < kNarrowPx ? "2" : "4";
+}
+
+export function rangeKey(layer: LayerKey, unit: DepthUnit): string {
+  return layer === "depth_error" && unit === "relief" ? "depth_error.relief" : layer;
+}
+
+/** What is looked at first of a technique: itself beside the truth, then where the silhouette and the depth differ; of two, in turn. */
+export function standardPanes(report: ReportData, technique: string, against: string): PaneChoice[] {
+  const reference = referenceOf(report).name;
+  if (!technique) return Array.from({ length: kMostPanes }, () => ({ frame: reference, layer: "color" }));
+  const panes: PaneChoice[] = against
+    ? [
+        { frame: technique, layer: "color" },
+        { frame: against, layer: "color" },
+        { frame: technique, layer: "depth_error" },
+        { frame: against, layer: "depth_error" },
+      ]
+    : [
+        { frame: reference, layer: "color" },
+        { frame: technique, layer: "color" },
+        { frame: technique, layer: "silhouette" },
+        { frame: technique, layer: "depth_error" },
+      ];
+  return panes.map((pane) => possiblePane(report, pane));
+}
+
+/** The same frame with a layer that it has: the one asked for if it can be, else the first in the order of the menu. */
+export function possiblePane(report: ReportData, { frame, layer }: PaneChoice): PaneChoice {
+  const entry = report.frames.find(({ name }) => name === frame) as FrameEntry;
+  const possible = layersOf(report).filter((info) => reasonAgainst(report, info, entry) === undefined);
+  return { frame, layer: (possible.find(({ key }) => key === layer) ?? possible[0])?.key ?? layer };
+}
+
+/** As the page's state has it. What can't be is left at its default and told in `refused`. */
+export function readSettings(report: ReportData): Settings & { refused: string[] } {
+  const refused: string[] = [];
+  const techniques = report.frames.filter(({ kind }) => kind === "technique").map(({ name }) => name);
+  const oneOf = <Value extends string>(key: string, values: readonly Value[], otherwise: Value): Value => {
+    const text = getState(key);
+    if (text === undefined) return otherwise;
+    if ((values as readonly string[]).includes(text)) return text as Value;
+    refused.push(`${key}=${text}`);
+    return otherwise;
+  };
+  const numbers = (key: string, count: number, low: number, high: number): number[] | undefined => {
+    const text = getState(key);
+    if (text === undefined) return undefined;
+    const read = text.split(",").map(Number);
+    if (read.length === count && read.every((value) => value >= low && value <= high)) return read;
+    refused.push(`${key}=${text}`);
+    return undefined;
+  };
+
+  const technique = oneOf("t", techniques, techniques[0] ?? "");
+  const against = oneOf("vs", techniques, "");
+  const panes = standardPanes(report, technique, against).map((standard, index) => {
+    const wanted = {
+      frame: oneOf(`f${index + 1}`, report.frames.map(({ name }) => name), standard.frame),
+      layer: oneOf(`l${index + 1}`, layersOf(report).map(({ key }) => key), standard.layer),
+    };
+    const possible = possiblePane(report, wanted);
+    if (getState(`l${index + 1}`) === wanted.layer && possible.layer !== wanted.layer) refused.push(`l${index + 1}=${wanted.layer}`);
+    return possible;
+  });
+  const [scale, x, y] = numbers("zoom", 3, 0, 1e9) ?? [1, report.width / 2, report.height / 2];
+  const held = numbers("pixel", 2, 0, 1e9);
+  const ranges: { [key: string]: Range } = {};
+  for (const { key } of layersOf(report)) {
+    for (const unit of ["world", "relief"] as const) {
+      const ends = numbers(`range.${rangeKey(key, unit)}`, 2, -1e9, 1e9);
+      if (ends && ends[0] < ends[1]) ranges[rangeKey(key, unit)] = [ends[0], ends[1]];
+    }
+  }
+  return {
+    technique,
+    against,
+    arrangement: oneOf("view", arrangements, "side"),
+    paneCount: Number(oneOf("n", ["1", "2", "3", "4"], usualPaneCount())),
+    panes,
+    camera: { scale, x, y },
+    unit: oneOf("unit", ["world", "relief"], "world"),
+    ranges,
+    held: held && held[0] < report.width && held[1] < report.height ? { x: Math.floor(held[0]), y: Math.floor(held[1]) } : null,
+    second: oneOf("side", ["1", "2"], "1") === "2",
+    wipe: numbers("wipe", 1, 0, 1)?.[0] ?? 0.5,
+    opacity: numbers("opacity", 1, 0, 1)?.[0] ?? 0.5,
+    refused,
+  };
+}
+
+/** Everything that isn't as it would be without. */
+export function writeSettings(report: ReportData, settings: Settings): void {
+  const unless = (usual: boolean, text: string | number) => (usual ? undefined : String(text));
+  const { camera, held } = settings;
+  const changes: { [key: string]: string | undefined } = {
+    t: unless(settings.technique === (report.frames.find(({ kind }) => kind === "technique")?.name ?? ""), settings.technique),
+    vs: unless(settings.against === "", settings.against),
+    view: unless(settings.arrangement === "side", settings.arrangement),
+    n: unless(String(settings.paneCount) === usualPaneCount(), settings.paneCount),
+    zoom: unless(
+      camera.scale === 1 && camera.x === report.width / 2 && camera.y === report.height / 2,
+      `${camera.scale},${camera.x},${camera.y}`,
+    ),
+    unit: unless(settings.unit === "world", settings.unit),
+    pixel: held ? `${held.x},${held.y}` : undefined,
+    side: unless(!settings.second, 2),
+    wipe: unless(settings.wipe === 0.5, settings.wipe),
+    opacity: unless(settings.opacity === 0.5, settings.opacity),
+  };
+  standardPanes(report, settings.technique, settings.against).forEach((standard, index) => {
+    const pane = settings.panes[index];
+    changes[`f${index + 1}`] = unless(pane.frame === standard.frame, pane.frame);
+    changes[`l${index + 1}`] = unless(pane.layer === standard.layer, pane.layer);
+  });
+  for (const { key } of layersOf(report)) {
+    for (const unit of ["world", "relief"] as const) {
+      const ends = settings.ranges[rangeKey(key, unit)];
+      changes[`range.${rangeKey(key, unit)}`] = ends && ends.join(",");
+    }
+  }
+  updateState(changes);
+}
