@@ -99,11 +99,10 @@ export interface Layer {
   components: number;
   values: Float32Array;
 }
+/** A frame's layers as far as they are unpacked. */
 export class FrameData {
-  constructor(
-    readonly name: string,
-    private readonly layers: Map<string, Layer>,
-  ) {}
+  readonly layers = new Map<LayerName, Layer>();
+  constructor(readonly name: string) {}
   get(name: LayerName): Layer | undefined {
     return this.layers.get(name);
   }
@@ -126,31 +125,41 @@ window.plumblineFrame = (file, frame) => {
   waiting.delete(file);
 };
 
-/** Frames by name, each loaded and unpacked once. */
+interface LoadedFrame {
+  data: FrameData;
+  stored: StoredFrame;
+  unpacked: Map<LayerName, Promise<void>>;
+}
+
+/** Frames by name: each is loaded once, each of its layers unpacked once, when it is asked for. */
 export class FrameStore {
-  private readonly loaded = new Map<string, Promise<FrameData>>();
+  private readonly loaded = new Map<string, Promise<LoadedFrame>>();
 
   constructor(private readonly report: ReportData) {}
 
-  /** Rejects with a sentence for a person if the frame's file is missing or damaged. */
-  load(name: string): Promise<FrameData> {
-    let promise = this.loaded.get(name);
-    if (!promise) {
-      promise = this.unpackFrame(name);
-      this.loaded.set(name, promise);
-      promise.catch(() => this.loaded.delete(name));
-    }
-    return promise;
-  }
-
-  private async unpackFrame(name: string): Promise<FrameData> {
+  /** The frame with at least those of these layers that it has. Rejects with a sentence for a person if its file is missing or damaged. */
+  async load(name: string, layers: readonly LayerName[]): Promise<FrameData> {
     const entry = this.report.frames.find((frame) => frame.name === name);
     if (!entry) throw new Error(`there is no frame '${name}'`);
-    const stored = await loadStored(entry.file);
-    const layers = new Map<string, Layer>();
-    for (const layer of entry.layers)
-      layers.set(layer, await unpack(stored[layer], this.report.width * this.report.height, `${name}, ${layer}`));
-    return new FrameData(name, layers);
+    let loading = this.loaded.get(name);
+    if (!loading) {
+      loading = loadStored(entry.file).then((stored) => ({ data: new FrameData(name), stored, unpacked: new Map() }));
+      this.loaded.set(name, loading);
+      loading.catch(() => this.loaded.delete(name));
+    }
+    const frame = await loading;
+    await Promise.all(layers.filter((layer) => entry.layers.includes(layer)).map((layer) => this.unpackOnce(frame, layer)));
+    return frame.data;
+  }
+
+  private unpackOnce({ data, stored, unpacked }: LoadedFrame, layer: LayerName): Promise<void> {
+    let unpacking = unpacked.get(layer);
+    if (!unpacking) {
+      const pixels = this.report.width * this.report.height;
+      unpacking = unpack(stored[layer], pixels, `${data.name}, ${layer}`).then((values) => void data.layers.set(layer, values));
+      unpacked.set(layer, unpacking);
+    }
+    return unpacking;
   }
 }
 
@@ -173,26 +182,50 @@ function loadStored(file: string): Promise<StoredFrame> {
 /** Undoes the packing: base64, zlib, differences between neighbouring bytes, bytes of equal weight side by side (most significant first). */
 async function unpack(stored: StoredLayer | undefined, pixels: number, what: string): Promise<Layer> {
   if (!stored) throw new Error(`${what}: the plane is missing`);
-  const packed = Uint8Array.from(atob(stored.data), (letter) => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
-  const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
-  const size = { u8: 1, u16: 2, f32: 4 }[stored.type];
-  const count = pixels * stored.components;
+  const { type, components, scale = 1 } = stored;
+  const bytes = await inflate(stored.data, what);
+  const size = { u8: 1, u16: 2, f32: 4 }[type];
+  const count = pixels * components;
   if (bytes.length !== count * size) throw new Error(`${what}: ${bytes.length} bytes instead of ${count * size}`);
-  for (let at = 1; at < bytes.length; ++at) bytes[at] = (bytes[at] + bytes[at - 1]) & 255;
-
-  const values = new Float32Array(count);
-  if (stored.type === "f32") {
-    const bits = new Uint32Array(values.buffer);
-    for (let at = 0; at < count; ++at)
-      bits[at] = (bytes[at] << 24) | (bytes[count + at] << 16) | (bytes[2 * count + at] << 8) | bytes[3 * count + at];
-    return { components: stored.components, values };
-  }
+  undoDifferences(bytes);
+  if (type === "f32") return { components, values: floatsOf(bytes, count) };
   const none = stored.has_none ? (size === 1 ? 255 : 65535) : -1;
-  const scale = stored.scale ?? 1;
+  return { components, values: wholesOf(bytes, count, size, scale, none) };
+}
+
+async function inflate(base64: string, what: string): Promise<Uint8Array> {
+  try {
+    const letters = atob(base64);
+    const packed = new Uint8Array(letters.length);
+    for (let at = 0; at < packed.length; ++at) packed[at] = letters.charCodeAt(at);
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  } catch (error) {
+    throw new Error(`${what}: the data is damaged`, { cause: error });
+  }
+}
+
+function undoDifferences(bytes: Uint8Array): void {
+  let value = 0;
+  for (let at = 0; at < bytes.length; ++at) {
+    value = (value + bytes[at]) & 255;
+    bytes[at] = value;
+  }
+}
+
+function floatsOf(bytes: Uint8Array, count: number): Float32Array {
+  const values = new Float32Array(count);
+  const bits = new Uint32Array(values.buffer);
+  for (let at = 0; at < count; ++at)
+    bits[at] = (bytes[at] << 24) | (bytes[count + at] << 16) | (bytes[2 * count + at] << 8) | bytes[3 * count + at];
+  return values;
+}
+
+function wholesOf(bytes: Uint8Array, count: number, size: number, scale: number, none: number): Float32Array {
+  const values = new Float32Array(count);
   for (let at = 0; at < count; ++at) {
     const whole = size === 1 ? bytes[at] : (bytes[at] << 8) | bytes[count + at];
     values[at] = whole === none ? NaN : whole * scale;
   }
-  return { components: stored.components, values };
+  return values;
 }

@@ -18,6 +18,8 @@ export interface LayerInfo {
   /** Planes it takes of the frame and of the reference. */
   ofFrame: LayerName[];
   ofReference: LayerName[];
+  /** Of the reference, where it has it. */
+  uncertain?: LayerName;
 }
 
 /** Every layer of the report in the order of the menus, a shadow for each light of the reference. */
@@ -25,13 +27,14 @@ export function layersOf(report: ReportData): LayerInfo[] {
   const lights = referenceOf(report).layers.filter((layer): layer is `shadow.${string}` => layer.startsWith("shadow."));
   return [
     { key: "color", label: "Colour", ofFrame: ["color"], ofReference: [] },
-    { key: "silhouette", label: "Silhouette difference", ofFrame: ["id"], ofReference: ["id"] },
+    { key: "silhouette", label: "Silhouette difference", ofFrame: ["id"], ofReference: ["id"], uncertain: "uncertain" },
     { key: "depth_error", label: "Depth error", ofFrame: ["id", "depth"], ofReference: ["id", "depth"] },
     ...lights.map((light): LayerInfo => ({
       key: light,
       label: `Shadow difference, ${light.slice("shadow.".length)}`,
       ofFrame: ["id", light],
       ofReference: ["id", light],
+      uncertain: `uncertain.${light}`,
     })),
     { key: "normal_angle", label: "Normal angle", ofFrame: ["id", "normal_angle"], ofReference: [] },
     { key: "fetches", label: "Look-ups", ofFrame: ["id", "fetches"], ofReference: [] },

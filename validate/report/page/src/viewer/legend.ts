@@ -53,7 +53,7 @@ export class Legend {
     const linear = reading.map === "grey" ? usual : null;
     if (linear) this.low = new RangeEnd("lightest at", where, usual[0], linear, tell);
     this.high = new RangeEnd(linear ? "darkest at" : "full colour at", where, usual[1], linear, tell);
-    const reset = make("button", { type: "button", click: () => this.onRange(undefined), "aria-label": `Usual range, ${where}` }, "Reset");
+    const reset = make("button", { type: "button", click: () => this.onRange(undefined), "aria-label": `Reset range, ${where}` }, "Reset");
     this.controls.replaceChildren(...(this.low ? [this.low.element] : []), this.high.element, reset);
   }
 

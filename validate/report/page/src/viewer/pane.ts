@@ -14,6 +14,8 @@ export interface PaneEvents {
   setRange(layer: Reading["layer"], range: Range | undefined): void;
 }
 
+/** Planes that the read-out tells of any frame. */
+const kReadPlanes = ["id", "depth"] as const;
 /** CSS pixels of the crosshair's box at the least. */
 const kBoxPx = 11;
 
@@ -21,14 +23,15 @@ export class Pane {
   readonly element: HTMLElement;
   /** What zooms and listens to pointers and keys. */
   readonly view: HTMLElement;
-  readonly canvas = make("canvas");
+  /** Holds the canvas, as large as the view: what a wipe cuts and a blend thins. */
+  readonly picture: HTMLElement;
+  private readonly canvas = make("canvas");
   /** What is shown, once it is loaded; the one before while it isn't. */
   reading: Reading | null = null;
   frame: FrameData | null = null;
   private choice: PaneChoice = { frame: "", layer: "color" };
   private unit: DepthUnit = "world";
   private paintedWith = "";
-  private readonly source = document.createElement("canvas");
   private readonly name = make("span", { class: "pane-name" });
   private readonly frameMenu: HTMLSelectElement;
   private readonly layerMenu: HTMLSelectElement;
@@ -44,7 +47,8 @@ export class Pane {
   ) {
     this.frameMenu = make("select", { "aria-label": `Pane ${index + 1}: frame`, change: () => this.chosen() });
     this.layerMenu = make("select", { "aria-label": `Pane ${index + 1}: layer`, change: () => this.chosen() });
-    this.view = make("div", { class: "pane-view", tabindex: 0, role: "application" }, this.canvas, this.crosshair, this.status);
+    this.picture = make("div", { class: "pane-picture" }, this.canvas);
+    this.view = make("div", { class: "pane-view", tabindex: 0, role: "application" }, this.picture, this.crosshair, this.status);
     this.legend = new Legend(index, (range) => this.reading && events.setRange(this.reading.layer, range));
     this.element = make(
       "div",
@@ -53,8 +57,8 @@ export class Pane {
       this.view,
       this.legend.element,
     );
-    this.source.width = report.width;
-    this.source.height = report.height;
+    this.canvas.width = report.width;
+    this.canvas.height = report.height;
     this.view.style.aspectRatio = `${report.width} / ${report.height}`;
   }
 
@@ -82,11 +86,12 @@ export class Pane {
     }
   }
 
-  private async loadFrames(choice: PaneChoice) {
+  private async loadFrames(choice: PaneChoice): Promise<[FrameData, FrameData]> {
     const layer = layersOf(this.report).find(({ key }) => key === choice.layer);
-    const frame = this.store.load(choice.frame);
-    // Layers of the frame alone don't wait for the reference, nor fail with it.
-    const reference = layer?.ofReference.length ? this.store.load(referenceOf(this.report).name) : frame;
+    if (!layer) throw new Error(`there is no layer '${choice.layer}'`);
+    const frame = this.store.load(choice.frame, [...layer.ofFrame, ...kReadPlanes]);
+    if (layer.ofReference.length === 0) return [await frame, await frame]; // it doesn't wait for the reference, nor fail with it
+    const reference = this.store.load(referenceOf(this.report).name, [...layer.ofReference, ...(layer.uncertain ? [layer.uncertain] : [])]);
     return Promise.all([frame, reference]);
   }
 
@@ -102,15 +107,14 @@ export class Pane {
     this.paintedWith = key;
     const painting = paintLayer(reading, range, this.report.width * this.report.height);
     const image = new ImageData(new Uint8ClampedArray(painting.pixels.buffer), this.report.width, this.report.height);
-    this.source.getContext("2d")?.putImageData(image, 0, 0);
+    this.canvas.getContext("2d")?.putImageData(image, 0, 0);
     this.legend.show(reading, range, usual, painting.counts);
   }
 
   draw(zoom: SharedZoom, cursor: { x: number; y: number } | null): void {
     const { scale, left, top } = zoom.placement(this.view);
-    const { width, height } = zoom.size(this.view);
-    if (width === 0) return;
-    this.drawPicture(scale, left, top, width, height);
+    if (zoom.size(this.view).width === 0) return;
+    this.drawPicture(scale, left, top);
     this.drawCrosshair(cursor, scale, left, top);
     const camera = zoom.get();
     this.element.dataset.scale = String(camera.scale);
@@ -118,29 +122,10 @@ export class Pane {
     this.element.dataset.y = String(camera.y);
   }
 
-  private drawPicture(scale: number, left: number, top: number, width: number, height: number): void {
-    const density = window.devicePixelRatio;
-    const [wide, high] = [Math.round(width * density), Math.round(height * density)];
-    if (this.canvas.width !== wide || this.canvas.height !== high) {
-      this.canvas.width = wide;
-      this.canvas.height = high;
-    }
-    const context = this.canvas.getContext("2d");
-    if (!context) return;
-    context.setTransform(1, 0, 0, 1, 0, 0);
-    context.clearRect(0, 0, wide, high);
-    if (!this.reading) return;
-    // The part in sight, in whole pixels of the frame.
-    const { width: columns, height: rows } = this.source;
-    const x0 = Math.max(0, Math.floor(-left / scale));
-    const y0 = Math.max(0, Math.floor(-top / scale));
-    const x1 = Math.min(columns, Math.ceil((width - left) / scale));
-    const y1 = Math.min(rows, Math.ceil((height - top) / scale));
-    if (x1 <= x0 || y1 <= y0) return;
-    const s = scale * density;
-    context.imageSmoothingEnabled = s < 1; // shrunk, single pixels must not vanish; enlarged, they stay squares
-    context.setTransform(s, 0, 0, s, left * density, top * density);
-    context.drawImage(this.source, x0, y0, x1 - x0, y1 - y0, x0, y0, x1 - x0, y1 - y0);
+  /** The canvas holds the frame pixel for pixel and is painted only anew; the compositor moves it, which holds the frame rate without a GPU. */
+  private drawPicture(scale: number, left: number, top: number): void {
+    this.canvas.style.transform = `translate(${left}px, ${top}px) scale(${scale})`;
+    this.canvas.style.imageRendering = scale * window.devicePixelRatio < 1 ? "auto" : "pixelated"; // shrunk, single pixels must not vanish
   }
 
   private drawCrosshair(cursor: { x: number; y: number } | null, scale: number, left: number, top: number): void {

@@ -28,7 +28,7 @@ export interface Reading {
 
 const kNothing: Category = { label: "nothing there", color: palette.nothing };
 const kInvalid: Category = { label: "not a finite number", color: palette.invalid };
-const kUnshared: Category = { label: "another object or none in one of the two", color: palette.unshared };
+const kUnshared: Category = { label: "not the same object in both", color: palette.unshared };
 
 /** Throws where a plane it needs is missing. */
 export function readLayer(report: ReportData, layer: LayerKey, frame: FrameData, reference: FrameData, unit: DepthUnit): Reading {

@@ -38,11 +38,13 @@ export class Readout {
     );
     while (this.rows.rows.length > panes.length) this.rows.deleteRow(-1);
     while (this.rows.rows.length < panes.length)
-      this.rows.append(make("tr", {}, make("th", { scope: "row" }), make("td"), make("td"), make("td")));
+      this.rows.append(make("tr", {}, make("th", { scope: "row" }, make("b"), make("span")), make("td"), make("td"), make("td")));
     panes.forEach((pane, index) => {
       const cells = this.rows.rows[index].cells;
       const at = pixel ? pixel.y * this.report.width + pixel.x : -1;
-      setText(cells[0], `${pane.name} ${pane.title}`);
+      const [name, title] = cells[0].children;
+      setText(name, pane.name);
+      setText(title, pane.title);
       setText(cells[1], at < 0 || !pane.frame ? "" : objectText(this.report, pane.frame, at));
       setText(cells[2], at < 0 || !pane.frame ? "" : depthText(pane.frame, at));
       setText(cells[3], at < 0 || !pane.reading ? "" : valueText(this.report, pane.reading, pane.frame, at));

@@ -86,14 +86,15 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
     refused.push(`${key}=${text}`);
     return otherwise;
   };
-  const numbers = (key: string, count: number, low: number, high: number): number[] | undefined => {
+  const numbers = (key: string, count: number, areGood: (...values: number[]) => boolean): number[] | undefined => {
     const text = getState(key);
     if (text === undefined) return undefined;
     const read = text.split(",").map(Number);
-    if (read.length === count && read.every((value) => value >= low && value <= high)) return read;
+    if (read.length === count && read.every(Number.isFinite) && areGood(...read)) return read;
     refused.push(`${key}=${text}`);
     return undefined;
   };
+  const share = (key: string) => numbers(key, 1, (value) => value >= 0 && value <= 1)?.[0] ?? 0.5;
 
   const technique = oneOf("t", techniques, techniques[0] ?? "");
   const against = oneOf("vs", techniques, "");
@@ -106,13 +107,16 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
     if (getState(`l${index + 1}`) === wanted.layer && possible.layer !== wanted.layer) refused.push(`l${index + 1}=${wanted.layer}`);
     return possible;
   });
-  const [scale, x, y] = numbers("zoom", 3, 0, 1e9) ?? [1, report.width / 2, report.height / 2];
-  const held = numbers("pixel", 2, 0, 1e9);
+  const [scale, x, y] = numbers("zoom", 3, (wanted) => wanted >= 1) ?? [1, report.width / 2, report.height / 2];
+  const isPixel = (column: number, row: number) =>
+    [column, row].every(Number.isInteger) && column >= 0 && row >= 0 && column < report.width && row < report.height;
+  const held = numbers("pixel", 2, isPixel);
   const ranges: { [key: string]: Range } = {};
   for (const { key } of layersOf(report)) {
     for (const unit of ["world", "relief"] as const) {
-      const ends = numbers(`range.${rangeKey(key, unit)}`, 2, -1e9, 1e9);
-      if (ends && ends[0] < ends[1]) ranges[rangeKey(key, unit)] = [ends[0], ends[1]];
+      const areEnds = (low: number, high: number) => low < high && (key !== "depth_error" || low === -high);
+      const ends = unit === "world" || key === "depth_error" ? numbers(`range.${rangeKey(key, unit)}`, 2, areEnds) : undefined;
+      if (ends) ranges[rangeKey(key, unit)] = [ends[0], ends[1]];
     }
   }
   return {
@@ -124,10 +128,10 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
     camera: { scale, x, y },
     unit: oneOf("unit", ["world", "relief"], "world"),
     ranges,
-    held: held && held[0] < report.width && held[1] < report.height ? { x: Math.floor(held[0]), y: Math.floor(held[1]) } : null,
+    held: held ? { x: held[0], y: held[1] } : null,
     second: oneOf("side", ["1", "2"], "1") === "2",
-    wipe: numbers("wipe", 1, 0, 1)?.[0] ?? 0.5,
-    opacity: numbers("opacity", 1, 0, 1)?.[0] ?? 0.5,
+    wipe: share("wipe"),
+    opacity: share("opacity"),
     refused,
   };
 }

@@ -5,6 +5,7 @@ import { arrangements, kMostPanes, type Arrangement, type Settings } from "./set
 
 export interface ToolbarEvents {
   chooseTechniques(technique: string, against: string): void;
+  standardPanes(): void;
   arrange(arrangement: Arrangement, paneCount: number): void;
   setUnit(unit: Settings["unit"]): void;
   setOpacity(opacity: number): void;
@@ -75,6 +76,7 @@ export class Toolbar {
       { class: "toolbar", role: "group", "aria-label": "What the panes show" },
       make("label", { class: "field" }, "Technique ", this.technique),
       make("label", { class: "field" }, "against ", this.against),
+      make("button", { type: "button", click: () => events.standardPanes() }, "Standard panes"),
       arranging,
       this.countGroup,
       this.flicker.element,

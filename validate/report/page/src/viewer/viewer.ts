@@ -11,6 +11,7 @@ import type { Reading } from "./readings";
 import { Readout, type ReadPane } from "./readout";
 import {
   kMostPanes,
+  possiblePane,
   rangeKey,
   readSettings,
   standardPanes,
@@ -55,6 +56,7 @@ class Viewer {
       report,
       {
         chooseTechniques: (technique, against) => this.chooseTechniques(technique, against),
+        standardPanes: () => this.showStandardPanes(),
         arrange: (arrangement, paneCount) => this.change({ arrangement, paneCount }),
         setUnit: (unit) => this.change({ unit }),
         setOpacity: (opacity) => this.change({ opacity }),
@@ -112,18 +114,33 @@ class Viewer {
     return settings;
   }
 
-  /** From outside: another module, or an address. A technique alone brings the panes it is looked at in. */
+  /** From outside: another module, or an address. */
   private stateChanged(changed: ReadonlySet<string>): void {
     if (this.isWriting) return;
-    this.settings = this.readState();
-    if (changed.size === 1 && changed.has("t")) this.chooseTechniques(this.settings.technique, this.settings.against);
-    this.zoom.set(this.settings.camera);
+    const settings = this.readState();
+    if (changed.size === 1 && changed.has("t")) {
+      this.chooseTechniques(settings.technique, this.settings.against);
+      return;
+    }
+    this.settings = settings;
+    this.zoom.set(settings.camera);
     void this.showAll();
   }
 
+  /** Panes of the techniques so far take up the new ones with the layers they have. */
   private chooseTechniques(technique: string, chosenAgainst: string): void {
+    const old = this.settings;
     const against = chosenAgainst === technique ? "" : chosenAgainst;
-    this.change({ technique, against, panes: standardPanes(this.report, technique, against) });
+    const successors = new Map([[old.against, against], [old.technique, technique]]);
+    const isSameKind = (against === "") === (old.against === "") && old.panes.some(({ frame }) => frame === old.technique);
+    const panes = isSameKind
+      ? old.panes.map(({ frame, layer }) => possiblePane(this.report, { frame: successors.get(frame) ?? frame, layer }))
+      : standardPanes(this.report, technique, against);
+    this.change({ technique, against, panes });
+  }
+
+  private showStandardPanes(): void {
+    this.change({ panes: standardPanes(this.report, this.settings.technique, this.settings.against) });
   }
 
   private change(changes: Partial<Settings>): void {
@@ -156,12 +173,12 @@ class Viewer {
     const { settings, shownPanes } = this;
     this.toolbar.show(settings);
     this.arrangePanes();
-    await Promise.all(
-      shownPanes.map(async (pane, index) => {
-        await pane.show(settings.panes[index], settings.unit, this.paneName(index));
-        this.paintAll();
-      }),
-    );
+    const show = async (pane: Pane, index: number) => {
+      await pane.show(settings.panes[index], settings.unit, this.paneName(index));
+      this.paintAll();
+    };
+    await show(shownPanes[0], 0); // alone, so that there is a picture soon
+    await Promise.all(shownPanes.slice(1).map((pane, i) => show(pane, i + 1)));
   }
 
   private paneName(index: number): string {
@@ -173,11 +190,12 @@ class Viewer {
     this.grid.dataset.view = arrangement;
     this.grid.dataset.count = String(this.isStacked ? 1 : paneCount);
     this.panes.forEach((pane, index) => (pane.element.hidden = index >= this.shownPanes.length));
+    this.panes[0].view.inert = this.isStacked; // it lies under the second
     this.divider.hidden = arrangement !== "wipe";
     this.divider.value = String(wipe);
     this.divider.setAttribute("aria-valuetext", `${Math.round(100 * wipe)} % A`);
     this.grid.style.setProperty("--wipe", String(wipe));
-    const [first, top] = this.panes.map((pane) => pane.canvas.style);
+    const [first, top] = this.panes.map((pane) => pane.picture.style);
     first.visibility = arrangement === "flicker" && second ? "hidden" : "";
     top.visibility = arrangement === "flicker" && !second ? "hidden" : "";
     top.opacity = arrangement === "blend" ? String(opacity) : "";
