@@ -1,0 +1,42 @@
+// Scales, ticks and figures as all plots show them.
+import type { ScaleOptions } from "@observablehq/plot";
+
+/** From here on a scale is logarithmic: largest / smallest. */
+const kSpansDecades = 10;
+/** Decades from which on ticks are powers of ten alone. */
+const kManyDecades = 2.5;
+
+export const kPlotStyle = "font-size: 12px; overflow: visible";
+
+export function formatFigure(value: number): string {
+  if (value !== 0 && (Math.abs(value) < 1e-4 || Math.abs(value) >= 1e6)) return value.toExponential(2);
+  return String(Number(value.toPrecision(4)));
+}
+
+export function formatPercent(share: number): string {
+  return `${formatFigure(100 * share)} %`;
+}
+
+export function withUnit(label: string, unit: string): string {
+  return unit === "" || unit === "1" ? label : `${label} (${unit})`;
+}
+
+/** Logarithmic where the values are positive and span a decade or more. */
+export function scaleFor(values: number[]): ScaleOptions {
+  const [low, high] = [Math.min(...values), Math.max(...values)];
+  if (!(low > 0 && high / low >= kSpansDecades)) return { type: "linear", nice: true, tickFormat: formatFigure };
+  return logScale(low / 1.15, high * 1.15);
+}
+
+export function logScale(low: number, high: number): ScaleOptions {
+  return { type: "log", domain: [low, high], ticks: logTicks(low, high), tickFormat: formatFigure };
+}
+
+/** 1, 2, 5 of each decade, or the decades alone where there are many. */
+function logTicks(low: number, high: number): number[] {
+  const steps = Math.log10(high / low) > kManyDecades ? [1] : [1, 2, 5];
+  const ticks: number[] = [];
+  for (let decade = Math.floor(Math.log10(low)); decade <= Math.log10(high); ++decade)
+    for (const step of steps) ticks.push(Number(`${step}e${decade}`));
+  return ticks.filter((tick) => tick >= low && tick <= high);
+}

@@ -1,0 +1,113 @@
+// The share of pixels whose depth is off by more than a threshold, over thresholds: a curve a technique. Scharstein and Szeliski
+// (2002), "A taxonomy and evaluation of dense two-frame stereo correspondence algorithms", take it at one threshold.
+import * as Plot from "@observablehq/plot";
+import { selectAll } from "d3-selection";
+import type { ReportData } from "../data";
+import { getState, setState } from "../state";
+import { formatFigure, formatPercent, kPlotStyle, logScale } from "./axes";
+import { toggle } from "./controls";
+import { type Highlight, highlightOf, kColorOf, kStateA, roleOf } from "./highlight";
+import { plotFigure } from "./plot_figure";
+
+interface Sample {
+  name: string;
+  threshold: number;
+  share: number;
+}
+
+const kTitle = "Pixels off by more than a threshold";
+const kLogKey = "plot.badpix";
+const kOthers = "others";
+/** Those of the metrics badpix_1pct, badpix_5pct and badpix_25pct. */
+const kNamedThresholds = [0.01, 0.05, 0.25];
+
+export function addBadpixPlot(report: ReportData, root: HTMLElement, showFailing: () => void): () => void {
+  const samples = samplesOf(report);
+  if (samples.length === 0) return () => {};
+  const figure = plotFigure(root, kTitle, "badpix.svg", (width) => draw(report, samples, highlightOf(report), width));
+  figure.controls.append(toggle("Logarithmic share", kLogKey));
+  figure.notes.append(
+    "Depth errors in relief depths, over pixels that show the same object in both frames. Which pixels those are: ",
+    failingButton(report, showFailing),
+  );
+  return figure.redraw;
+}
+
+function samplesOf(report: ReportData): Sample[] {
+  return report.frames.flatMap(({ name, badpix }) =>
+    (badpix ?? []).map((share, index) => ({ name, threshold: report.curves.thresholds[index], share })),
+  );
+}
+
+function failingButton(report: ReportData, showFailing: () => void): HTMLElement {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "inline";
+  button.textContent = "view the share of techniques that fail at each pixel";
+  button.title = report.failing.meaning;
+  button.addEventListener("click", showFailing);
+  return button;
+}
+
+function draw(report: ReportData, samples: Sample[], highlight: Highlight, width: number): SVGSVGElement {
+  const logarithmic = getState(kLogKey) === "1";
+  const shown = logarithmic ? samples.filter(({ share }) => share > 0) : samples;
+  const { thresholds } = report.curves;
+  const lowest = Math.min(1, ...shown.map(({ share }) => share));
+  const of = (role: string) => shown.filter(({ name }) => roleOf(name, highlight) === role);
+  const curve = (role: "a" | "b" | "other", strokeWidth: number, strokeDasharray?: string, className?: string) =>
+    Plot.line(of(role), {
+      x: "threshold",
+      y: "share",
+      z: "name",
+      stroke: kColorOf[role],
+      strokeWidth,
+      strokeDasharray,
+      className,
+    });
+  const svg = Plot.plot({
+    width,
+    height: Math.round(Math.min(380, Math.max(280, 0.55 * width))),
+    marginLeft: 58,
+    marginBottom: 40,
+    style: kPlotStyle,
+    ariaLabel: `${kTitle}: share of pixels over thresholds of depth error, ${highlight.a}${highlight.b && ` and ${highlight.b}`} standing out.`,
+    x: {
+      ...logScale(thresholds[0], thresholds[thresholds.length - 1]),
+      label: "threshold of |depth error| (relief depths)",
+      grid: true,
+    },
+    y: logarithmic
+      ? { ...logScale(lowest, 1), tickFormat: formatPercent, label: "share of pixels, low is good", grid: true }
+      : { domain: [0, 1], tickFormat: formatPercent, label: "share of pixels, low is good", grid: true },
+    marks: [
+      Plot.ruleX(kNamedThresholds, { stroke: "var(--quiet)", strokeDasharray: "2,3" }),
+      curve("other", 1, undefined, kOthers),
+      curve("b", 2.25, "6,3"),
+      curve("a", 2.25),
+      Plot.tip(
+        shown,
+        Plot.pointer({
+          x: "threshold",
+          y: "share",
+          className: "transient",
+          fill: "var(--card)",
+          title: ({ name, threshold, share }: Sample) =>
+            `${name}\n${formatPercent(share)} off by more than ${formatFigure(threshold)}`,
+        }),
+      ),
+    ],
+  }) as SVGSVGElement & { value: Sample | null };
+  const others = of("other");
+  svg.addEventListener("input", () => {
+    // Plot binds to each path the indices of its samples.
+    selectAll<SVGPathElement, number[]>(svg.querySelectorAll<SVGPathElement>(`.${kOthers} path`)).classed(
+      "hovered",
+      (indices) => others[indices[0]].name === svg.value?.name,
+    );
+  });
+  svg.addEventListener("click", () => {
+    if (svg.value) setState(kStateA, svg.value.name);
+  });
+  return svg;
+}

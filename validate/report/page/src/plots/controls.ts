@@ -1,0 +1,65 @@
+// Controls of the plots, each bound to a key of the page's state.
+import { getState, onStateChange, setState } from "../state";
+
+export interface Option {
+  value: string;
+  text: string;
+  /** Options of a group stand together under its name. */
+  group?: string;
+}
+
+/** `fallback` is what is chosen while the state says nothing, or nothing that is offered. */
+export function chooser(label: string, key: string, options: Option[], fallback: () => string): HTMLLabelElement {
+  const select = document.createElement("select");
+  const groups = new Map<string, HTMLOptGroupElement>();
+  for (const { value, text, group } of options) {
+    const option = new Option(text, value);
+    if (group === undefined) {
+      select.append(option);
+      continue;
+    }
+    let parent = groups.get(group);
+    if (!parent) {
+      parent = document.createElement("optgroup");
+      parent.label = group;
+      groups.set(group, parent);
+      select.append(parent);
+    }
+    parent.append(option);
+  }
+  const show = () => {
+    select.value = chosen(key, options, fallback);
+  };
+  select.addEventListener("change", () => setState(key, select.value));
+  onStateChange(show);
+  show();
+  return labelled(label, select);
+}
+
+export function chosen(key: string, options: Option[], fallback: () => string): string {
+  const value = getState(key);
+  return value !== undefined && options.some((option) => option.value === value) ? value : fallback();
+}
+
+/** Kept as "1" when on. */
+export function toggle(label: string, key: string): HTMLLabelElement {
+  const box = document.createElement("input");
+  box.type = "checkbox";
+  const show = () => {
+    box.checked = getState(key) === "1";
+  };
+  box.addEventListener("change", () => setState(key, box.checked ? "1" : undefined));
+  onStateChange(show);
+  show();
+  const whole = labelled(label, box);
+  whole.className = "toggle";
+  return whole;
+}
+
+function labelled(text: string, control: HTMLElement): HTMLLabelElement {
+  const label = document.createElement("label");
+  const name = document.createElement("span");
+  name.textContent = text;
+  label.append(name, control);
+  return label;
+}

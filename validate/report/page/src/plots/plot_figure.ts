@@ -1,0 +1,57 @@
+// The frame of a plot: heading, controls, drawing as wide as there is room, notes below, a button that saves it.
+import { saveSvg } from "./svg_file";
+
+export interface PlotFigure {
+  controls: HTMLElement;
+  /** Below the drawing; the owner's. */
+  notes: HTMLElement;
+  redraw(): void;
+}
+
+/** Width of a saved plot, pixels, whatever the page's. */
+const kSavedWidthPx = 720;
+
+/** `draw` makes the SVG for a width in pixels, undefined where there is nothing to show. */
+export function plotFigure(
+  root: HTMLElement,
+  title: string,
+  fileName: string,
+  draw: (widthPx: number) => SVGSVGElement | undefined,
+): PlotFigure {
+  const figure = document.createElement("figure");
+  figure.className = "plot";
+  const heading = document.createElement("h3");
+  heading.textContent = title;
+  const controls = document.createElement("div");
+  controls.className = "plot-controls";
+  const save = document.createElement("button");
+  save.type = "button";
+  save.textContent = "Save SVG";
+  save.setAttribute("aria-label", `Save SVG: ${title}`);
+  save.addEventListener("click", () => {
+    const svg = draw(kSavedWidthPx);
+    if (svg) saveSvg(svg, title, fileName);
+  });
+  const drawing = document.createElement("div");
+  drawing.className = "plot-drawing";
+  const notes = document.createElement("figcaption");
+  const head = document.createElement("div");
+  head.className = "plot-head";
+  head.append(heading, save);
+  figure.append(head, controls, drawing, notes);
+  root.append(figure);
+
+  let drawnWidth = 0;
+  const redraw = () => {
+    const width = Math.floor(drawing.clientWidth);
+    if (width === 0) return;
+    drawnWidth = width;
+    const svg = draw(width);
+    save.disabled = !svg;
+    drawing.replaceChildren(svg ?? "Nothing to show: no figures.");
+  };
+  new ResizeObserver(() => {
+    if (Math.floor(drawing.clientWidth) !== drawnWidth) redraw();
+  }).observe(drawing);
+  return { controls, notes, redraw };
+}

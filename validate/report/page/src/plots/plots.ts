@@ -1,0 +1,43 @@
+// The section of plots: the techniques that stand out chosen once for all of them, then one figure each.
+import "./plots.css";
+import type { ReportData } from "../data";
+import { onStateChange } from "../state";
+import { addBadpixPlot } from "./badpix_plot";
+import { chooser } from "./controls";
+import { addCostPlot } from "./cost_plot";
+import { defaultA, highlightOptions, kStateA, kStateB } from "./highlight";
+import { addHistogramPlot } from "./histogram_plot";
+
+/** Keys of the state that change a plot; "t" is the viewer's technique. */
+const kKeys = ["t", kStateA, kStateB, "plot.quality", "plot.cost", "plot.badpix", "plot.histogram"];
+
+/** `showFailing`: shows in the viewer how many techniques fail at each pixel. */
+export function drawPlots(report: ReportData, root: HTMLElement, showFailing: () => void): void {
+  const heading = document.createElement("h2");
+  heading.textContent = "Plots";
+  root.append(heading, highlightBar(report));
+  const grid = document.createElement("div");
+  grid.className = "plots";
+  root.append(grid);
+  const redraws = [addCostPlot(report, grid), addBadpixPlot(report, grid, showFailing), addHistogramPlot(report, grid)];
+  const redraw = () => {
+    for (const each of redraws) each();
+  };
+
+  onStateChange((changed) => {
+    if (kKeys.some((key) => changed.has(key))) redraw();
+  });
+  redraw();
+}
+
+function highlightBar(report: ReportData): HTMLElement {
+  const options = highlightOptions(report);
+  const bar = document.createElement("div");
+  bar.className = "plot-controls";
+  const a = chooser("A stands out", kStateA, options, () => defaultA(report, options));
+  const b = chooser("against B", kStateB, [{ value: "", text: "none" }, ...options], () => "");
+  a.classList.add("is-a");
+  b.classList.add("is-b");
+  bar.append(a, b);
+  return bar;
+}

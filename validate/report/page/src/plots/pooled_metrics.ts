@@ -1,0 +1,63 @@
+// The metrics of the results as the plots choose among them: pooled over objects, those of shadows one for each light.
+import type { Group, MetricInfo, ReportData, TechniqueResult } from "../data";
+
+export interface PooledMetric {
+  /** As "depth.rmse_relief" or "shadow.sun.agreement". */
+  key: string;
+  label: string;
+  unit: string;
+  better: MetricInfo["better"];
+  valueOf(technique: TechniqueResult): number | undefined;
+  /** Why there is no value, in words. */
+  reasonOf(technique: TechniqueResult): string;
+}
+
+export function pooledMetrics(report: ReportData): PooledMetric[] {
+  const lights = [...new Set(report.results.techniques.flatMap(({ shadow }) => Object.keys(shadow ?? {})))];
+  return report.metrics.flatMap((info) => {
+    const [group, ...path] = info.key.split(".");
+    if (group !== "shadow") return [pooledMetric(info, info.key, info.label, path, (technique) => groupOf(technique, group))];
+    return lights.map((light) =>
+      pooledMetric(info, ["shadow", light, ...path].join("."), `${info.label}, ${light}`, path, ({ shadow }) => shadow?.[light]),
+    );
+  });
+}
+
+/** Those that at least one technique has. */
+export function metricsWithValues(metrics: PooledMetric[], report: ReportData): PooledMetric[] {
+  return metrics.filter((metric) => report.results.techniques.some((technique) => metric.valueOf(technique) !== undefined));
+}
+
+/** How far from the best, for a comparison of two: of what is better low the size counts, a bias has a sign. */
+export function merit(metric: PooledMetric, value: number): number {
+  return metric.better === "high" ? value : -Math.abs(value);
+}
+
+function groupOf(technique: TechniqueResult, group: string): Group | undefined {
+  return (technique as unknown as { [group: string]: Group | undefined })[group];
+}
+
+function pooledMetric(
+  info: MetricInfo,
+  key: string,
+  label: string,
+  path: string[],
+  group: (technique: TechniqueResult) => Group | undefined,
+): PooledMetric {
+  const { unit, better } = info;
+  return {
+    key,
+    label,
+    unit,
+    better,
+    valueOf(technique) {
+      let value: unknown = group(technique);
+      for (const step of path) value = (value as Group | undefined)?.[step];
+      return typeof value === "number" && Number.isFinite(value) ? value : undefined;
+    },
+    reasonOf(technique) {
+      if (technique.error) return "failed";
+      return group(technique)?.absent?.[path.join(".")] ?? "not in the results";
+    },
+  };
+}

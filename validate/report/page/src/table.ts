@@ -1,0 +1,114 @@
+// The program's table of metrics, made sortable: heads become buttons, the choice is kept in the URL. Absent figures stay last in
+// either direction; the first press puts the better ones first, the second the worse ones, the third the program's order.
+import "./table.css";
+import { getState, onStateChange, setState } from "./state";
+
+type Direction = "asc" | "desc";
+interface Sorting {
+  key: string;
+  direction: Direction;
+}
+interface Column {
+  key: string;
+  head: HTMLTableCellElement;
+  /** Of a row, to be sorted by; undefined where the figure is absent. */
+  valueOf(row: HTMLTableRowElement): number | string | undefined;
+  /** Direction that puts the better figures first. */
+  first: Direction;
+}
+
+const kNameKey = "technique";
+
+/** `show`: called with the technique a person wants to see in the viewer. */
+export function enhanceTable(root: HTMLElement, show: (technique: string) => void): void {
+  const table = root.querySelector("table");
+  const body = table?.tBodies[0];
+  if (!table?.tHead || !body) return;
+  const columns = [...table.tHead.rows[0].cells].map(columnOf);
+  const original = [...body.rows];
+
+  const apply = () => {
+    const sorting = parseSorting(getState("sort"), columns);
+    body.append(...sortRows(original, columns, sorting));
+    for (const column of columns)
+      if (sorting?.key === column.key)
+        column.head.setAttribute("aria-sort", sorting.direction === "asc" ? "ascending" : "descending");
+      else column.head.removeAttribute("aria-sort");
+  };
+  for (const column of columns)
+    addButton(column, () => {
+      const next = nextSorting(column, parseSorting(getState("sort"), columns));
+      setState("sort", next && `${next.key}:${next.direction}`);
+    });
+  for (const row of original) addShowButton(row, show);
+  onStateChange((changed) => {
+    if (changed.has("sort")) apply();
+  });
+  apply();
+}
+
+function columnOf(head: HTMLTableCellElement, index: number): Column {
+  if (index === 0) return { key: kNameKey, head, valueOf: (row) => row.dataset.technique, first: "asc" };
+  const better = head.dataset.better;
+  return {
+    key: head.dataset.key ?? `column-${index}`,
+    head,
+    first: better === "high" ? "desc" : "asc",
+    valueOf(row) {
+      const text = row.cells[index]?.dataset.value;
+      if (text === undefined || text === "") return undefined;
+      // Of what is better near nothing, a bias for one, the size counts.
+      const value = better === "low" ? Math.abs(Number(text)) : Number(text);
+      return Number.isNaN(value) ? undefined : value;
+    },
+  };
+}
+
+function parseSorting(text: string | undefined, columns: Column[]): Sorting | undefined {
+  const colon = text?.lastIndexOf(":") ?? -1;
+  if (text === undefined || colon < 0) return undefined;
+  const [key, direction] = [text.slice(0, colon), text.slice(colon + 1)];
+  if (direction !== "asc" && direction !== "desc") return undefined;
+  return columns.some((column) => column.key === key) ? { key, direction } : undefined;
+}
+
+function nextSorting(column: Column, present: Sorting | undefined): Sorting | undefined {
+  if (present?.key !== column.key) return { key: column.key, direction: column.first };
+  if (present.direction !== column.first) return undefined;
+  return { key: column.key, direction: column.first === "asc" ? "desc" : "asc" };
+}
+
+/** Stable: rows of equal figures keep the program's order, in either direction. */
+function sortRows(rows: HTMLTableRowElement[], columns: Column[], sorting: Sorting | undefined): HTMLTableRowElement[] {
+  const column = columns.find((candidate) => candidate.key === sorting?.key);
+  if (!column || !sorting) return rows;
+  const sign = sorting.direction === "asc" ? 1 : -1;
+  return rows
+    .map((row) => ({ row, value: column.valueOf(row) }))
+    .sort((a, b) => {
+      if (a.value === undefined || b.value === undefined) return Number(a.value === undefined) - Number(b.value === undefined);
+      return a.value === b.value ? 0 : a.value < b.value ? -sign : sign;
+    })
+    .map(({ row }) => row);
+}
+
+function addButton(column: Column, press: () => void): void {
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "sort";
+  button.append(...column.head.childNodes);
+  button.addEventListener("click", press);
+  column.head.append(button);
+}
+
+function addShowButton(row: HTMLTableRowElement, show: (technique: string) => void): void {
+  const technique = row.dataset.technique;
+  if (technique === undefined || row.querySelector("td.error")) return;
+  const button = document.createElement("button");
+  button.type = "button";
+  button.className = "show";
+  button.textContent = "view";
+  button.setAttribute("aria-label", `View ${technique}`);
+  button.addEventListener("click", () => show(technique));
+  row.cells[0].prepend(button);
+}
