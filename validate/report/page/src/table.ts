@@ -17,8 +17,6 @@ interface Column {
   first: Direction;
 }
 
-const kNameKey = "technique";
-
 /** `show`: called with the technique a person wants to see in the viewer. */
 export function enhanceTable(root: HTMLElement, show: (technique: string) => void): void {
   const table = root.querySelector("table");
@@ -48,10 +46,11 @@ export function enhanceTable(root: HTMLElement, show: (technique: string) => voi
 }
 
 function columnOf(head: HTMLTableCellElement, index: number): Column {
-  if (index === 0) return { key: kNameKey, head, valueOf: (row) => row.dataset.technique, first: "asc" };
+  const key = head.dataset.key ?? `column-${index}`;
+  if (index === 0) return { key, head, valueOf: (row) => row.dataset.technique, first: "asc" };
   const better = head.dataset.better;
   return {
-    key: head.dataset.key ?? `column-${index}`,
+    key,
     head,
     first: better === "high" ? "desc" : "asc",
     valueOf(row) {

@@ -21,15 +21,13 @@ const kOthers = "others";
 /** Those of the metrics badpix_1pct, badpix_5pct and badpix_25pct. */
 const kNamedThresholds = [0.01, 0.05, 0.25];
 
-export function addBadpixPlot(report: ReportData, root: HTMLElement, showFailing: () => void): () => void {
+export function addBadpixPlot(report: ReportData, root: HTMLElement, showFailing?: () => void): () => void {
   const samples = samplesOf(report);
   if (samples.length === 0) return () => {};
   const figure = plotFigure(root, kTitle, "badpix.svg", (width) => draw(report, samples, highlightOf(report), width));
   figure.controls.append(toggle("Logarithmic share", kLogKey));
-  figure.notes.append(
-    "Depth errors in relief depths, over pixels that show the same object in both frames. Which pixels those are: ",
-    failingButton(report, showFailing),
-  );
+  figure.notes.append("Depth errors in relief depths, over pixels that show the same object in both frames. ");
+  if (showFailing) figure.notes.append("Which pixels those are: ", failingButton(report, showFailing));
   return figure.redraw;
 }
 

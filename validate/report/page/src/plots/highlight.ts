@@ -1,6 +1,5 @@
 // The techniques that stand out in every plot: A, and B to hold it against; all others are grey.
 import type { ReportData } from "../data";
-import { getState } from "../state";
 import { chosen, type Option } from "./controls";
 
 export interface Highlight {
@@ -25,10 +24,8 @@ export function highlightOf(report: ReportData): Highlight {
   return { a, b: b === a ? "" : b };
 }
 
-/** The viewer's technique, or else the one whose depth is best. */
+/** The one whose depth is best. */
 export function defaultA(report: ReportData, options: Option[]): string {
-  const viewed = getState("t");
-  if (options.some(({ value }) => value === viewed)) return viewed as string;
   let best: { name: string; rmse: number } | undefined;
   for (const { name, depth } of report.results.techniques) {
     const rmse = depth?.rmse_relief;

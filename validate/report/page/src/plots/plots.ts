@@ -8,11 +8,11 @@ import { addCostPlot } from "./cost_plot";
 import { defaultA, highlightOptions, kStateA, kStateB } from "./highlight";
 import { addHistogramPlot } from "./histogram_plot";
 
-/** Keys of the state that change a plot; "t" is the viewer's technique. */
-const kKeys = ["t", kStateA, kStateB, "plot.quality", "plot.cost", "plot.badpix", "plot.histogram"];
+/** Keys of the state that change a plot. */
+const kKeys = [kStateA, kStateB, "plot.quality", "plot.cost", "plot.badpix", "plot.histogram"];
 
-/** `showFailing`: shows in the viewer how many techniques fail at each pixel. */
-export function drawPlots(report: ReportData, root: HTMLElement, showFailing: () => void): void {
+/** `showFailing`: shows in the viewer how many techniques fail at each pixel; undefined where that isn't known. */
+export function drawPlots(report: ReportData, root: HTMLElement, showFailing?: () => void): void {
   const heading = document.createElement("h2");
   heading.textContent = "Plots";
   root.append(heading, highlightBar(report));
