@@ -16,6 +16,8 @@ export interface TechniqueResult {
   parameters: { [key: string]: string };
   gl: { backend: string; renderer: string };
   error: string | null;
+  /** Of what shows how much of an error isn't the technique's: it doesn't compete. */
+  control?: boolean;
   silhouette?: Group;
   depth?: Group;
   shadow?: { [light: string]: Group };

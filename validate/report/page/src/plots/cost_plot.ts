@@ -1,20 +1,22 @@
-// Quality against cost: every technique a point, the Pareto front as a staircase, its members named and listed.
+// Quality against cost: every technique a point, the Pareto front as a staircase, its members named and listed. Controls are drawn
+// but don't compete.
 import * as Plot from "@observablehq/plot";
 import type { ReportData, TechniqueResult } from "../data";
 import { setState } from "../state";
 import { formatFigure, kPlotStyle, scaleFor, withUnit } from "./axes";
 import { chosen, chooser, type Option } from "./controls";
 import { type Highlight, highlightOf, kColorOf, kStateA, roleOf } from "./highlight";
-import { placeLabels } from "./labels";
+import { pointLabels } from "./point_labels";
 import { paretoFront } from "./pareto";
 import { plotFigure } from "./plot_figure";
-import { merit, metricsWithValues, type PooledMetric, pooledMetrics } from "./pooled_metrics";
+import { merit, metricsWithValues, type PooledMetric, pooledMetrics, withoutIntervals } from "./pooled_metrics";
 
 interface Point {
   name: string;
   cost: number;
   quality: number;
   merit: number;
+  control: boolean;
 }
 
 const kTitle = "Quality against cost";
@@ -25,7 +27,7 @@ const kFirstCost = "cost.fetches_mean";
 
 /** Returns what redraws it. */
 export function addCostPlot(report: ReportData, root: HTMLElement): () => void {
-  const metrics = metricsWithValues(pooledMetrics(report), report);
+  const metrics = metricsWithValues(withoutIntervals(pooledMetrics(report)), report);
   const qualities = metrics.filter(({ key, better }) => better !== "" && !key.startsWith("cost."));
   const costs = metrics.filter(({ key }) => key.startsWith("cost."));
   if (qualities.length === 0 || costs.length === 0) return () => {};
@@ -69,17 +71,23 @@ function pointsOf(techniques: TechniqueResult[], quality: PooledMetric, cost: Po
   return techniques.flatMap((technique) => {
     const [x, y] = [cost.valueOf(technique), quality.valueOf(technique)];
     if (x === undefined || y === undefined) return [];
-    return [{ name: technique.name, cost: x, quality: y, merit: merit(quality, y) }];
+    return [{ name: technique.name, cost: x, quality: y, merit: merit(quality, y), control: technique.control ?? false }];
   });
 }
 
+function frontOf(points: Point[]): Point[] {
+  return paretoFront(points.filter(({ control }) => !control));
+}
+
 function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highlight: Highlight, width: number): SVGSVGElement {
-  const front = paretoFront(points);
+  const front = frontOf(points);
   const named = points.filter((point) => front.includes(point) || roleOf(point.name, highlight) !== "other");
   const color = (point: Point) => {
     const role = roleOf(point.name, highlight);
     return role === "other" && front.includes(point) ? "var(--text)" : kColorOf[role];
   };
+  const labelColor = ({ name }: Point) =>
+    roleOf(name, highlight) === "other" ? "var(--text)" : kColorOf[roleOf(name, highlight)];
   const svg = Plot.plot({
     width,
     height: Math.round(Math.min(460, Math.max(320, 0.62 * width))),
@@ -103,13 +111,16 @@ function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highli
         x: "cost",
         y: "quality",
         r: 4,
-        symbol: ({ name }: Point) => (roleOf(name, highlight) === "b" ? "square" : "circle"),
+        symbol: ({ name, control }: Point) => (control ? "triangle" : roleOf(name, highlight) === "b" ? "square" : "circle"),
         stroke: color,
         strokeWidth: 1.5,
         fill: (point: Point) =>
           front.includes(point) || roleOf(point.name, highlight) !== "other" ? color(point) : "var(--card)",
       }),
-      labelMark(named, points, highlight, width),
+      pointLabels(
+        named.map((point) => ({ x: point.cost, y: point.quality, text: point.name, color: labelColor(point) })),
+        points.map((point) => ({ x: point.cost, y: point.quality })),
+      ),
       Plot.tip(
         points,
         Plot.pointer({
@@ -130,77 +141,9 @@ function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highli
   return svg;
 }
 
-/** Names of points, with a line to those that had to go further off. */
-function labelMark(named: Point[], points: Point[], highlight: Highlight, width: number): Plot.Markish {
-  return (_index, scales, _values, dimensions) => {
-    const group = svgElement("g", { "font-size": "11", "text-anchor": "start", "stroke-linejoin": "round" });
-    const at = ({ cost, quality }: Point) => ({ x: scales.x?.(cost) as number, y: scales.y?.(quality) as number });
-    const texts = named.map(({ name }) => shortened(name, width));
-    const places = placeLabels(
-      named.map((point, index) => ({ ...at(point), widthPx: textWidthPx(texts[index]) })),
-      points.map(at),
-      {
-        left: dimensions.marginLeft,
-        top: dimensions.marginTop,
-        right: dimensions.width,
-        bottom: dimensions.height - dimensions.marginBottom,
-      },
-    );
-    named.forEach((point, index) => {
-      const place = places[index];
-      if (!place) return;
-      const { x, y } = at(point);
-      const nearest = Math.min(Math.max(x, place.x), place.x + textWidthPx(texts[index]));
-      if (place.apart)
-        group.append(
-          svgElement("line", {
-            x1: `${x}`,
-            y1: `${y}`,
-            x2: `${nearest}`,
-            y2: `${place.y}`,
-            stroke: "var(--plot-other)",
-            "stroke-width": "0.75",
-          }),
-        );
-      const role = roleOf(point.name, highlight);
-      const text = svgElement("text", {
-        x: `${place.x}`,
-        y: `${place.y}`,
-        dy: "0.35em",
-        fill: role === "other" ? "var(--text)" : kColorOf[role],
-        stroke: "var(--card)",
-        "stroke-width": "3",
-        "paint-order": "stroke",
-      });
-      text.textContent = texts[index];
-      group.append(text);
-    });
-    return group;
-  };
-}
-
-function shortened(name: string, width: number): string {
-  const letters = width < 500 ? 26 : 44;
-  return name.length > letters ? `${name.slice(0, letters - 1)}…` : name;
-}
-
-let ruler: CanvasRenderingContext2D | null | undefined;
-function textWidthPx(text: string): number {
-  ruler ??= document.createElement("canvas").getContext("2d");
-  if (!ruler) return 7 * text.length;
-  ruler.font = "11px system-ui, sans-serif";
-  return ruler.measureText(text).width;
-}
-
-function svgElement(name: string, attributes: { [name: string]: string }): SVGElement {
-  const element = document.createElementNS("http://www.w3.org/2000/svg", name);
-  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
-  return element;
-}
-
-/** The front as text, then those left out and why. */
+/** The front as text, then those that can't be on it and why. */
 function notesOf(techniques: TechniqueResult[], quality: PooledMetric, cost: PooledMetric): HTMLElement[] {
-  const front = paretoFront(pointsOf(techniques, quality, cost));
+  const front = frontOf(pointsOf(techniques, quality, cost));
   const title = document.createElement("p");
   title.textContent = "Pareto front, no technique is as good in both and better in one:";
   const list = document.createElement("ol");
@@ -219,12 +162,13 @@ function notesOf(techniques: TechniqueResult[], quality: PooledMetric, cost: Poo
   if (absent.length === 0) return [title, list];
   const note = document.createElement("p");
   note.className = "left-out";
-  note.textContent = `Left out: ${absent.join("; ")}.`;
+  note.textContent = `Not on the front: ${absent.join("; ")}.`;
   return [title, list, note];
 }
 
 function leftOut(techniques: TechniqueResult[], quality: PooledMetric, cost: PooledMetric): string[] {
   return techniques.flatMap((technique) => {
+    if (technique.control) return [`${technique.name} is a control and doesn't compete`];
     const missing = [quality, cost].find((metric) => metric.valueOf(technique) === undefined);
     if (!missing) return [];
     return [

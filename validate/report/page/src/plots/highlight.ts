@@ -24,12 +24,12 @@ export function highlightOf(report: ReportData): Highlight {
   return { a, b: b === a ? "" : b };
 }
 
-/** The one whose depth is best. */
+/** The technique whose depth is best. */
 export function defaultA(report: ReportData, options: Option[]): string {
   let best: { name: string; rmse: number } | undefined;
-  for (const { name, depth } of report.results.techniques) {
+  for (const { name, depth, control } of report.results.techniques) {
     const rmse = depth?.rmse_relief;
-    if (typeof rmse === "number" && (!best || rmse < best.rmse)) best = { name, rmse };
+    if (!control && typeof rmse === "number" && (!best || rmse < best.rmse)) best = { name, rmse };
   }
   return best?.name ?? options[0]?.value ?? "";
 }

@@ -28,6 +28,12 @@ export function metricsWithValues(metrics: PooledMetric[], report: ReportData): 
   return metrics.filter((metric) => report.results.techniques.some((technique) => metric.valueOf(technique) !== undefined));
 }
 
+/** Without the ends of intervals, which say how sure another figure is. */
+export function withoutIntervals(metrics: PooledMetric[]): PooledMetric[] {
+  const keys = new Set(metrics.map(({ key }) => key));
+  return metrics.filter(({ key }) => !/_(low|high)$/.test(key) || !keys.has(key.replace(/_(low|high)$/, "")));
+}
+
 /** How far from the best, for a comparison of two: of what is better low the size counts, a bias has a sign. */
 export function merit(metric: PooledMetric, value: number): number {
   return metric.better === "high" ? value : -Math.abs(value);
