@@ -48,8 +48,11 @@ void addScene(CLI::App& command, std::string& scene, std::vector<std::string>& c
         ->allow_extra_args(false);
 }
 
-void addSingleFile(CLI::App& command, bool& singleFile) {
-    command.add_flag("--single-file", singleFile, "Write the report as one file that holds everything");
+void addReportOptions(CLI::App& command, ReportArguments& arguments) {
+    command.add_flag("--single-file", arguments.singleFile,
+                     "Write the report as one file that holds everything");
+    command.add_flag("--plain-report", arguments.plain,
+                     "Write the report without scripts and plots, every picture as PNG");
 }
 
 /// `bases`: what --base may be.
@@ -165,7 +168,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     validate
         ->add_option("-o", arguments.validate.output, "Folder of the results (default: plumbline-out/SCENE)")
         ->type_name("DIR");
-    addSingleFile(*validate, arguments.validate.singleFile);
+    addReportOptions(*validate, arguments.validate.report);
     addReferenceOptions(*validate, arguments.validate.reference, "limit|proxy|both");
     addRealtimeOptions(*validate, arguments.validate.realtime);
     addThreads(*validate, arguments);
@@ -200,7 +203,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     compare->add_option("TEST", arguments.compare.test, "The frame to judge, EXR")->required();
     compare->add_option("-o", arguments.compare.output, "Folder for results and report")->type_name("DIR");
     compare->add_flag("--json", arguments.compare.json, "Print results.json instead of the table");
-    addSingleFile(*compare, arguments.compare.singleFile);
+    addReportOptions(*compare, arguments.compare.report);
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
     addBake(app, arguments, run);

@@ -1,10 +1,12 @@
-// ./plumbline bench [--section=processes|bakes|harness|stages] [Google Benchmark's options]: whole processes, then baked maps, then what
-// the harness adds to searches, then stages of the reference and their ratios to bare libraries.
+// ./plumbline bench [--section=processes|bakes|harness|surfaces|report|stages] [Google Benchmark's options]: whole processes, then baked maps, then what
+// the harness adds to searches, then what a report costs, then stages of the reference and their ratios to bare libraries.
 #include "../../scenes/scene_file.h"
 #include "bake_bench.h"
 #include "harness_bench.h"
 #include "process_bench.h"
+#include "report_bench.h"
 #include "stage_bench.h"
+#include "temporary_folder.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -20,6 +22,7 @@ namespace {
 using plumbline::ProcessResult;
 using plumbline::runProcess;
 using plumbline::StageResult;
+using plumbline::TemporaryFolder;
 
 constexpr double kValidateSecondsAim = 30; // every technique on every surface
 
@@ -35,19 +38,6 @@ constexpr ReferenceRun kReferenceRuns[] = {{16, 64, "none"},
                                            {16, 256, "2.5 s, 450 MB"},
                                            {16, 512, "none"},
                                            {24, 512, "finishes, 2500 MB"}};
-
-struct TemporaryFolder {
-    std::filesystem::path path;
-    TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "plumbline-bench-XXXXXX").string();
-        if (!mkdtemp(pattern.data())) throw std::runtime_error("can't make a folder in " + pattern);
-        path = pattern;
-    }
-    ~TemporaryFolder() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
-    }
-};
 
 void printRatios(const std::map<std::string, StageResult>& stages) {
     fmt::print("\n{:<20}{:>14}{:>14}{:>12}{:>12}{:>16}{:>14}{:>16}\n", "stone_torus, rate", "tessellated",
@@ -160,9 +150,9 @@ std::string takeSection(int& argc, char** argv) {
         if (argument.rfind(option, 0) != 0) continue;
         const std::string name = argument.substr(option.size());
         if (name != "processes" && name != "bakes" && name != "harness" && name != "surfaces" &&
-            name != "stages")
+            name != "report" && name != "stages")
             throw std::runtime_error("--section=" + name +
-                                     "; expected processes, bakes, harness, surfaces or stages");
+                                     "; expected processes, bakes, harness, surfaces, report or stages");
         std::copy(argv + i + 1, argv + argc, argv + i);
         --argc;
         return name;
@@ -184,6 +174,7 @@ int main(int argc, char** argv) {
 #ifdef PLUMBLINE_GL
         if (wanted("harness")) plumbline::printHarness();
         if (wanted("surfaces")) plumbline::printSurfaces();
+        if (wanted("report")) plumbline::printReport();
 #endif
         if (wanted("stages")) {
             plumbline::registerStageBenchmarks();

@@ -199,7 +199,7 @@ TEST(ReportData, HoldsNothingThatEndsAScriptElement) {
     Results results = sampleResults(hostile);
     results.scene.name = results.scene.purpose = hostile;
     report::ReportData data;
-    data.frames = {{.name = hostile, .file = "data/" + hostile, .layers = {hostile}}};
+    data.frames = {{.name = hostile, .kind = "technique", .file = "data/" + hostile, .layers = {hostile}}};
     data.objects = {objectWithRelief(1, 0.1)};
     data.objects[0].name = hostile;
     const std::string text = report::reportDataJson(results, data);
@@ -210,8 +210,8 @@ TEST(ReportData, HoldsNothingThatEndsAScriptElement) {
 
 TEST(ReportData, ANameThatIsNotUtf8StaysJson) {
     report::ReportData data;
-    data.frames = {{.name = "caf\xe9", .file = "data/1.js", .layers = {}}};
-    EXPECT_NO_THROW((void)json::parse(report::reportDataJson(sampleResults(), data)));
+    data.frames = {{.name = "caf\xe9", .kind = "technique", .file = "data/1.js", .layers = {}}};
+    EXPECT_TRUE(json::accept(report::reportDataJson(sampleResults(), data)));
 }
 
 } // namespace

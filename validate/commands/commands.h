@@ -46,18 +46,23 @@ struct RealtimeArguments {
     int threads = 0;                                 // 0: as many as the machine has
 };
 
+struct ReportArguments {
+    bool singleFile = false; // index.html alone
+    bool plain = false;      // without scripts, though the program may hold them
+};
+
 struct ValidateArguments {
     ReferenceArguments reference;
     RealtimeArguments realtime;
     std::optional<std::filesystem::path> output; // folder
-    bool singleFile = false;                     // the report
+    ReportArguments report;
 };
 
 struct CompareArguments {
     std::filesystem::path reference, test;
     std::optional<std::filesystem::path> output; // folder
     bool json = false;
-    bool singleFile = false; // the report
+    ReportArguments report;
 };
 
 inline constexpr uint64_t kDefaultCheckRays = 1'000'000;

@@ -4,7 +4,6 @@
 #include "../../scenes/scene_metadata.h"
 #include "../frame_metadata.h"
 #include "../output_files.h"
-#include "../report/report.h"
 #include "shared.h"
 
 #include <fmt/format.h>
@@ -54,7 +53,7 @@ Results compareFiles(const CompareArguments& arguments, const Frame& reference, 
 void writeComparison(const CompareArguments& arguments, const Results& results, const Frame& reference,
                      const Frame& test) {
     const std::filesystem::path folder = *arguments.output;
-    Report report(folder / "report", ReportOptions::possible(arguments.singleFile));
+    Report report(folder / "report", reportOptions(arguments.report));
     report.addReference(reference);
     report.addTechnique(results.techniques[0], reference, test);
     replaceFile(folder / "results.json", toJson(results));

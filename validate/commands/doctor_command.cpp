@@ -27,7 +27,7 @@ std::string memoryText() {
 bool checkData() {
     try {
         printLine(true, "data",
-               fmt::format("{}, {} scenes in the library", dataFolder().string(), libraryScenes().size()));
+                  fmt::format("{}, {} scenes in the library", dataFolder().string(), libraryScenes().size()));
         return true;
     } catch (const std::runtime_error& error) {
         printLine(false, "data", error.what());
@@ -54,11 +54,12 @@ void reportCache() {
     const std::optional<std::filesystem::path> folder = bakeCacheFolder();
     if (!folder) {
         printLine(false, "cache",
-               "none of PLUMBLINE_CACHE, XDG_CACHE_HOME and HOME is set: baked maps aren't kept");
+                  "none of PLUMBLINE_CACHE, XDG_CACHE_HOME and HOME is set: baked maps aren't kept");
         return;
     }
     if (!canBeWritten(*folder)) {
-        printLine(false, "cache", fmt::format("{} can't be written: baked maps aren't kept", folder->string()));
+        printLine(false, "cache",
+                  fmt::format("{} can't be written: baked maps aren't kept", folder->string()));
         return;
     }
     size_t maps = 0;
@@ -74,8 +75,8 @@ void reportCache() {
         bytes += size;
     }
     printLine(true, "cache",
-           fmt::format("{}, {} baked maps, {:.1f} MB; may be deleted at any time", folder->string(), maps,
-                       static_cast<double>(bytes) / 1e6));
+              fmt::format("{}, {} baked maps, {:.1f} MB; may be deleted at any time", folder->string(), maps,
+                          static_cast<double>(bytes) / 1e6));
 }
 
 #ifdef PLUMBLINE_GL
@@ -87,7 +88,7 @@ bool checkGl() {
     }
     if (!any)
         printLine(false, "GL",
-               "nothing works: no 'validate' and no 'realtime'; install libegl1 and libgl1-mesa-dri");
+                  "nothing works: no 'validate' and no 'realtime'; install libegl1 and libgl1-mesa-dri");
     return any;
 }
 
@@ -117,7 +118,8 @@ bool checkTechniques() {
 
 int runDoctor() {
     printLine(true, "program", programName());
-    printLine(true, "machine", fmt::format("{} threads, {}", std::thread::hardware_concurrency(), memoryText()));
+    printLine(true, "machine",
+              fmt::format("{} threads, {}", std::thread::hardware_concurrency(), memoryText()));
     reportCache();
     checkReportPage();
     const bool data = checkData(), techniques = checkTechniques(), gl = checkGl();

@@ -111,6 +111,11 @@ SceneSummary summaryOf(const Scene& scene) {
     return {scene.name, scene.purpose, scene.hash, scene.changes, scene.camera.width, scene.camera.height};
 }
 
+ReportOptions reportOptions(const ReportArguments& arguments) {
+    return {.interactive = !arguments.plain && !report::pageScript().empty(),
+            .singleFile = arguments.singleFile};
+}
+
 std::string reportLine(const std::filesystem::path& page) {
     const std::string_view plain = report::plainReportReason();
     return fmt::format("report: {}\n{}", page.string(),

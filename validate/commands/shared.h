@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../../reference/reference.h"
+#include "../report/report.h"
 #include "../results.h"
 #include "commands.h"
 
@@ -33,6 +34,8 @@ ReferenceOptions referenceOptions(const ReferenceArguments& arguments);
 ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame);
 SceneSummary summaryOf(const Scene& scene);
 
+/// The interactive page where the program holds it and nobody asked for a plain one.
+ReportOptions reportOptions(const ReportArguments& arguments);
 /// Where the report is, and why it is a plain one if it is: a line for stdout.
 std::string reportLine(const std::filesystem::path& page);
 

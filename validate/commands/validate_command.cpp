@@ -5,7 +5,6 @@
 #include "../../scenes/scene_metadata.h"
 #include "../frame_metadata.h"
 #include "../output_files.h"
-#include "../report/report.h"
 #include "shared.h"
 #include "trial.h"
 
@@ -181,7 +180,7 @@ int runValidate(const ValidateArguments& arguments) {
                     references.summary,
                     compareBases(references, scene),
                     {}};
-    Report report(output.report, ReportOptions::possible(arguments.singleFile));
+    Report report(output.report, reportOptions(arguments.report));
     writeReferences(references, results, output, report);
     int exitCode = kExitDone;
     std::set<std::string> warned;

@@ -27,10 +27,6 @@ FramePair pairOf(const Comparison& comparison, const Frame& reference, const Fra
 
 } // namespace
 
-ReportOptions ReportOptions::possible(bool singleFile) {
-    return {!report::pageScript().empty(), singleFile};
-}
-
 Report::Report(std::filesystem::path folder, ReportOptions options)
     : folder_(std::move(folder)), options_(options) {
     if (!options_.interactive || options_.singleFile) return;

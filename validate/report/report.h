@@ -18,11 +18,8 @@ namespace plumbline {
 struct Picture;
 
 struct ReportOptions {
-    bool interactive = true; // needs the page's script: ReportOptions::possible()
+    bool interactive = true; // needs the page's script
     bool singleFile = false;
-
-    /// The interactive page where the program holds it, else the plain one.
-    static ReportOptions possible(bool singleFile);
 };
 
 /// Paints while the frames are there and writes the page from what it painted, so that a run needs to hold
