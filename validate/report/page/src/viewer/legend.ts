@@ -16,6 +16,7 @@ export class Legend {
   private readonly bar = make("div", { class: "color-bar", "aria-hidden": "true" });
   private readonly ends = make("div", { class: "bar-ends" }, make("span"), make("span"), make("span"));
   private readonly controls = make("div", { class: "range-controls" });
+  private readonly note = make("p", { class: "legend-note" });
   private readonly categories = make("ul", { class: "categories" });
   private low: RangeEnd | null = null;
   private high: RangeEnd | null = null;
@@ -42,7 +43,8 @@ export class Legend {
   private build(reading: Reading, usual: Range): void {
     const isContinuous = reading.map !== "none" && reading.map !== "picture";
     this.low = this.high = null;
-    this.element.replaceChildren(...(isContinuous ? [this.bar, this.ends, this.controls] : []), this.categories);
+    this.element.replaceChildren(...(isContinuous ? [this.bar, this.ends, this.controls] : []), this.categories, this.note);
+    setText(this.note, reading.note ?? "");
     if (!isContinuous) return;
     const tell = () => {
       const high = this.high?.value ?? NaN;

@@ -78,7 +78,7 @@ function sharedRange(readings: readonly Reading[], pixelCount: number): Range {
 export function usualRange(report: ReportData, readings: readonly Reading[]): Range {
   const [first] = readings;
   if (first.map === "none" || first.map === "picture") return [0, 1];
-  if (first.layer === "failing") return [0, report.failing.of];
+  if (first.layer === "failing") return [0, Math.max(report.failing.of, 1)];
   if (first.layer !== "depth_error") return sharedRange(readings, report.width * report.height);
   const { world } = report.depth_range;
   const reliefs = report.objects.flatMap(({ relief_depth }) => relief_depth ?? []);

@@ -19,6 +19,8 @@ export interface Reading {
   map: "none" | "diverging" | "sequential" | "grey" | "picture";
   /** Of a value; "" of pictures and categories. */
   unit: string;
+  /** A sentence for the legend. */
+  note?: string;
   categories: Category[];
   /** Index into categories; -1 if the pixel has a value. */
   categoryAt(pixel: number): number;
@@ -115,6 +117,7 @@ function readDepthError(report: ReportData, frame: FrameData, reference: FrameDa
     layer: "depth_error",
     map: "diverging",
     unit: unit === "world" ? "world units" : "relief depths",
+    note: `The usual range: ${report.depth_range.note}`,
     categories: [kNothing, kUnshared, kInvalid, { label: "no relief", color: palette.bothDark }],
     categoryAt: (pixel) => {
       const unshared = unsharedAt(test, truth, pixel);
@@ -183,6 +186,7 @@ function readFailing(report: ReportData, frame: FrameData): Reading {
     layer: "failing",
     map: "sequential",
     unit: `of ${report.failing.of} techniques`,
+    note: `Failing: ${report.failing.meaning}`,
     categories: [{ ...kNothing, label: "none fails" }],
     categoryAt: (pixel) => (counts[pixel] > 0 ? -1 : 0),
     valueAt: (pixel) => counts[pixel],

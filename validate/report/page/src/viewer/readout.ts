@@ -85,7 +85,7 @@ function valueText(report: ReportData, reading: Reading, frame: FrameData | null
     case "depth":
       return `${shortestFloat(value)} world units`;
     case "failing":
-      return `${value} of ${report.failing.of} fail`;
+      return `fails in ${value} of ${report.failing.of} techniques`;
     default:
       return `${shortestFloat(value)} ${reading.unit}`;
   }

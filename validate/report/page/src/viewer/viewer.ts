@@ -170,15 +170,15 @@ class Viewer {
 
   /** Brings everything up to the settings; what isn't loaded yet follows as it comes. */
   private async showAll(): Promise<void> {
-    const { settings, shownPanes } = this;
-    this.toolbar.show(settings);
+    this.toolbar.show(this.settings);
     this.arrangePanes();
     const show = async (pane: Pane, index: number) => {
-      await pane.show(settings.panes[index], settings.unit, this.paneName(index));
+      const { panes, unit } = this.settings; // of now: they may have changed while the first was loading
+      await pane.show(panes[index], unit, this.paneName(index));
       this.paintAll();
     };
-    await show(shownPanes[0], 0); // alone, so that there is a picture soon
-    await Promise.all(shownPanes.slice(1).map((pane, i) => show(pane, i + 1)));
+    await show(this.panes[0], 0); // alone, so that there is a picture soon
+    await Promise.all(this.shownPanes.slice(1).map((pane, i) => show(pane, i + 1)));
   }
 
   private paneName(index: number): string {
