@@ -82,6 +82,6 @@ export function usualRange(report: ReportData, readings: readonly Reading[]): Ra
   if (first.layer !== "depth_error") return sharedRange(readings, report.width * report.height);
   const { world } = report.depth_range;
   const reliefs = report.objects.flatMap(({ relief_depth }) => relief_depth ?? []);
-  const end = first.unit === "world units" ? world : world / Math.min(...reliefs);
+  const end = first.unit === "world units" ? world : world / Math.max(...reliefs);
   return [-end, end];
 }

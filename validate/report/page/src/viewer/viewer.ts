@@ -190,7 +190,7 @@ class Viewer {
     this.grid.dataset.view = arrangement;
     this.grid.dataset.count = String(this.isStacked ? 1 : paneCount);
     this.panes.forEach((pane, index) => (pane.element.hidden = index >= this.shownPanes.length));
-    this.panes[0].view.inert = this.isStacked; // it lies under the second
+    this.panes[1].view.tabIndex = this.isStacked ? -1 : 0; // the first hears for both
     this.divider.hidden = arrangement !== "wipe";
     this.divider.value = String(wipe);
     this.divider.setAttribute("aria-valuetext", `${Math.round(100 * wipe)} % A`);
