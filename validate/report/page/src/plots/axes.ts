@@ -8,6 +8,9 @@ const kManyDecades = 2.5;
 
 export const kPlotStyle = "font-size: 12px; overflow: visible";
 
+/** Of every mark: the plot as a whole has a label, its parts have none. */
+export const kUnspoken = { ariaHidden: "true" };
+
 export function formatFigure(value: number): string {
   if (value !== 0 && (Math.abs(value) < 1e-4 || Math.abs(value) >= 1e6)) return value.toExponential(2);
   return String(Number(value.toPrecision(4)));

@@ -4,7 +4,7 @@ import * as Plot from "@observablehq/plot";
 import { selectAll } from "d3-selection";
 import type { ReportData } from "../data";
 import { getState, setState } from "../state";
-import { formatFigure, formatPercent, kPlotStyle, logScale } from "./axes";
+import { formatFigure, formatPercent, kPlotStyle, kUnspoken, logScale } from "./axes";
 import { toggle } from "./controls";
 import { type Highlight, highlightOf, kColorOf, kStateA, roleOf } from "./highlight";
 import { plotFigure } from "./plot_figure";
@@ -62,6 +62,7 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
       strokeWidth,
       strokeDasharray,
       className,
+      ...kUnspoken,
     });
   const svg = Plot.plot({
     width,
@@ -79,7 +80,7 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
       ? { ...logScale(lowest, 1), tickFormat: formatPercent, label: "share of pixels, low is good", grid: true }
       : { domain: [0, 1], tickFormat: formatPercent, label: "share of pixels, low is good", grid: true },
     marks: [
-      Plot.ruleX(kNamedThresholds, { stroke: "var(--quiet)", strokeDasharray: "2,3" }),
+      Plot.ruleX(kNamedThresholds, { stroke: "var(--quiet)", strokeDasharray: "2,3", ...kUnspoken }),
       curve("other", 1, undefined, kOthers),
       curve("b", 2.25, "6,3"),
       curve("a", 2.25),
@@ -89,6 +90,7 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
           x: "threshold",
           y: "share",
           className: "transient",
+          ...kUnspoken,
           fill: "var(--card)",
           title: ({ name, threshold, share }: Sample) =>
             `${name}\n${formatPercent(share)} off by more than ${formatFigure(threshold)}`,

@@ -9,7 +9,7 @@ export interface Option {
 }
 
 /** `fallback` is what is chosen while the state says nothing, or nothing that is offered. */
-export function chooser(label: string, key: string, options: Option[], fallback: () => string): HTMLLabelElement {
+export function chooser(label: string, key: string, options: Option[], fallback: () => string): HTMLElement {
   const select = document.createElement("select");
   const groups = new Map<string, HTMLOptGroupElement>();
   for (const { value, text, group } of options) {
@@ -33,7 +33,7 @@ export function chooser(label: string, key: string, options: Option[], fallback:
   select.addEventListener("change", () => setState(key, select.value));
   onStateChange(show);
   show();
-  return labelled(label, select);
+  return labelled(label, key, select);
 }
 
 export function chosen(key: string, options: Option[], fallback: () => string): string {
@@ -42,7 +42,7 @@ export function chosen(key: string, options: Option[], fallback: () => string): 
 }
 
 /** Kept as "1" when on. */
-export function toggle(label: string, key: string): HTMLLabelElement {
+export function toggle(label: string, key: string): HTMLElement {
   const box = document.createElement("input");
   box.type = "checkbox";
   const show = () => {
@@ -51,15 +51,17 @@ export function toggle(label: string, key: string): HTMLLabelElement {
   box.addEventListener("change", () => setState(key, box.checked ? "1" : undefined));
   onStateChange(show);
   show();
-  const whole = labelled(label, box);
-  whole.className = "toggle";
+  const whole = labelled(label, key, box);
+  whole.classList.add("toggle");
   return whole;
 }
 
-function labelled(text: string, control: HTMLElement): HTMLLabelElement {
+function labelled(text: string, key: string, control: HTMLElement): HTMLElement {
   const label = document.createElement("label");
-  const name = document.createElement("span");
-  name.textContent = text;
-  label.append(name, control);
-  return label;
+  label.textContent = text;
+  label.htmlFor = control.id = `control-${key}`;
+  const field = document.createElement("div");
+  field.className = "plot-field";
+  field.append(label, control);
+  return field;
 }

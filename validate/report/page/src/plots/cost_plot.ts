@@ -3,7 +3,7 @@
 import * as Plot from "@observablehq/plot";
 import type { ReportData, TechniqueResult } from "../data";
 import { setState } from "../state";
-import { formatFigure, kPlotStyle, scaleFor, withUnit } from "./axes";
+import { formatFigure, kPlotStyle, kUnspoken, scaleFor, withUnit } from "./axes";
 import { chosen, chooser, type Option } from "./controls";
 import { type Highlight, highlightOf, kColorOf, kStateA, roleOf } from "./highlight";
 import { pointLabels } from "./point_labels";
@@ -106,11 +106,12 @@ function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highli
       grid: true,
     },
     marks: [
-      Plot.line(front, { x: "cost", y: "quality", curve: "step-after", stroke: "var(--quiet)", strokeWidth: 1.25 }),
+      Plot.line(front, { x: "cost", y: "quality", curve: "step-after", ...kUnspoken, stroke: "var(--quiet)", strokeWidth: 1.25 }),
       Plot.dot(points, {
         x: "cost",
         y: "quality",
         r: 4,
+        ...kUnspoken,
         symbol: ({ name, control }: Point) => (control ? "triangle" : roleOf(name, highlight) === "b" ? "square" : "circle"),
         stroke: color,
         strokeWidth: 1.5,
@@ -127,6 +128,7 @@ function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highli
           x: "cost",
           y: "quality",
           className: "transient",
+          ...kUnspoken,
           fill: "var(--card)",
           title: ({ name, cost: x, quality: y }: Point) => `${name}\n${formatFigure(x)}, ${formatFigure(y)}`,
         }),

@@ -2,7 +2,7 @@
 import * as Plot from "@observablehq/plot";
 import type { FrameEntry, ReportData } from "../data";
 import { getState } from "../state";
-import { formatFigure, formatPercent, kPlotStyle, logScale } from "./axes";
+import { formatFigure, formatPercent, kPlotStyle, kUnspoken, logScale } from "./axes";
 import { toggle } from "./controls";
 import { highlightOf, kColorOf } from "./highlight";
 import { plotFigure } from "./plot_figure";
@@ -84,13 +84,14 @@ function draw(report: ReportData, outlines: Outline[], width: number): SVGSVGEle
       ? { ...logScale(foot, Math.max(...shares)), tickFormat: formatPercent, label, grid: true }
       : { tickFormat: formatPercent, nice: true, zero: true, label, grid: true },
     marks: [
-      Plot.ruleX([0], { stroke: "var(--quiet)", strokeDasharray: "2,3" }),
+      Plot.ruleX([0], { stroke: "var(--quiet)", strokeDasharray: "2,3", ...kUnspoken }),
       ...outlines.flatMap(({ role, steps }) => [
         Plot.areaY(raised(steps), {
           x: "error",
           y1: foot,
           y2: "share",
           curve: "step-after",
+          ...kUnspoken,
           fill: kColorOf[role],
           fillOpacity: role === "a" ? 0.25 : 0.12,
         }),
@@ -98,6 +99,7 @@ function draw(report: ReportData, outlines: Outline[], width: number): SVGSVGEle
           x: "error",
           y: "share",
           curve: "step-after",
+          ...kUnspoken,
           stroke: kColorOf[role],
           strokeWidth: 1.75,
           strokeDasharray: role === "b" ? "6,3" : undefined,

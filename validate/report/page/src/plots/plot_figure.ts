@@ -47,6 +47,7 @@ export function plotFigure(
     if (width === 0) return;
     drawnWidth = width;
     const svg = draw(width);
+    svg?.setAttribute("role", "img");
     save.disabled = !svg;
     drawing.replaceChildren(svg ?? "Nothing to show: no figures.");
   };

@@ -15,11 +15,14 @@ const kKeys = [kStateA, kStateB, "plot.quality", "plot.cost", "plot.badpix", "pl
 export function drawPlots(report: ReportData, root: HTMLElement, showFailing?: () => void): void {
   const heading = document.createElement("h2");
   heading.textContent = "Plots";
-  root.append(heading, highlightBar(report));
   const grid = document.createElement("div");
   grid.className = "plots";
-  root.append(grid);
+  root.append(heading, highlightBar(report), grid);
   const redraws = [addCostPlot(report, grid), addBadpixPlot(report, grid, showFailing), addHistogramPlot(report, grid)];
+  if (!grid.hasChildNodes()) {
+    root.replaceChildren(heading, "There are no figures to plot.");
+    return;
+  }
   const redraw = () => {
     for (const each of redraws) each();
   };

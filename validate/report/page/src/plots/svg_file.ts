@@ -24,8 +24,9 @@ export function standaloneSvg(svg: SVGSVGElement, title: string): string {
   name.textContent = title;
   copy.prepend(name, background);
   copy.setAttribute("font-size", copy.style.fontSize);
-  copy.removeAttribute("class");
   copy.removeAttribute("style");
+  for (const element of [copy, ...copy.querySelectorAll("*")])
+    for (const attribute of ["class", "role", "aria-label", "aria-hidden"]) element.removeAttribute(attribute);
   copy.setAttribute("font-family", "sans-serif");
   copy.setAttribute("color", "var(--text)");
   copy.setAttribute("fill", "var(--text)");

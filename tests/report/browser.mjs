@@ -1,0 +1,72 @@
+// What the page's tests share: a browser, pages that keep account of what they did, and the values of frames.
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { after } from "node:test";
+import { pathToFileURL } from "node:url";
+import { chromium } from "playwright-core";
+
+/** Folders and programs; run_page_test.sh sets them. */
+const { REPORTS_DIR, CHROMIUM, FRAME_PIXEL } = process.env;
+
+export const reportsFolder = REPORTS_DIR;
+export const reportFile = (name) => `${REPORTS_DIR}/${name}/report/index.html`;
+
+let browser;
+async function startedBrowser() {
+  // No sandbox: tests run as root in containers; the pages are our own.
+  browser ??= await chromium.launch({
+    executablePath: CHROMIUM,
+    args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"],
+  });
+  return browser;
+}
+after(() => browser?.close());
+
+/**
+ * A page with `file` open and loaded. `account` lists what a report must not do: errors, dialogs, requests beyond its folder.
+ * Closes with the test `t`.
+ */
+export async function openReport(t, file, { hash = "", width = 1280, height = 900, colorScheme = "light" } = {}) {
+  const context = await (await startedBrowser()).newContext({ viewport: { width, height }, colorScheme, acceptDownloads: true });
+  t.after(() => context.close());
+  const page = await context.newPage();
+  const account = { errors: [], dialogs: [], requests: [] };
+  page.on("console", (message) => {
+    if (message.type() === "error" || message.type() === "warning") account.errors.push(message.text());
+  });
+  page.on("pageerror", (error) => account.errors.push(String(error)));
+  page.on("dialog", (dialog) => {
+    account.dialogs.push(dialog.message());
+    dialog.dismiss();
+  });
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) account.requests.push(request.url());
+  });
+  await page.goto(pathToFileURL(file) + hash);
+  return { page, account };
+}
+
+/** Until every pane in sight shows its picture, or a text why not. */
+export async function panesSettled(page) {
+  await page.waitForFunction(() => {
+    const panes = [...document.querySelectorAll(".pane:not([hidden])")];
+    return panes.length > 0 && panes.every((pane) => pane.dataset.state === "ready" || pane.dataset.state === "error");
+  });
+  // The picture is drawn in the next frame.
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+/** Writes of the page's state to the address are held back a little. */
+export async function addressHolds(page, text) {
+  await page.waitForFunction((wanted) => decodeURIComponent(location.hash).includes(wanted), text);
+}
+
+/** Floats of a frame's channel at pixels [[x, y], …], read by Plumbline's own reader. */
+export function framePixels(frameFile, channel, pixels) {
+  const out = execFileSync(FRAME_PIXEL, [frameFile, channel, ...pixels.flat().map(String)], { encoding: "utf8" });
+  return out.trim().split("\n").map((text) => (text === "inf" ? Infinity : Math.fround(Number(text))));
+}
+
+export function resultsOf(name) {
+  return JSON.parse(readFileSync(`${REPORTS_DIR}/${name}/results.json`, "utf8"));
+}

@@ -1,0 +1,92 @@
+// The report opens from disk, quietly: no error, no request beyond its folder, nothing run that came as text.
+import assert from "node:assert/strict";
+import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { test } from "node:test";
+import { openReport, panesSettled, reportFile, resultsOf } from "./browser.mjs";
+
+function temporaryFolder(t) {
+  const folder = mkdtempSync(join(tmpdir(), "plumbline-report-"));
+  t.after(() => rmSync(folder, { recursive: true }));
+  return folder;
+}
+
+function expectQuiet({ errors, dialogs, requests }) {
+  assert.deepEqual(errors, []);
+  assert.deepEqual(dialogs, []);
+  assert.deepEqual(requests, []);
+}
+
+test("opens from disk without an error and without a request beyond its folder", async (t) => {
+  const { page, account } = await openReport(t, reportFile("torus"));
+  await panesSettled(page);
+  assert.equal(await page.locator(".pane[data-state=error]").count(), 0);
+  assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);
+  expectQuiet(account);
+  const ms = await page.evaluate(() => document.documentElement.dataset.firstPicture);
+  t.diagnostic(`first picture after ${ms} ms`);
+});
+
+test("an account of a page that does misbehave isn't empty", async (t) => {
+  const file = join(temporaryFolder(t), "index.html");
+  writeFileSync(file, "<img src='http://127.0.0.1:9/x'><script>alert(1); console.error(2); fail()</script>");
+  const { page, account } = await openReport(t, file);
+  await page.waitForTimeout(100);
+  assert.ok(account.errors.length >= 2);
+  assert.deepEqual(account.dialogs, ["1"]);
+  assert.deepEqual(account.requests, ["http://127.0.0.1:9/x"]);
+});
+
+test("a single file opens anywhere", async (t) => {
+  const folder = temporaryFolder(t);
+  copyFileSync(reportFile("single"), join(folder, "moved.html"));
+  const { page, account } = await openReport(t, join(folder, "moved.html"));
+  await panesSettled(page);
+  assert.equal(await page.locator(".pane[data-state=error]").count(), 0);
+  assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);
+  const broken = await page.evaluate(() => [...document.images].filter((image) => image.complete && image.naturalWidth === 0).length);
+  assert.equal(broken, 0);
+  expectQuiet(account);
+});
+
+test("text that looks like markup is shown and never run", async (t) => {
+  const { page, account } = await openReport(t, reportFile("hostile"));
+  await panesSettled(page);
+  const { scene, techniques } = resultsOf("hostile");
+  const hostile = techniques.map(({ name }) => name).find((name) => name.includes("<img"));
+  assert.equal(await page.locator("h1").innerText(), scene.name);
+  assert.ok((await page.locator("header").innerText()).includes(scene.purpose));
+  const row = page.locator("tbody tr").filter({ has: page.getByRole("button", { name: `View ${hostile}` }) });
+  assert.equal(await row.count(), 1);
+  await row.getByRole("button").click();
+  await page.locator("#plots select").first().selectOption(hostile);
+  await panesSettled(page);
+  const made = await page.evaluate(() => ({
+    images: document.querySelectorAll("img[src=x], [onerror], [onload]").length,
+    scripts: [...document.scripts].filter((script) => script.text.startsWith("alert")).length,
+  }));
+  assert.deepEqual(made, { images: 0, scripts: 0 });
+  assert.ok(await page.locator("#plots").innerText().then((text) => text.includes(hostile)));
+  expectQuiet(account);
+});
+
+test("a missing or damaged frame is told of in its pane, the rest works", async (t) => {
+  const { page: whole } = await openReport(t, reportFile("torus"));
+  const files = await whole.evaluate(() => JSON.parse(document.getElementById("report-data").textContent).frames.map(({ file }) => file));
+  const folder = join(temporaryFolder(t), "report");
+  mkdirSync(folder);
+  cpSync(join(reportFile("torus"), ".."), folder, { recursive: true });
+  const technique = files[files.findIndex((file) => file.includes("linear_binary"))];
+  for (const damage of [(file) => rmSync(file), (file) => writeFileSync(file, "plumblineFrame("), (file) => writeFileSync(file, "")]) {
+    damage(join(folder, technique));
+    const { page } = await openReport(t, join(folder, "index.html"));
+    await panesSettled(page);
+    const panes = page.locator(".pane:not([hidden])");
+    assert.equal(await panes.first().getAttribute("data-state"), "ready"); // the reference
+    const failed = page.locator(".pane:not([hidden])[data-frame='linear_binary'][data-state=error]");
+    assert.ok((await failed.count()) > 0);
+    assert.ok((await failed.first().innerText()).includes(technique));
+    assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);
+  }
+});

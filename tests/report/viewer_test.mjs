@@ -1,0 +1,206 @@
+// The viewer: panes zoom as one, wipe, flicker and blend show what they should, the read-out is the frame's own floats.
+import assert from "node:assert/strict";
+import { createHash } from "node:crypto";
+import { test } from "node:test";
+import { addressHolds, framePixels, openReport, panesSettled, reportFile, reportsFolder } from "./browser.mjs";
+
+const panes = (page) => page.locator(".pane:not([hidden])");
+const arrangement = (page, name) => page.locator(`button[data-view="${name}"]`);
+const cameras = (page) =>
+  panes(page).evaluateAll((elements) => elements.map(({ dataset: { scale, x, y } }) => ({ scale, x, y })));
+const nextFrame = (page) =>
+  page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+
+async function openPanes(t, hash = "") {
+  const { page, account } = await openReport(t, reportFile("torus"), { hash, width: 1920, height: 1080 });
+  await panesSettled(page);
+  await page.locator("#viewer").evaluate((viewer) => viewer.scrollIntoView());
+  return { page, account };
+}
+
+/** The screen within a pane, as a hash. */
+async function seen(page, pane = 0) {
+  await nextFrame(page);
+  const picture = await page.locator(".pane-view:visible").nth(pane).screenshot();
+  return createHash("sha256").update(picture).digest("hex");
+}
+
+test("wheel, drag and keys zoom and pan every pane alike", async (t) => {
+  const { page } = await openPanes(t);
+  assert.equal(await panes(page).count(), 4);
+  const before = await cameras(page);
+  const box = await panes(page).nth(1).locator(".pane-view").boundingBox();
+  await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.3 * box.height);
+  await page.mouse.wheel(0, -400);
+  await page.waitForFunction((old) => document.querySelector(".pane").dataset.scale !== old, before[0].scale);
+  await nextFrame(page);
+  const zoomed = await cameras(page);
+  assert.ok(Number(zoomed[0].scale) > Number(before[0].scale));
+  assert.equal(new Set(zoomed.map((camera) => JSON.stringify(camera))).size, 1);
+
+  await page.mouse.down();
+  await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height, { steps: 4 });
+  await page.mouse.up();
+  await nextFrame(page);
+  const panned = await cameras(page);
+  assert.notDeepEqual([panned[0].x, panned[0].y], [zoomed[0].x, zoomed[0].y]);
+  assert.equal(panned[0].scale, zoomed[0].scale);
+  assert.equal(new Set(panned.map((camera) => JSON.stringify(camera))).size, 1);
+
+  await panes(page).nth(2).locator(".pane-view").focus();
+  await page.keyboard.press("0");
+  await page.waitForFunction(() => document.querySelector(".pane").dataset.scale === "1");
+});
+
+test("the pixel under the pointer stays under it while the wheel zooms", async (t) => {
+  const { page } = await openPanes(t);
+  const box = await panes(page).first().locator(".pane-view").boundingBox();
+  await page.mouse.move(box.x + 0.62 * box.width, box.y + 0.41 * box.height);
+  await nextFrame(page);
+  const pixel = await page.locator(".readout caption").innerText();
+  assert.match(pixel, /^Pixel \d+ /);
+  await page.mouse.wheel(0, -300);
+  await page.waitForFunction(() => document.querySelector(".pane").dataset.scale !== "1");
+  await nextFrame(page);
+  assert.equal(await page.locator(".readout caption").innerText(), pixel);
+});
+
+test("the wipe shows A left of the divider and B right of it", async (t) => {
+  const at = (wipe) => `#view=wipe&f1=reference&l1=color&f2=parallax_slope&l2=depth_error&wipe=${wipe}`;
+  const { page } = await openPanes(t, at(0));
+  const onlyB = await seen(page);
+  const divider = page.locator("input.divider");
+  await divider.fill("1");
+  const onlyA = await seen(page);
+  assert.notEqual(onlyA, onlyB);
+  await divider.fill("0.5");
+  const both = await seen(page);
+  assert.ok(both !== onlyA && both !== onlyB);
+  await divider.focus();
+  await page.keyboard.press("ArrowRight");
+  assert.ok(Number(await divider.inputValue()) > 0.5);
+});
+
+test("one key flickers between A and B", async (t) => {
+  const { page } = await openPanes(t, "#view=flicker&f1=reference&l1=color&f2=parallax_slope&l2=depth_error");
+  await page.locator(".pane-view:visible:not([inert])").first().focus();
+  const pictures = [];
+  for (let press = 0; press < 4; ++press) {
+    await page.mouse.move(2, 2);
+    pictures.push(await seen(page));
+    await page.keyboard.press("f");
+  }
+  assert.notEqual(pictures[0], pictures[1]);
+  assert.equal(pictures[0], pictures[2]);
+  assert.equal(pictures[1], pictures[3]);
+});
+
+test("no key is taken from a menu", async (t) => {
+  const { page } = await openPanes(t);
+  await page.locator("#viewer select").first().focus();
+  await page.keyboard.press("w");
+  assert.equal(await arrangement(page, "side").getAttribute("aria-pressed"), "true");
+});
+
+test("the blend goes from A to B", async (t) => {
+  const { page } = await openPanes(t, "#view=blend&f1=reference&l1=color&f2=parallax_slope&l2=depth_error&opacity=0");
+  const slider = page.getByLabel("B over A");
+  const pictures = [];
+  for (const opacity of ["0", "0.5", "1"]) {
+    await slider.fill(opacity);
+    pictures.push(await seen(page));
+  }
+  assert.equal(new Set(pictures).size, 3);
+});
+
+test("the read-out is the frames' own values, float by float", async (t) => {
+  const technique = "linear_binary";
+  const { page } = await openPanes(t, `#n=2&f1=reference&l1=depth&f2=${technique}&l2=depth_error`);
+  const pixels = [];
+  for (let y = 3; y < 150; y += 21) for (let x = 5; x < 200; x += 29) pixels.push([x, y]);
+  const frame = (name) => `${reportsFolder}/torus/frames/${name}.exr`;
+  const truth = framePixels(frame("reference"), "Z", pixels);
+  const drawn = framePixels(frame(technique), "Z", pixels);
+  const ids = [frame("reference"), frame(technique)].map((file) => framePixels(file, "id", pixels));
+  assert.ok(ids[0].filter((id) => id > 0).length > 10);
+
+  for (const [index, [x, y]] of pixels.entries()) {
+    await page.evaluate((pixel) => {
+      const state = new URLSearchParams(location.hash.slice(1));
+      state.set("pixel", pixel.join());
+      location.hash = state.toString();
+    }, [x, y]);
+    await page.waitForFunction(
+      ([px, py]) => document.querySelector(".readout caption").textContent.startsWith(`Pixel ${px} from the left, ${py} from the top`),
+      [x, y],
+    );
+    const cells = await page.locator(".readout tbody tr").evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    for (const [row, depths] of [truth, drawn].entries()) {
+      const text = cells[row][2];
+      if (ids[row][index] > 0) assert.equal(Math.fround(Number(text)), depths[index], `${x}, ${y}: ${text}`);
+      else assert.equal(text, "");
+    }
+    if (ids[0][index] > 0 && ids[0][index] === ids[1][index]) {
+      const error = drawn[index] - truth[index];
+      const shown = Number(cells[1][3].split(" ")[0]);
+      assert.ok(Math.abs(shown - error) <= 1e-5 * Math.abs(error), `${x}, ${y}: ${shown} instead of ${error}`); // six digits
+    }
+  }
+});
+
+test("arrow keys move the pixel that is read", async (t) => {
+  const { page } = await openPanes(t, "#pixel=100,75");
+  await page.locator(".pane-view:visible:not([inert])").first().focus();
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("Shift+ArrowDown");
+  await nextFrame(page);
+  assert.match(await page.locator(".readout caption").innerText(), /^Pixel 101 from the left, 85 from the top/);
+});
+
+test("a reload shows the same", async (t) => {
+  const { page } = await openPanes(t);
+  await arrangement(page, "wipe").click();
+  await page.locator("input.divider").fill("0.3");
+  await page.getByLabel("Pane 2: layer").selectOption("depth_error");
+  await page.locator(".pane-view:visible:not([inert])").first().focus();
+  await page.keyboard.press("+");
+  await page.keyboard.press("ArrowRight");
+  await addressHolds(page, "wipe=0.3");
+  await addressHolds(page, "zoom=");
+  await addressHolds(page, "pixel=");
+  const shown = async () => ({
+    panes: await panes(page).evaluateAll((elements) => elements.map(({ dataset }) => ({ ...dataset }))),
+    view: await page.locator(".panes").getAttribute("data-view"),
+    wipe: await page.locator("input.divider").inputValue(),
+    pixel: await page.locator(".readout caption").innerText(),
+  });
+  await panesSettled(page);
+  const before = await shown();
+  await page.reload();
+  await panesSettled(page);
+  assert.deepEqual(await shown(), before);
+});
+
+test("frames a second while four panes pan at 1920 x 1080 (told, not held to)", async (t) => {
+  const { page } = await openPanes(t);
+  const box = await panes(page).first().locator(".pane-view").boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.wheel(0, -500);
+  await nextFrame(page);
+  await page.evaluate(() => {
+    window.framesDrawn = 0;
+    const count = () => {
+      ++window.framesDrawn;
+      requestAnimationFrame(count);
+    };
+    requestAnimationFrame(count);
+  });
+  await page.mouse.down();
+  const begin = Date.now();
+  for (let step = 0; Date.now() - begin < 2000; ++step)
+    await page.mouse.move(box.x + box.width * (0.5 + 0.3 * Math.sin(step / 9)), box.y + box.height * (0.5 + 0.3 * Math.cos(step / 9)));
+  await page.mouse.up();
+  const frames = await page.evaluate(() => window.framesDrawn);
+  t.diagnostic(`${((1000 * frames) / (Date.now() - begin)).toFixed(0)} frames a second`);
+  assert.equal(new Set((await cameras(page)).map((camera) => JSON.stringify(camera))).size, 1);
+});
