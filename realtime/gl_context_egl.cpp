@@ -1,19 +1,59 @@
-// EGL without a window: Mesa's surfaceless platform, or one device of EGL_EXT_device_enumeration.
+// EGL without a window: Mesa's surfaceless platform, or one device of EGL_EXT_device_enumeration. libEGL is this machine's,
+// opened at run time: it brings the driver of the GPU there.
 #include "../scenes/error.h"
 #include "gl_context.h"
+#include "gl_library.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cstring>
 #include <vector>
 
 namespace plumbline {
 namespace {
 
+/// The functions of libEGL used here.
+struct Egl {
+    GlLibrary library{"egl", std::array{"libEGL.so.1"},
+                      "install libegl1, and libgl1-mesa-dri or the driver of your GPU"};
+    decltype(&eglBindAPI) bindApi = nullptr;
+    decltype(&eglChooseConfig) chooseConfig = nullptr;
+    decltype(&eglCreateContext) createContext = nullptr;
+    decltype(&eglCreatePbufferSurface) createPbufferSurface = nullptr;
+    decltype(&eglDestroyContext) destroyContext = nullptr;
+    decltype(&eglDestroySurface) destroySurface = nullptr;
+    decltype(&eglGetError) getError = nullptr;
+    decltype(&eglGetProcAddress) getProcAddress = nullptr;
+    decltype(&eglInitialize) initialize = nullptr;
+    decltype(&eglMakeCurrent) makeCurrent = nullptr;
+    decltype(&eglQueryString) queryString = nullptr;
+
+    Egl() {
+        library.find("eglBindAPI", bindApi);
+        library.find("eglChooseConfig", chooseConfig);
+        library.find("eglCreateContext", createContext);
+        library.find("eglCreatePbufferSurface", createPbufferSurface);
+        library.find("eglDestroyContext", destroyContext);
+        library.find("eglDestroySurface", destroySurface);
+        library.find("eglGetError", getError);
+        library.find("eglGetProcAddress", getProcAddress);
+        library.find("eglInitialize", initialize);
+        library.find("eglMakeCurrent", makeCurrent);
+        library.find("eglQueryString", queryString);
+    }
+};
+
+/// Throws MachineError where there is no libEGL.
+const Egl& egl() {
+    static const Egl functions;
+    return functions;
+}
+
 std::string eglErrorText() {
-    const EGLint code = eglGetError();
+    const EGLint code = egl().getError();
     switch (code) {
     case EGL_SUCCESS:
         return "no reason given";
@@ -55,11 +95,11 @@ bool hasExtension(const char* list, std::string_view name) {
 
 template <class Pointer>
 Pointer eglFunction(const char* name) {
-    return reinterpret_cast<Pointer>(eglGetProcAddress(name));
+    return reinterpret_cast<Pointer>(egl().getProcAddress(name));
 }
 
 std::vector<EGLDeviceEXT> eglDevices() {
-    const char* clientExtensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const char* clientExtensions = egl().queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!hasExtension(clientExtensions, "EGL_EXT_device_enumeration") &&
         !hasExtension(clientExtensions, "EGL_EXT_device_base"))
         return {};
@@ -76,7 +116,7 @@ std::vector<EGLDeviceEXT> eglDevices() {
 /// for every other context, and unload the driver with threads and statics of its own.
 EGLDisplay openDisplay(int device, const std::string& backend) {
     const auto getPlatformDisplay = eglFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
-    const char* clientExtensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
+    const char* clientExtensions = egl().queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     if (!getPlatformDisplay || !hasExtension(clientExtensions, "EGL_EXT_platform_base"))
         throw MachineError(backend, "EGL finds no driver (it has no EGL_EXT_platform_base)");
     EGLDisplay display = EGL_NO_DISPLAY;
@@ -93,7 +133,7 @@ EGLDisplay openDisplay(int device, const std::string& backend) {
     }
     if (display == EGL_NO_DISPLAY) throw MachineError(backend, "no EGL display: " + eglErrorText());
     EGLint major = 0, minor = 0;
-    if (!eglInitialize(display, &major, &minor))
+    if (!egl().initialize(display, &major, &minor))
         throw MachineError(backend, "eglInitialize failed: " + eglErrorText());
     return display;
 }
@@ -114,22 +154,22 @@ class EglContext final : public GlContext {
 
   protected:
     void bind() override {
-        if (!eglBindAPI(EGL_OPENGL_API) || !eglMakeCurrent(display_, surface_, surface_, context_))
+        if (!egl().bindApi(EGL_OPENGL_API) || !egl().makeCurrent(display_, surface_, surface_, context_))
             throw MachineError(backend(), "eglMakeCurrent failed: " + eglErrorText());
     }
-    void unbind() override { eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
-    Function functionAddress(const char* name) const override { return eglGetProcAddress(name); }
+    void unbind() override { egl().makeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT); }
+    Function functionAddress(const char* name) const override { return egl().getProcAddress(name); }
 
   private:
     void create() {
-        if (!eglBindAPI(EGL_OPENGL_API))
+        if (!egl().bindApi(EGL_OPENGL_API))
             throw MachineError(backend(), "this EGL has no desktop OpenGL: " + eglErrorText());
         const bool surfaceless =
-            hasExtension(eglQueryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
+            hasExtension(egl().queryString(display_, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
         const EGLConfig config = chooseConfig(surfaceless ? 0 : EGL_PBUFFER_BIT);
         if (!surfaceless) {
             const EGLint size[] = {EGL_WIDTH, 1, EGL_HEIGHT, 1, EGL_NONE};
-            surface_ = eglCreatePbufferSurface(display_, config, size);
+            surface_ = egl().createPbufferSurface(display_, config, size);
             if (surface_ == EGL_NO_SURFACE)
                 throw MachineError(backend(), "no pbuffer surface: " + eglErrorText());
         }
@@ -141,7 +181,7 @@ class EglContext final : public GlContext {
                                          EGL_CONTEXT_OPENGL_PROFILE_MASK,
                                          EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
                                          EGL_NONE};
-            context_ = eglCreateContext(display_, config, EGL_NO_CONTEXT, attributes);
+            context_ = egl().createContext(display_, config, EGL_NO_CONTEXT, attributes);
             if (context_ != EGL_NO_CONTEXT) return;
         }
         throw MachineError(
@@ -153,15 +193,15 @@ class EglContext final : public GlContext {
                                      EGL_NONE};
         EGLConfig config = nullptr;
         EGLint count = 0;
-        if (!eglChooseConfig(display_, attributes, &config, 1, &count) || count < 1)
+        if (!egl().chooseConfig(display_, attributes, &config, 1, &count) || count < 1)
             throw MachineError(backend(), "no EGL configuration with desktop OpenGL");
         return config;
     }
 
     void destroy() {
         forget();
-        if (context_ != EGL_NO_CONTEXT) eglDestroyContext(display_, context_);
-        if (surface_ != EGL_NO_SURFACE) eglDestroySurface(display_, surface_);
+        if (context_ != EGL_NO_CONTEXT) egl().destroyContext(display_, context_);
+        if (surface_ != EGL_NO_SURFACE) egl().destroySurface(display_, surface_);
         context_ = EGL_NO_CONTEXT;
         surface_ = EGL_NO_SURFACE;
     }
@@ -174,7 +214,11 @@ class EglContext final : public GlContext {
 } // namespace
 
 int eglDeviceCount() {
-    return static_cast<int>(eglDevices().size());
+    try {
+        return static_cast<int>(eglDevices().size());
+    } catch (const MachineError&) { // no libEGL, which createEglContext() tells
+        return 0;
+    }
 }
 
 std::unique_ptr<GlContext> createEglContext(int device) {

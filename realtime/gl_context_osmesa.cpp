@@ -2,11 +2,11 @@
 // dropped it in version 25.1, so that it must stay optional.
 #include "../scenes/error.h"
 #include "gl_context.h"
+#include "gl_library.h"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <dlfcn.h>
 
 namespace plumbline {
 namespace {
@@ -19,39 +19,22 @@ constexpr int kOsMesaFormat = 0x22, kOsMesaRgba = 0x1908, kOsMesaProfile = 0x33,
 constexpr unsigned kGlUnsignedByte = 0x1401;
 
 struct OsMesa {
-    void* library = nullptr;
-    OsMesaContext (*createContextAttribs)(const int*, OsMesaContext) = nullptr;
+    GlLibrary library{"osmesa", std::array{"libOSMesa.so.8", "libOSMesa.so.6"}, "install libosmesa6"};
+    OsMesaContext (*createContextAttribs)(const int*, OsMesaContext) = nullptr; // Mesa 12 or newer
     void (*destroyContext)(OsMesaContext) = nullptr;
     unsigned char (*makeCurrent)(OsMesaContext, void*, unsigned, int, int) = nullptr;
     void (*(*getProcAddress)(const char*))() = nullptr;
+
+    OsMesa() {
+        library.find("OSMesaCreateContextAttribs", createContextAttribs);
+        library.find("OSMesaDestroyContext", destroyContext);
+        library.find("OSMesaMakeCurrent", makeCurrent);
+        library.find("OSMesaGetProcAddress", getProcAddress);
+    }
 };
 
-template <class Pointer>
-bool find(void* library, const char* name, Pointer& pointer) {
-    pointer = reinterpret_cast<Pointer>(dlsym(library, name));
-    return pointer != nullptr;
-}
-
-OsMesa openLibrary() {
-    OsMesa mesa;
-    std::string reasons;
-    for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6"}) {
-        mesa.library = dlopen(name, RTLD_NOW | RTLD_LOCAL);
-        if (mesa.library) break;
-        reasons += fmt::format("{}{}", reasons.empty() ? "" : ", ", dlerror());
-    }
-    if (!mesa.library) throw MachineError("osmesa", reasons, "", "install libosmesa6");
-    if (!find(mesa.library, "OSMesaCreateContextAttribs", mesa.createContextAttribs) ||
-        !find(mesa.library, "OSMesaDestroyContext", mesa.destroyContext) ||
-        !find(mesa.library, "OSMesaMakeCurrent", mesa.makeCurrent) ||
-        !find(mesa.library, "OSMesaGetProcAddress", mesa.getProcAddress))
-        throw MachineError("osmesa", "this library lacks OSMesaCreateContextAttribs", "Mesa 12 or newer");
-    return mesa;
-}
-
-/// Opened once and kept: its threads and LLVM's statics don't survive unloading.
 const OsMesa& osMesa() {
-    static const OsMesa mesa = openLibrary();
+    static const OsMesa mesa;
     return mesa;
 }
 

@@ -1,5 +1,6 @@
 #include "image_file.h"
 
+#include "data_folder.h"
 #include "error.h"
 #include "exr_file.h"
 #include "image_module.h"
@@ -18,40 +19,31 @@ namespace plumbline {
 namespace {
 
 struct ImageModule {
+    std::filesystem::path file;
     PlumblineReadPicture* readPicture = nullptr;
     PlumblineWritePng* writePng = nullptr;
 };
 
-std::vector<std::filesystem::path> modulePlaces() {
-    const char* kName = "plumbline_images.so";
-    std::vector<std::filesystem::path> places;
-    std::error_code error;
-    const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-    if (!error) {
-        places.push_back(program.parent_path() / kName);
-        places.push_back(program.parent_path().parent_path() / "lib" / "plumbline" / kName);
-    }
-    places.emplace_back(PLUMBLINE_IMAGES_MODULE); // where it was built
-    return places;
-}
-
+/// Beside the program where it was built, in lib/plumbline where it is installed.
 ImageModule loadModule() {
     std::string reason = "not found";
-    for (const auto& place : modulePlaces()) {
+    for (const char* place : {"plumbline_images.so", "../lib/plumbline/plumbline_images.so"}) {
+        ImageModule module;
+        module.file = (programFolder() / place).lexically_normal();
         std::error_code error;
-        if (!std::filesystem::exists(place, error)) continue;
-        void* handle = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (!std::filesystem::exists(module.file, error)) continue;
+        void* handle = dlopen(module.file.c_str(), RTLD_NOW | RTLD_LOCAL);
         if (!handle) {
             reason = dlerror();
             continue;
         }
-        ImageModule module;
         module.readPicture = reinterpret_cast<PlumblineReadPicture*>(dlsym(handle, "plumblineReadPicture"));
         module.writePng = reinterpret_cast<PlumblineWritePng*>(dlsym(handle, "plumblineWritePng"));
         if (module.readPicture && module.writePng) return module; // stays loaded to the end of the program
-        reason = place.string() + " is of another version";
+        reason = module.file.string() + " is of another version";
     }
-    throw MachineError("plumbline_images.so", "can't be loaded: " + reason, "it beside the program",
+    throw MachineError("plumbline_images.so", "can't be loaded: " + reason,
+                       "it beside the program or in ../lib/plumbline",
                        "build the target plumbline_images and install libopenimageio2.4 or later");
 }
 
@@ -160,6 +152,10 @@ struct ImageCollector {
 };
 
 } // namespace
+
+std::filesystem::path imageModuleFile() {
+    return imageModule().file;
+}
 
 Image readImage(const std::filesystem::path& file) {
     const std::vector<uint8_t> magic = firstBytes(file, 4);

@@ -1,6 +1,6 @@
 // Pictures in files. EXR is read with OpenEXR; PNG, JPEG, TIFF, HDR and the rest through OpenImageIO, which
 // is loaded when the first such file is met (it takes 0.2 s and 130 MB), from the module plumbline_images
-// beside the program.
+// beside the program, or in ../lib/plumbline from there.
 #pragma once
 
 #include <cstdint>
@@ -27,5 +27,8 @@ Image readImage(const std::filesystem::path& file);
 /// 8-bit RGB PNG, row 0 = top, `rgb`: width x height x 3. Write-then-rename. Throws InputError if it can't be
 /// written.
 void writePng(const std::filesystem::path& file, int width, int height, const std::vector<uint8_t>& rgb);
+
+/// The module that reads and writes them, loaded. Throws MachineError where it is missing or lacks a library.
+std::filesystem::path imageModuleFile();
 
 } // namespace plumbline

@@ -1,6 +1,7 @@
 #include "../../realtime/inputs/bake_cache.h"
 #include "../../scenes/data_folder.h"
 #include "../../scenes/error.h"
+#include "../../scenes/image_file.h"
 #include "../../scenes/scene_file.h"
 #include "../../scenes/scene_metadata.h"
 #include "../report/page_bundle.h"
@@ -22,6 +23,16 @@ std::string memoryText() {
     const double bytes =
         static_cast<double>(::sysconf(_SC_PHYS_PAGES)) * static_cast<double>(::sysconf(_SC_PAGESIZE));
     return fmt::format("{:.1f} GB of memory", bytes / 1e9);
+}
+
+bool checkPictures() {
+    try {
+        printLine(true, "pictures", imageModuleFile().string());
+        return true;
+    } catch (const MachineError& error) {
+        printLine(false, "pictures", error.what());
+        return false;
+    }
 }
 
 bool checkData() {
@@ -122,8 +133,8 @@ int runDoctor() {
               fmt::format("{} threads, {}", std::thread::hardware_concurrency(), memoryText()));
     reportCache();
     checkReportPage();
-    const bool data = checkData(), techniques = checkTechniques(), gl = checkGl();
-    return data && techniques && gl ? kExitDone : kExitMachine;
+    const bool pictures = checkPictures(), data = checkData(), techniques = checkTechniques(), gl = checkGl();
+    return pictures && data && techniques && gl ? kExitDone : kExitMachine;
 }
 
 } // namespace plumbline
