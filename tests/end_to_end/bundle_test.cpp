@@ -1,0 +1,45 @@
+// The tarball's tree: the installed program with the libraries it needs, which must do without this machine's.
+#include "installed_program.h"
+
+#include <gmock/gmock.h>
+#include <regex>
+#include <sstream>
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace test;
+
+using Bundle = EndToEnd;
+
+TEST_F(Bundle, NeedsNothingButTheRuntimeOfCAndCxx) {
+    if (shell("patchelf --version").exitCode != 0) GTEST_SKIP() << "patchelf isn't there";
+    const fs::path moved = installAndMove(folder_, {"bundle"}), libraries = moved / "lib/plumbline";
+    std::vector<fs::path> loaded{moved / "bin/plumbline", libraries / "plumbline_images.so"};
+    if (fs::exists(libraries / "libOSMesa.so.8")) loaded.push_back(libraries / "libOSMesa.so.8");
+
+    // As ldd writes them: "name => path (address)", "name => not found", "path (address)".
+    const std::regex runtime(
+        "\\S*(linux-vdso|ld-linux-x86-64|libc|libm|libmvec|libdl|librt|libpthread|libresolv|libutil|"
+        "libstdc\\+\\+|libgcc_s)\\.so\\.\\d+ .*");
+    size_t bundled = 0;
+    for (const fs::path& file : loaded) {
+        const ShellOutcome outcome = shell("ldd " + file.string());
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.text;
+        std::istringstream lines(outcome.text);
+        for (std::string line; std::getline(lines, line);) {
+            line.erase(0, line.find_first_not_of(" \t"));
+            if (std::regex_match(line, runtime)) continue;
+            EXPECT_THAT(line, testing::HasSubstr("=> " + libraries.string() + "/")) << file;
+            ++bundled;
+        }
+    }
+    EXPECT_GT(bundled, 20u); // Embree, TBB, OpenSubdiv, OpenEXR, OpenImageIO and what they need
+    const ShellOutcome doctor = shell((moved / "bin/plumbline").string() + " doctor");
+    EXPECT_THAT(doctor.text, testing::HasSubstr("ok   pictures         " + libraries.string()));
+    EXPECT_THAT(filesBelow(moved / "share/doc/plumbline/bundled"), testing::Contains("packages.txt"));
+}
+
+} // namespace
+} // namespace plumbline
