@@ -13,7 +13,7 @@ PatchNeighbours::PatchNeighbours(const BaseSurface& surface)
         for (const int edge : surface.faceEdges(face)) {
             auto& [first, second] = sides_[static_cast<size_t>(edge)];
             if (second.face >= 0) crowded_[static_cast<size_t>(edge)] = true;
-            (first.face < 0 ? first : second) = {face, k++};
+            (first.face < 0 ? first : second) = Side{face, k++};
         }
     }
 }
