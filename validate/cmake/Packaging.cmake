@@ -1,5 +1,5 @@
 # What is installed, and the two packages of it: a Debian package, which names the libraries it needs, and a tarball, which
-# brings them. `cmake --build build/release --target package` makes both, `cpack -G DEB` or `cpack -G TGZ` there one.
+# brings them. `./plumbline package`, or `cpack` in the build folder, makes both; `-G DEB` or `-G TGZ` one.
 #
 # The program finds lib/plumbline and share/plumbline from its own place (scenes/data_folder.h): the prefix may be moved.
 install(TARGETS plumbline RUNTIME DESTINATION bin)
