@@ -13,14 +13,16 @@ target_link_options(plumbline_images PRIVATE -Wl,--enable-new-dtags)
 # Read at run time.
 install(DIRECTORY scenes/library DESTINATION share/plumbline/scenes PATTERN pictures EXCLUDE)
 install(DIRECTORY realtime/shaders realtime/surfaces realtime/techniques DESTINATION share/plumbline/realtime)
-install(DIRECTORY validate/report validate/studies DESTINATION share/plumbline/validate
-    FILES_MATCHING PATTERN "*.mustache" PATTERN "*.toml" PATTERN pictures EXCLUDE)
+install(DIRECTORY validate/report/page DESTINATION share/plumbline/validate/report
+    FILES_MATCHING PATTERN "*.mustache" PATTERN src EXCLUDE)
+install(DIRECTORY validate/studies DESTINATION share/plumbline/validate
+    FILES_MATCHING PATTERN "*.toml" PATTERN pictures EXCLUDE)
 
 # Read by people, with the pictures and pages they link to.
 set(doc share/doc/plumbline)
 install(FILES LICENSE DESTINATION ${doc} RENAME copyright)
 install(FILES README.md DESTINATION ${doc})
-foreach(folder scenes reference realtime realtime/inputs validate validate/study)
+foreach(folder scenes reference realtime realtime/inputs validate validate/report validate/study)
     install(FILES ${folder}/README.md DESTINATION ${doc}/${folder})
 endforeach()
 install(DIRECTORY scenes/library/pictures DESTINATION ${doc}/scenes/library)
