@@ -32,8 +32,9 @@ constexpr double kSmallestTile = 1e-6;
 
 class SceneReader {
   public:
-    explicit SceneReader(const std::filesystem::path& file)
-        : file_(file), text_(readWholeFile(file)), root_(TomlTable::parse(file.string(), text_)) {}
+    explicit SceneReader(const std::filesystem::path& file) : SceneReader(file, readWholeFile(file)) {}
+    SceneReader(const std::filesystem::path& file, const std::string& text)
+        : file_(file), text_(text), root_(TomlTable::parse(file.string(), text_)) {}
 
     void change(const std::string& text) {
         const std::string where = "--scene-set " + text;
@@ -278,6 +279,10 @@ Scene readScene(const std::filesystem::path& file, const SceneChanges& changes) 
     for (const std::string& change : changes)
         reader.change(change);
     return reader.read();
+}
+
+Scene parseScene(const std::filesystem::path& file, const std::string& text) {
+    return SceneReader(file, text).read();
 }
 
 std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name) {

@@ -26,6 +26,7 @@ struct Arguments {
     CompareArguments compare;
     BakeArguments bake;
     StudyArguments study;
+    NewArguments fresh;
     std::string listed;
     int threads = 0; // 0: as many as the machine has
     int parent = 0;  // of a drawing process
@@ -159,6 +160,32 @@ void addStudy(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     report->callback([&] { run = [&] { return runStudyReport(arguments.study); }; });
 }
 
+void addNew(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
+    NewArguments& fresh = arguments.fresh;
+    CLI::App* command = app.add_subcommand("new", "Write a first scene file for a mesh and a height map");
+    command->add_option("--mesh", fresh.mesh, "A mesh with texture coordinates")
+        ->required()
+        ->type_name("M.obj");
+    command->add_option("--height", fresh.height, "The relief, a grey picture")
+        ->required()
+        ->type_name("H.png");
+    command->add_option("-o", fresh.output, "The scene file")->required()->type_name("SCENE.toml");
+    command
+        ->add_option("--depth", fresh.depth,
+                     "World units from the relief's top to its bottom (default: chosen)")
+        ->type_name("D");
+    command->add_option("--tile", fresh.tile, "Repeats of the map along u and v (default: chosen)")
+        ->type_name("S,T");
+    command->add_option("--scheme", fresh.scheme, "What the mesh is a cage of (default: chosen)")
+        ->type_name("catmull-clark|loop|none");
+    command->add_option("--stores", fresh.stores, "What the picture's values are (default: height)")
+        ->type_name("height|depth");
+    command->add_option("--wrap", fresh.wrap, "Along s and t, repeat or clamp each (default: repeat,repeat)")
+        ->type_name("S,T");
+    command->add_flag("--force", fresh.force, "Replace a scene file that exists");
+    command->callback([&] { run = [&] { return runNew(arguments.fresh); }; });
+}
+
 /// Adds the commands to `app`; the one chosen stores what is to be run in `run`.
 void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     CLI::App* validate =
@@ -206,6 +233,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     addReportOptions(*compare, arguments.compare.report);
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
+    addNew(app, arguments, run);
     addBake(app, arguments, run);
     addStudy(app, arguments, run);
 

@@ -12,52 +12,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace plumbline {
 namespace {
-
-/// A word of `choices`. Throws InputError.
-std::string parseChoice(const char* option, const std::string& text,
-                        const std::vector<std::string>& choices) {
-    if (std::find(choices.begin(), choices.end(), text) == choices.end())
-        throw InputError(option, fmt::format("found '{}'", text), listOf(choices), didYouMean(text, choices));
-    return text;
-}
-
-/// "a,b" to {"a", "b"}; one of each for s and t. Throws InputError.
-std::pair<std::string, std::string> parsePair(const char* option, const std::string& text,
-                                              const char* example) {
-    const size_t comma = text.find(',');
-    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-        throw InputError(option, fmt::format("found '{}'", text),
-                         fmt::format("two with a comma between, along s and t, for example {}", example));
-    return {text.substr(0, comma), text.substr(comma + 1)};
-}
-
-double parseLength(const char* option, const std::string& text) {
-    constexpr double kSmallest = 1e-9, kLargest = 1e9; // as in scene files
-    double length = 0;
-    const char* end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, length);
-    if (error != std::errc() || stopped != end || !(length >= kSmallest && length <= kLargest))
-        throw InputError(option, fmt::format("'{}' is not a length", text),
-                         "world units from 1e-9 to 1e9, for example 0.1");
-    return length;
-}
-
-Wrap parseWrap(const std::string& text) {
-    return parseChoice("--wrap", text, {"repeat", "clamp"}) == "repeat" ? Wrap::Repeat : Wrap::Clamp;
-}
 
 std::shared_ptr<const HeightMap> readPicture(const BakeArguments& arguments) {
     if (!arguments.stores)
         throw InputError("--stores", "is missing", "depth or height, what the values of a picture mean");
     const std::string stores = parseChoice("--stores", *arguments.stores, {"depth", "height"});
-    const auto [wrapS, wrapT] = parsePair("--wrap", arguments.wrap.value_or("repeat,repeat"), "repeat,clamp");
-    return std::make_shared<const HeightMap>(readHeightMap(arguments.map,
-                                                           stores == "depth" ? Stores::Depth : Stores::Height,
-                                                           parseWrap(wrapS), parseWrap(wrapT)));
+    const auto [wrapS, wrapT] = parseWraps(arguments.wrap);
+    return std::make_shared<const HeightMap>(
+        readHeightMap(arguments.map, stores == "depth" ? Stores::Depth : Stores::Height, wrapS, wrapT));
 }
 
 /// A file of that name is a picture, whatever its name has in it; else SCENE#NAME.

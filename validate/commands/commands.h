@@ -89,6 +89,16 @@ struct StudyArguments {
     int glDevice = -1;
 };
 
+struct NewArguments {
+    std::filesystem::path mesh, height; // OBJ; a picture
+    std::optional<std::string> depth, tile, scheme,
+        wrap;                      // world units; "4,2"; of scene files; "repeat,clamp"
+    std::string stores = "height"; // or "depth"
+    std::filesystem::path output;  // the scene file
+    bool force = false;            // also if it exists
+};
+
+int runNew(const NewArguments& arguments);
 int runValidate(const ValidateArguments& arguments);
 int runReference(const ReferenceArguments& arguments);
 int runRealtime(const RealtimeArguments& arguments);

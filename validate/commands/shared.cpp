@@ -1,13 +1,16 @@
 #include "shared.h"
 
 #include "../../scenes/error.h"
+#include "../../scenes/scene_limits.h"
 #include "../report/page_bundle.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -43,6 +46,59 @@ std::map<std::string, std::string> parseSettings(const std::vector<std::string>&
     return settings;
 }
 
+std::string parseChoice(const char* option, const std::string& text,
+                        const std::vector<std::string>& choices) {
+    if (std::find(choices.begin(), choices.end(), text) == choices.end())
+        throw InputError(option, fmt::format("found '{}'", text), listOf(choices), didYouMean(text, choices));
+    return text;
+}
+
+std::pair<std::string, std::string> parsePair(const char* option, const std::string& text,
+                                              const char* example) {
+    const size_t comma = text.find(',');
+    if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
+        throw InputError(option, fmt::format("found '{}'", text),
+                         fmt::format("two with a comma between, along s and t, for example {}", example));
+    return {text.substr(0, comma), text.substr(comma + 1)};
+}
+
+namespace {
+
+/// All of a text is a number; NaN if it isn't.
+double numberOf(const std::string& text) {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stopped, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc() && stopped == end ? number : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+double parseLength(const char* option, const std::string& text) {
+    const double length = numberOf(text);
+    if (!(length >= kSmallestLength && length <= kLargestLength))
+        throw InputError(option, fmt::format("'{}' is not a length", text),
+                         "world units from 1e-9 to 1e9, for example 0.1");
+    return length;
+}
+
+double parseTile(const char* option, const std::string& text) {
+    constexpr double kSmallest = 1e-6, kLargest = 1e6; // as in scene files
+    const double tile = numberOf(text);
+    if (!(std::abs(tile) >= kSmallest && std::abs(tile) <= kLargest))
+        throw InputError(option, fmt::format("'{}' is not a number of repeats", text),
+                         "a number from 1e-6 to 1e6, or less than 0 to mirror");
+    return tile;
+}
+
+std::pair<Wrap, Wrap> parseWraps(const std::optional<std::string>& text) {
+    const auto wrapOf = [](const std::string& word) {
+        return parseChoice("--wrap", word, {"repeat", "clamp"}) == "repeat" ? Wrap::Repeat : Wrap::Clamp;
+    };
+    const auto [s, t] = parsePair("--wrap", text.value_or("repeat,repeat"), "repeat,clamp");
+    return {wrapOf(s), wrapOf(t)};
+}
+
 BaseChoice parseBase(const std::string& text, bool bothIsAChoice) {
     std::vector<std::string> choices{"limit", "proxy"};
     if (bothIsAChoice) choices.emplace_back("both");
@@ -57,10 +113,8 @@ BaseChoice parseBase(const std::string& text, bool bothIsAChoice) {
 double parseErrorPx(const std::string& text) {
     constexpr double kSmallest = 1e-6; // below it floats of the micro-triangles are the limit
     constexpr double kLargest = 1000;  // wider than a picture's features: surely a slip of the finger
-    double pixels = 0;
-    const char* end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, pixels);
-    if (error != std::errc() || stopped != end || !(pixels >= kSmallest && pixels <= kLargest))
+    const double pixels = numberOf(text);
+    if (!(pixels >= kSmallest && pixels <= kLargest))
         throw InputError("--error-px", fmt::format("'{}' is not an error in pixels", text),
                          "a number from 0.000001 to 1000, for example 0.05");
     return pixels;

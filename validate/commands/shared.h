@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../../reference/reference.h"
+#include "../../scenes/height_map.h"
 #include "../report/report.h"
 #include "../results.h"
 #include "commands.h"
@@ -19,6 +20,18 @@ uint64_t parseMemorySize(const std::string& text);
 
 /// "key=value" texts to a map. Throws InputError for a text without '=', without a key, or a key given twice.
 std::map<std::string, std::string> parseSettings(const std::vector<std::string>& texts);
+
+/// A word of `choices`. Throws InputError naming `option`, as those below.
+std::string parseChoice(const char* option, const std::string& text, const std::vector<std::string>& choices);
+/// "a,b" to {"a", "b"}: one each for s and t.
+std::pair<std::string, std::string> parsePair(const char* option, const std::string& text,
+                                              const char* example);
+/// World units, within the bounds of scene files and above 0.
+double parseLength(const char* option, const std::string& text);
+/// Repeats of a map along an axis, not 0.
+double parseTile(const char* option, const std::string& text);
+/// "repeat,clamp" along s and t; nullopt: both repeat.
+std::pair<Wrap, Wrap> parseWraps(const std::optional<std::string>& text);
 
 /// Which references a run draws.
 enum class BaseChoice { Limit, Proxy, Both };
