@@ -97,18 +97,13 @@ Vec2 chooseTile(const ControlMesh& mesh, const SurfaceSurvey& survey, const Heig
     if (!survey.uvScale)
         throw InputError(mesh.name, "its texture coordinates have no area", "uvs spread over the surface",
                          "--tile S,T goes on without");
-    const Vec2 extent = survey.uvHigh - survey.uvLow;
-    if (extent.x > 1.5 || extent.y > 1.5) {
-        reason = fmt::format("tile: the mesh's own texture coordinates repeat already, over {:.3g} x {:.3g}.",
-                             extent.x, extent.y);
-        return {1, 1};
-    }
     const double width = map.width(), height = map.height();
     const double fromObject = kMapShare * 2 * survey.radius(),
                  fromPixels = pixelSide(camera) * std::sqrt(width * height);
     const double side = std::max(fromObject, fromPixels);
     const Vec2 wanted = *survey.uvScale / (side * Vec2(std::sqrt(width / height), std::sqrt(height / width)));
-    // Whole numbers: where texture coordinates close around the mesh, the map does too.
+    // Whole numbers: where texture coordinates close around the mesh, the map does too. Never below 1: coordinates that repeat
+    // themselves are as their author meant them.
     Vec2 tile = glm::max(Vec2(1), glm::round(wanted));
     reason = fromObject >= fromPixels ? "tile: one map is about a third of the object, texels about square, "
                                         "whole numbers so that seams close."

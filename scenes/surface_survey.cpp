@@ -91,8 +91,6 @@ class Survey {
             samples.push_back(sample);
             result_.samples.push_back(static_cast<const BasePoint&>(sample));
             result_.bounds.add(sample.position);
-            result_.uvLow = glm::min(result_.uvLow, sample.uv);
-            result_.uvHigh = glm::max(result_.uvHigh, sample.uv);
         }
         for (const std::array<int, 4>& facet : cut.facets)
             addFacet(samples, facet);

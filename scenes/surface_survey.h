@@ -24,8 +24,6 @@ struct SurfaceSurvey {
     bool flat = false;                // one normal for all of it
     /// World units of one unit of u and of v: medians by area. None where the texture coordinates have no area.
     std::optional<Vec2> uvScale;
-    /// Extent of the texture coordinates.
-    Vec2 uvLow{kInfinity}, uvHigh{-kInfinity};
     /// A twentieth of the area bends outwards with a smaller radius: a relief carved deeper crosses itself there. Infinite where
     /// less of it does.
     double tightRadius = kInfinity;
