@@ -107,9 +107,9 @@ Vec3 chooseLight(const SurfaceSurvey& survey, const View& view, std::string& rea
         {{"upper left", -1, 1}, {"upper right", 1, 1}, {"lower left", -1, -1}, {"lower right", 1, -1}}};
     const Vec3 toCamera = -view.forward;
     for (Candidate& candidate : candidates) {
-        // 0.7 aside, 0.55 up, 0.45 towards the camera: 63 degrees off the view.
-        candidate.toLight = glm::normalize(view.right * (0.7 * candidate.right) +
-                                           view.up * (0.55 * candidate.up) + toCamera * 0.45);
+        // 0.55 aside, 0.6 up, 0.7 towards the camera: 49 degrees off the view.
+        candidate.toLight = glm::normalize(view.right * (0.55 * candidate.right) +
+                                           view.up * (0.6 * candidate.up) + toCamera * 0.7);
         double seen = 0;
         for (const SurfacePiece& piece : survey.pieces) {
             const double area = piece.area * std::max(0.0, glm::dot(piece.normal, toCamera));

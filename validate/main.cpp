@@ -27,6 +27,7 @@ struct Arguments {
     BakeArguments bake;
     StudyArguments study;
     NewArguments fresh;
+    HistoryArguments history;
     std::string listed;
     int threads = 0; // 0: as many as the machine has
     int parent = 0;  // of a drawing process
@@ -186,6 +187,28 @@ void addNew(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     command->callback([&] { run = [&] { return runNew(arguments.fresh); }; });
 }
 
+void addHistory(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
+    HistoryArguments& history = arguments.history;
+    CLI::App* command = app.add_subcommand(
+        "history", "Keep results of a shader under test, and say what became worse (exit 1)");
+    command->add_option("FILE", history.file, "The history, a line a run; made if it isn't there")
+        ->required();
+    command->add_option("RESULTS", history.results,
+                        "results.json files to add, oldest first; none: only look");
+    command
+        ->add_option("--label", history.label, "Of the results, as a commit (default: the program's version)")
+        ->type_name("TEXT");
+    command
+        ->add_option(
+            "--tolerance", history.tolerances,
+            "How much worse a figure may become, as silhouette.iou=0.001, depth.rmse=2% or all=1%; may be "
+            "repeated. Default: not at all, but within the interval of a figure that has one; cost, at will")
+        ->type_name("FIGURE=AMOUNT")
+        ->allow_extra_args(false);
+    command->add_flag("--dry-run", history.dryRun, "Compare, and leave FILE as it is");
+    command->callback([&] { run = [&] { return runHistory(arguments.history); }; });
+}
+
 /// Adds the commands to `app`; the one chosen stores what is to be run in `run`.
 void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     CLI::App* validate =
@@ -234,6 +257,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
     addNew(app, arguments, run);
+    addHistory(app, arguments, run);
     addBake(app, arguments, run);
     addStudy(app, arguments, run);
 

@@ -1,4 +1,5 @@
 #include "results.h"
+#include "text_table.h"
 
 #include <fmt/format.h>
 
@@ -7,38 +8,6 @@
 
 namespace plumbline {
 namespace {
-
-class TextTable {
-  public:
-    explicit TextTable(std::vector<std::string> heads) { rows_.push_back(std::move(heads)); }
-    void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-
-    std::string text() const {
-        std::string text;
-        for (const auto& row : rows_) {
-            for (size_t column = 0; column < row.size(); ++column)
-                text += column == 0 ? fmt::format("{:<{}}", row[column], widthOf(column))
-                                    : fmt::format("  {:>{}}", row[column], widthOf(column));
-            text += "\n";
-        }
-        return text;
-    }
-
-  private:
-    /// Of UTF-8: bytes that don't continue a character.
-    static size_t characters(const std::string& text) {
-        return static_cast<size_t>(
-            std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-    }
-    size_t widthOf(size_t column) const {
-        size_t width = 0;
-        for (const auto& row : rows_)
-            width = std::max(width, characters(row[column]));
-        return width;
-    }
-
-    std::vector<std::vector<std::string>> rows_;
-};
 
 std::string shown(const Figure& figure, const char* format) {
     return figure ? fmt::format(fmt::runtime(format), *figure) : std::string("-");

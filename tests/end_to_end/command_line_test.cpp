@@ -16,15 +16,6 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// What every refusal looks like: the exit code, one line on stderr, nothing on stdout.
-void expectRefusal(const Outcome& outcome, int exitCode, const std::string& part) {
-    EXPECT_EQ(outcome.signal, 0) << "crashed";
-    EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
-    EXPECT_THAT(outcome.err, HasSubstr(part));
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_THAT(outcome.out, IsEmpty());
-}
-
 TEST_F(EndToEnd, UnknownCommandsAndOptions) {
     expectRefusal(run({"valdate"}), 2, "did you mean 'validate'?");
     expectRefusal(run({"xyzzy"}), 2, "there is no command 'xyzzy'; expected validate, reference");

@@ -226,6 +226,14 @@ std::string withLine(const std::string& text, const std::string& line, const std
     return text.substr(0, at) + replacement + text.substr(at + line.size());
 }
 
+void expectRefusal(const Outcome& outcome, int exitCode, const std::string& part) {
+    EXPECT_EQ(outcome.signal, 0) << "crashed";
+    EXPECT_EQ(outcome.exitCode, exitCode) << outcome.err;
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err << "has no " << part;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+}
+
 void expectOnlyTheCertificate(const std::string& err) {
     EXPECT_TRUE(err.starts_with("certificate: ")) << err;
     EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;

@@ -69,6 +69,9 @@ class EndToEnd : public ::testing::Test {
 /// A scene's text with one line replaced; fails the test if `line` isn't in it exactly once.
 std::string withLine(const std::string& text, const std::string& line, const std::string& replacement);
 
+/// What every refusal looks like: the exit code, one line on stderr that has `part`, nothing on stdout.
+void expectRefusal(const Outcome& outcome, int exitCode, const std::string& part);
+
 /// stderr of a run that drew a reference and had nothing to complain of: one line, the certificate.
 void expectOnlyTheCertificate(const std::string& err);
 

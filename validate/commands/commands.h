@@ -14,6 +14,7 @@
 namespace plumbline {
 
 inline constexpr int kExitDone = 0;
+inline constexpr int kExitThreshold = 1; // figures aren't as good as they were to be
 inline constexpr int kExitBadInput = 2;  // bad input or usage; also: a technique failed on its own files
 inline constexpr int kExitMachine = 3;   // this machine lacks something
 inline constexpr int kExitInternal = 70; // a fault of the program itself (EX_SOFTWARE of sysexits.h)
@@ -98,7 +99,17 @@ struct NewArguments {
     bool force = false;            // also if it exists
 };
 
+struct HistoryArguments {
+    std::filesystem::path file;
+    std::vector<std::filesystem::path> results; // results.json, oldest first
+    std::optional<std::string> label;           // of all of them
+    std::vector<std::string> tolerances;        // FIGURE=AMOUNT, history_moves.h
+    bool dryRun = false;                        // the file stays as it is
+};
+
 int runNew(const NewArguments& arguments);
+/// kExitThreshold if a figure is worse than tolerated.
+int runHistory(const HistoryArguments& arguments);
 int runValidate(const ValidateArguments& arguments);
 int runReference(const ReferenceArguments& arguments);
 int runRealtime(const RealtimeArguments& arguments);

@@ -2,6 +2,7 @@
 
 #include "../../scenes/error.h"
 #include "../csv_text.h"
+#include "../flat_figures.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -15,20 +16,6 @@ namespace plumbline {
 using nlohmann::json;
 
 namespace {
-
-/// Parts of a result that are no figures of the whole picture.
-const std::set<std::string> kSkipped{"objects", "absent", "parameters", "gl", "notes", "pooled_objects"};
-
-void flatten(const json& value, const std::string& prefix, std::map<std::string, double>& figures) {
-    for (const auto& [key, element] : value.items()) {
-        const std::string name = prefix.empty() ? key : prefix + "." + key;
-        if (kSkipped.contains(key)) continue;
-        if (element.is_number())
-            figures[name] = element.get<double>();
-        else if (element.is_object())
-            flatten(element, name, figures);
-    }
-}
 
 std::string textAt(const json& value, const char* key) {
     const auto found = value.find(key);
@@ -76,7 +63,7 @@ std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const json& outcome) {
     base.error = textAt(outcome, "error");
     if (!base.error.empty()) return {base};
     for (const char* part : {"reference", "fit"})
-        if (outcome.contains(part)) flatten(outcome[part], part, base.figures);
+        if (outcome.contains(part)) addFlatFigures(outcome[part], part, base.figures);
 
     std::vector<StudyRow> rows;
     const auto add = [&](const json& entry, const char* technique, const std::string& against) {
@@ -84,7 +71,7 @@ std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const json& outcome) {
         row.technique = labelOf(*studyCase.grid, textAt(entry, technique));
         row.against = against;
         row.error = textAt(entry.at("result"), "error");
-        flatten(entry.at("result"), "", row.figures);
+        addFlatFigures(entry.at("result"), "", row.figures);
         rows.push_back(std::move(row));
     };
     for (const json& technique : outcome.at("techniques"))
