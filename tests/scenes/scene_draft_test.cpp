@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <gmock/gmock.h>
+#include <ostream>
 
 namespace plumbline {
 namespace {
@@ -49,6 +50,10 @@ struct Shape {
     const char* name;
     ControlMesh mesh;
 };
+
+void PrintTo(const Shape& shape, std::ostream* stream) {
+    *stream << shape.name;
+}
 
 std::vector<Shape> shapes() {
     const ControlMesh torus = makeTorus(1, 0.4, 16, 8), plane = makePlane(2, 2, 3, 3);
