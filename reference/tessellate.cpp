@@ -13,6 +13,9 @@ namespace plumbline {
 
 namespace {
 
+/// Map widths, of st's size: st that are closer are the same, evaluated by two faces.
+constexpr double kSameSt = 1e-6;
+
 class Tessellator {
   public:
     Tessellator(const BaseSurface& surface, const Relief* relief, const Rates& rates, bool attributes)
@@ -96,12 +99,23 @@ class Tessellator {
                 MicroVertex& vertex = worker.vertices[index];
                 if (const MicroVertex* shared = sharedAt(tile.patch, lattice, place)) {
                     vertex = *shared;
+                    if (attributes_) separateSt(vertex, *worker.evaluator, lattice, place);
                     tile.tears[index] = glm::length(Vec3(vertex.position) - tile.vertices[index].displaced());
                 } else {
                     vertex.position = Vec3f(tile.vertices[index].displaced());
                     if (attributes_) addAttributes(vertex, *worker.evaluator, lattice, place);
                 }
             }
+    }
+
+    /// A shared vertex has the first face's st; where texture coordinates jump, this patch has another.
+    void separateSt(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator, const PatchLattice& lattice,
+                    const Vec2i& place) const {
+        const BasePoint base = evaluator.point(static_cast<double>(place.x) / lattice.columns,
+                                               static_cast<double>(place.y) / lattice.rows);
+        const Vec2 st = textureCoordinates(base, relief_), gap = glm::abs(st - Vec2(vertex.st));
+        // Faces that agree about an edge's uvs interpolate them to within rounding.
+        if (std::max(gap.x, gap.y) > kSameSt * (1 + glm::length(st))) vertex.st = Vec2f(st);
     }
 
     void addAttributes(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator,

@@ -9,7 +9,8 @@
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <ImfOutputFile.h>
 #include <ImfStringAttribute.h>
 #include <ImfThreading.h>
@@ -76,42 +77,80 @@ Imf::Slice planeSlice(float* plane, const Imath::Box2i& window) {
     return Imf::Slice::Make(Imf::FLOAT, plane, window, sizeof(float), 0);
 }
 
-std::vector<std::string> channelNames(const Imf::Header& header) {
-    std::vector<std::string> names;
-    for (auto it = header.channels().begin(); it != header.channels().end(); ++it)
-        names.emplace_back(it.name());
-    return names;
+/// A channel of a file of one or several parts, by its unique name.
+struct PartChannel {
+    int part;
+    std::string name; // within the part
+};
+using PartChannels = std::map<std::string, PartChannel>;
+
+/// Channels an earlier part has too get their part's name in front: layers written as parts may all be R, G and B.
+PartChannels listChannels(const Imf::MultiPartInputFile& input, const std::string& where) {
+    PartChannels channels;
+    for (int part = 0; part < input.parts(); ++part) {
+        const Imf::Header& header = input.header(part);
+        for (auto it = header.channels().begin(); it != header.channels().end(); ++it) {
+            const std::string name = it.name();
+            if (channels.try_emplace(name, PartChannel{part, name}).second) continue;
+            const std::string inPart = header.name() + "." + name;
+            if (!channels.try_emplace(inPart, PartChannel{part, name}).second)
+                throw InputError(where, fmt::format("has two channels '{}'", inPart), "a name for each");
+        }
+    }
+    return channels;
 }
 
-std::map<std::string, std::string> stringAttributes(const Imf::Header& header) {
-    std::map<std::string, std::string> attributes;
+void addStringAttributes(const Imf::Header& header, std::map<std::string, std::string>& attributes) {
     for (auto it = header.begin(); it != header.end(); ++it)
         if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
-            if (!isReserved(it.name())) attributes[it.name()] = text->value();
-    return attributes;
+            if (!isReserved(it.name())) attributes.try_emplace(it.name(), text->value());
 }
 
-ExrPlanes readPlanes(const std::filesystem::path& file, const ExrSelection& select) {
-    Imf::InputFile input(file.c_str());
-    const Imf::Header& header = input.header();
-    if (!input.isComplete()) throw InputError(file.string(), "is truncated", "a whole OpenEXR file");
+/// Adds a part's planes among `chosen` to `exr`.
+void readPart(Imf::MultiPartInputFile& input, int part, const PartChannels& chosen, const std::string& where,
+              ExrPlanes& exr) {
+    const Imf::Header& header = input.header(part);
     const Imath::Box2i window = header.dataWindow();
-    ExrPlanes exr;
-    exr.width = window.max.x - window.min.x + 1;
-    exr.height = window.max.y - window.min.y + 1;
     Imf::FrameBuffer buffer;
-    for (const std::string& name : select(channelNames(header))) {
-        const Imf::Channel* channel = header.channels().findChannel(name);
-        if (!channel || channel->xSampling != 1 || channel->ySampling != 1)
-            throw InputError(file.string(), fmt::format("channel '{}' is subsampled", name),
+    bool any = false;
+    for (const auto& [name, channel] : chosen) {
+        if (channel.part != part) continue;
+        const Imf::Channel* found = header.channels().findChannel(channel.name);
+        if (!found || found->xSampling != 1 || found->ySampling != 1)
+            throw InputError(where, fmt::format("channel '{}' is subsampled", name),
                              "a value of it for every pixel");
         std::vector<float>& plane = exr.planes[name];
         plane.resize(static_cast<size_t>(exr.width) * static_cast<size_t>(exr.height));
-        buffer.insert(name, planeSlice(plane.data(), window));
+        buffer.insert(channel.name, planeSlice(plane.data(), window));
+        any = true;
     }
-    input.setFrameBuffer(buffer);
-    input.readPixels(window.min.y, window.max.y);
-    exr.attributes = stringAttributes(header);
+    if (!any) return;
+    Imf::InputPart pixels(input, part);
+    pixels.setFrameBuffer(buffer);
+    pixels.readPixels(window.min.y, window.max.y);
+}
+
+ExrPlanes readPlanes(const std::filesystem::path& file, const ExrSelection& select) {
+    Imf::MultiPartInputFile input(file.c_str());
+    for (int part = 0; part < input.parts(); ++part)
+        if (!input.partComplete(part))
+            throw InputError(file.string(), "is truncated", "a whole OpenEXR file");
+    const PartChannels channels = listChannels(input, file.string());
+    std::vector<std::string> names;
+    for (const auto& [name, channel] : channels)
+        names.push_back(name);
+    PartChannels chosen;
+    for (const std::string& name : select(names))
+        chosen.emplace(name, channels.at(name));
+
+    const Imath::Box2i window = input.header(0).dataWindow();
+    ExrPlanes exr;
+    exr.width = window.max.x - window.min.x + 1;
+    exr.height = window.max.y - window.min.y + 1;
+    for (int part = 0; part < input.parts(); ++part) {
+        readPart(input, part, chosen, file.string(), exr);
+        addStringAttributes(input.header(part), exr.attributes);
+    }
     return exr;
 }
 

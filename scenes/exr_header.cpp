@@ -9,6 +9,7 @@
 #include <cstring>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace plumbline {
 namespace {
@@ -18,6 +19,9 @@ constexpr uint32_t kFlagDeep = 0x800, kFlagMultiPart = 0x1000;
 constexpr int64_t kMostPixels = int64_t(1) << 30;
 // Tables of chunks grow with the height alone, so a picture of 1 x 2^30 is refused too.
 constexpr int64_t kLongestSide = int64_t(1) << 20;
+/// The library holds whole headers in memory. Those of real files have kilobytes, with a preview or a list of names a few megabytes.
+constexpr uint64_t kLargestHeader = uint64_t(16) << 20;
+constexpr size_t kMostParts = 1024;
 
 struct Window {
     int32_t left = 0, top = 0, right = -1, bottom = -1; // inclusive
@@ -31,7 +35,8 @@ struct Summary {
     bool hasData = false, hasDisplay = false;
     uint8_t compression = 0;
     uint32_t tileWidth = 0, tileHeight = 0;
-    int64_t pixelBytes = 0; // of all channels together
+    double pixelBytes = 0; // of all channels together, those of subsampled ones by their share
+    std::string view;      // of a stereo picture
 };
 
 class Reader {
@@ -79,24 +84,39 @@ class Reader {
     uint64_t size_ = 0;
 };
 
-void readVersion(Reader& reader) {
+/// Whether the file has several parts.
+bool readVersion(Reader& reader) {
     if (reader.size() < 8 || reader.number<uint32_t>() != kMagic) reader.fail("is not an OpenEXR file");
     const auto version = reader.number<uint32_t>();
-    if (version & kFlagMultiPart)
-        reader.fail("has several parts",
-                    "a single-part OpenEXR file; its parts can be split with exrmultipart");
     if (version & kFlagDeep) reader.fail("is a deep image", "flat pixels");
+    return (version & kFlagMultiPart) != 0;
 }
 
 /// Bytes of one pixel: uint and float take 4, half 2.
-int64_t channelListBytes(Reader& reader) {
-    int64_t bytes = 0;
+double channelListBytes(Reader& reader) {
+    double bytes = 0;
     while (!reader.name().empty()) {
-        bytes += reader.number<int32_t>() == 1 ? 2 : 4;
-        for (int skipped = 0; skipped < 3; ++skipped)
-            reader.number<int32_t>(); // pLinear, samplings
+        const double size = reader.number<int32_t>() == 1 ? 2 : 4;
+        reader.number<int32_t>(); // pLinear
+        const auto xSampling = reader.number<int32_t>(), ySampling = reader.number<int32_t>();
+        if (xSampling < 1 || ySampling < 1) reader.fail("has a damaged header: a channel's sampling");
+        bytes += size / xSampling / ySampling;
     }
     return bytes;
+}
+
+/// Texts are as long as their attribute.
+std::string readText(Reader& reader, int32_t size) {
+    std::string text;
+    for (int32_t k = 0; k < size && k < 255; ++k)
+        text += reader.number<char>();
+    return text;
+}
+
+void checkType(const Reader& reader, const std::string& type) {
+    if (type == "scanlineimage" || type == "tiledimage") return;
+    if (type == "deepscanline" || type == "deeptile") reader.fail("is a deep image", "flat pixels");
+    reader.fail(fmt::format("has a part of the type '{}'", type), "scan lines or tiles");
 }
 
 Window readWindow(Reader& reader) {
@@ -106,33 +126,79 @@ Window readWindow(Reader& reader) {
     return window;
 }
 
-Summary readAttributes(Reader& reader) {
+void readAttribute(Reader& reader, const std::string& name, const std::string& type, int32_t size,
+                   Summary& summary) {
+    if (name == "dataWindow" && type == "box2i") {
+        summary.data = readWindow(reader);
+        summary.hasData = true;
+    } else if (name == "displayWindow" && type == "box2i") {
+        summary.display = readWindow(reader);
+        summary.hasDisplay = true;
+    } else if (name == "compression" && size == 1) {
+        summary.compression = reader.number<uint8_t>();
+    } else if (name == "tiles" && size == 9) {
+        summary.tileWidth = reader.number<uint32_t>();
+        summary.tileHeight = reader.number<uint32_t>();
+    } else if (name == "channels" && type == "chlist") {
+        summary.pixelBytes = channelListBytes(reader);
+    } else if (name == "type" && type == "string") {
+        checkType(reader, readText(reader, size));
+    } else if (name == "view" && type == "string") {
+        summary.view = readText(reader, size);
+    } else if (name == "multiView") {
+        reader.fail("is a stereo picture, its views in one part", "one view");
+    } else if (name == "envmap" && type == "envmap") {
+        reader.fail(fmt::format("is an environment map ({}), not a picture of a pinhole camera",
+                                reader.number<uint8_t>() == 0 ? "lat-long" : "cube"),
+                    "a perspective or orthographic picture");
+    }
+}
+
+/// One header; the empty name ends it.
+Summary readAttributes(Reader& reader, std::string name) {
     Summary summary;
-    for (std::string name = reader.name(); !name.empty(); name = reader.name()) {
+    for (; !name.empty(); name = reader.name()) {
         const std::string type = reader.name();
         const auto size = reader.number<int32_t>();
         if (size < 0) reader.fail("has a damaged header: attribute '" + name + "'");
         const uint64_t next = reader.position() + static_cast<uint64_t>(size);
+        if (next > kLargestHeader)
+            reader.fail(
+                fmt::format("has a header of more than {} MB: attribute '{}'", kLargestHeader >> 20, name),
+                "attributes of a picture");
         if (next > reader.size()) reader.failTruncated();
-        if (name == "dataWindow" && type == "box2i") {
-            summary.data = readWindow(reader);
-            summary.hasData = true;
-        } else if (name == "displayWindow" && type == "box2i") {
-            summary.display = readWindow(reader);
-            summary.hasDisplay = true;
-        } else if (name == "compression" && size == 1) {
-            summary.compression = reader.number<uint8_t>();
-        } else if (name == "tiles" && size == 9) {
-            summary.tileWidth = reader.number<uint32_t>();
-            summary.tileHeight = reader.number<uint32_t>();
-        } else if (name == "channels" && type == "chlist") {
-            summary.pixelBytes = channelListBytes(reader);
-        }
+        readAttribute(reader, name, type, size, summary);
         reader.moveTo(next);
     }
     if (!summary.hasData || !summary.hasDisplay)
         reader.fail("has a damaged header: no data or display window");
     return summary;
+}
+
+/// A file of several parts has a header for each, then an empty one.
+std::vector<Summary> readHeaders(Reader& reader, bool multiPart) {
+    if (!multiPart) return {readAttributes(reader, reader.name())};
+    std::vector<Summary> parts;
+    for (std::string name = reader.name(); !name.empty(); name = reader.name()) {
+        if (parts.size() == kMostParts)
+            reader.fail(fmt::format("has more than {} parts", kMostParts), "parts of one picture");
+        parts.push_back(readAttributes(reader, name));
+    }
+    if (parts.empty()) reader.fail("has a damaged header: no part");
+    return parts;
+}
+
+void checkPartsAgree(const Reader& reader, const std::vector<Summary>& parts) {
+    for (const Summary& part : parts) {
+        if (part.view != parts[0].view)
+            reader.fail(
+                fmt::format("is a stereo picture: it has the views '{}' and '{}'", parts[0].view, part.view),
+                "one view; its parts can be split with exrmultipart");
+        if (!(part.data == parts[0].data))
+            reader.fail(fmt::format("has parts of {} x {} and {} x {} pixels", parts[0].data.width(),
+                                    parts[0].data.height(), part.data.width(), part.data.height()),
+                        "parts of one size and place; they can be split with exrmultipart");
+    }
 }
 
 void checkWindows(const Reader& reader, const Summary& summary) {
@@ -163,16 +229,28 @@ int64_t largestRatio(uint8_t compression) {
     return compression < kRatios.size() ? kRatios[compression] : 1 << 17;
 }
 
+void checkBytes(Reader& reader, const Summary& part) {
+    const double pixels = static_cast<double>(part.data.width()) * static_cast<double>(part.data.height());
+    const auto fileBytes = static_cast<double>(reader.size());
+    if (pixels * part.pixelBytes / static_cast<double>(largestRatio(part.compression)) > fileBytes)
+        reader.failTruncated();
+    // The table of chunks has 8 bytes for each tile, which the library takes as it comes.
+    if (part.tileWidth > 0 && part.tileHeight > 0 &&
+        8 * pixels / part.tileWidth / part.tileHeight > fileBytes)
+        reader.failTruncated();
+}
+
 } // namespace
 
 void checkExrHeader(const std::filesystem::path& file) {
     Reader reader(file);
-    readVersion(reader);
-    const Summary summary = readAttributes(reader);
-    checkWindows(reader, summary);
-    const int64_t claimedBytes = summary.data.width() * summary.data.height() * summary.pixelBytes;
-    if (claimedBytes / largestRatio(summary.compression) > static_cast<int64_t>(reader.size()))
-        reader.failTruncated();
+    const bool multiPart = readVersion(reader);
+    const std::vector<Summary> parts = readHeaders(reader, multiPart);
+    for (const Summary& part : parts) {
+        checkWindows(reader, part);
+        checkBytes(reader, part);
+    }
+    checkPartsAgree(reader, parts);
 }
 
 } // namespace plumbline

@@ -56,6 +56,12 @@ bool matches(std::string_view rowName, std::string_view name) {
     return name.size() > rowName.size() && name.starts_with(rowName);
 }
 
+const ChannelInfo* findRow(std::string_view channelName) {
+    for (const ChannelInfo& info : kChannels)
+        if (matches(info.name, channelName)) return &info;
+    return nullptr;
+}
+
 std::string namesOrNone(const std::vector<std::string>& names) {
     return names.empty() ? std::string("none") : fmt::format("{}", fmt::join(names, " "));
 }
@@ -67,14 +73,17 @@ std::span<const ChannelInfo> channelTable() {
 }
 
 const ChannelInfo& channelInfo(std::string_view channelName) {
-    for (const ChannelInfo& info : kChannels)
-        if (matches(info.name, channelName)) return info;
+    if (const ChannelInfo* info = findRow(channelName)) return *info;
     std::vector<std::string> names;
     names.reserve(kChannels.size());
     for (const ChannelInfo& info : kChannels)
         names.emplace_back(info.name);
     throw InputError("frame", fmt::format("no channel is called '{}'", channelName), listOf(names),
                      didYouMean(channelName, names));
+}
+
+bool isFrameChannel(std::string_view channelName) {
+    return findRow(channelName) != nullptr;
 }
 
 std::span<float> Frame::add(std::string_view name) {
@@ -86,6 +95,10 @@ std::span<float> Frame::add(std::string_view name) {
 
 bool Frame::has(std::string_view name) const {
     return channels_.find(name) != channels_.end();
+}
+
+void Frame::remove(std::string_view name) {
+    if (const auto found = channels_.find(name); found != channels_.end()) channels_.erase(found);
 }
 
 std::span<const float> Frame::channel(std::string_view name) const {

@@ -13,10 +13,10 @@ namespace plumbline {
 
 /// A row of the channel table.
 struct ChannelInfo {
-    std::string_view name;  // "shadow.<light>" stands for one channel per light
+    std::string_view name; // "shadow.<light>" stands for one channel per light
     std::string_view unit;
     std::string_view space;
-    float missValue;        // where no surface covers the pixel centre
+    float missValue; // where no surface covers the pixel centre
     std::string_view meaning;
 };
 
@@ -26,7 +26,12 @@ std::span<const ChannelInfo> channelTable();
 /// Row of the table for a concrete name such as "shadow.sun"; throws InputError for a name the table lacks.
 const ChannelInfo& channelInfo(std::string_view channelName);
 
-inline std::string shadowChannel(std::string_view lightName) { return "shadow." + std::string(lightName); }
+/// Whether the table has a row for it.
+bool isFrameChannel(std::string_view channelName);
+
+inline std::string shadowChannel(std::string_view lightName) {
+    return "shadow." + std::string(lightName);
+}
 inline std::string uncertainShadowChannel(std::string_view lightName) {
     return "uncertain.shadow." + std::string(lightName);
 }
@@ -44,6 +49,7 @@ class Frame {
     /// Adds a channel filled with its miss value (from the table) and returns it.
     std::span<float> add(std::string_view name);
     bool has(std::string_view name) const;
+    void remove(std::string_view name);
     /// The plane of a channel; throws InputError with the names there are if it is missing.
     std::span<float> channel(std::string_view name);
     std::span<const float> channel(std::string_view name) const;

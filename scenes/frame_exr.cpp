@@ -6,19 +6,6 @@
 #include <algorithm>
 
 namespace plumbline {
-namespace {
-
-bool isFrameChannel(const std::string& name) {
-    try {
-        channelInfo(name);
-        return true;
-    } catch (const InputError&) {
-        return false;
-    }
-}
-
-} // namespace
-
 void writeFrame(const Frame& frame, const std::filesystem::path& file) {
     std::map<std::string, std::span<const float>> planes;
     for (const std::string& name : frame.channelNames())

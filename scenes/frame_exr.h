@@ -11,10 +11,8 @@ namespace plumbline {
 /// written.
 void writeFrame(const Frame& frame, const std::filesystem::path& file);
 
-/// Reads any scan-line or tiled, single-part EXR: half, float and uint channels become float; channels the
-/// table lacks are left out, string attributes become metadata. Throws InputError for a file that is missing,
-/// truncated, not an EXR, deep, multi-part, cropped, without any channel of the table, or larger than 1
-/// Gpixel.
+/// Reads any EXR that readExr does: half, float and uint channels become float; channels the table lacks are left out, string attributes
+/// become metadata. Throws InputError as readExr does, and for a file without any channel of the table.
 Frame readFrame(const std::filesystem::path& file);
 
 } // namespace plumbline

@@ -44,8 +44,8 @@ struct MicroMesh {
     std::vector<Vec3f> positionsWorld;
     std::vector<MicroGrid> grids;
     std::vector<PatchLattice> lattices; // one per patch
-    /// Per vertex, filled on request only (the control technique needs them): unit normal of the displaced
-    /// surface and st.
+    /// Per vertex, filled on request only (the control technique and mesh files need them): unit normal of the displaced
+    /// surface, at a crease that of one face, and the patch's own st.
     std::vector<Vec3f> normalsWorld;
     std::vector<Vec2f> st;
     /// Those with area in parameter space were no side coarser than its lattice; half cells on a triangle's long side

@@ -209,6 +209,24 @@ void addHistory(CLI::App& app, Arguments& arguments, std::function<int()>& run) 
     command->callback([&] { run = [&] { return runHistory(arguments.history); }; });
 }
 
+void addExports(CLI::App& command, ReferenceArguments& arguments) {
+    command
+        .add_option("--export-mesh", arguments.meshFile,
+                    "Also write the displaced triangles, for other renderers")
+        ->type_name("FILE.ply|obj");
+    command.add_option("--export-camera", arguments.cameraFile, "Also write the camera and the lights")
+        ->type_name("FILE.json");
+}
+
+void addChannelMap(CLI::App& command, CompareArguments& arguments) {
+    command
+        .add_option("--map", arguments.channelMap,
+                    "A channel of TEST is one of ours: Depth.Z=Z, dist=distance (along the ray), "
+                    "Normal.Y=-N.Z; may be repeated")
+        ->type_name("THEIRS=OURS")
+        ->allow_extra_args(false);
+}
+
 /// Adds the commands to `app`; the one chosen stores what is to be run in `run`.
 void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     CLI::App* validate =
@@ -233,6 +251,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     reference->get_option("SCENE")->required();
     reference->add_option("-o", arguments.reference.output, "The frame's file")->type_name("FILE.exr");
     addReferenceOptions(*reference, arguments.reference, "limit|proxy");
+    addExports(*reference, arguments.reference);
     addThreads(*reference, arguments);
     reference->callback([&] { run = [&] { return runReference(arguments.reference); }; });
 
@@ -254,6 +273,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     compare->add_option("-o", arguments.compare.output, "Folder for results and report")->type_name("DIR");
     compare->add_flag("--json", arguments.compare.json, "Print results.json instead of the table");
     addReportOptions(*compare, arguments.compare.report);
+    addChannelMap(*compare, arguments.compare);
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
     addNew(app, arguments, run);

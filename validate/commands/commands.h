@@ -29,10 +29,11 @@ struct ReferenceArguments {
     std::string scene = kDefaultScene;     // path or library name
     std::vector<std::string> sceneChanges; // PATH=VALUE, scenes/scene_file.h
     std::optional<std::filesystem::path> output;
-    int rate = 0;                       // segments per control edge; 0: chosen
-    std::optional<std::string> memory;  // "256M"; nullopt: the reference's own default
-    std::string base = "limit";         // or "proxy"; for validate also "both"
-    std::optional<std::string> errorPx; // "0.05"; nullopt: the reference's own default
+    int rate = 0;                                              // segments per control edge; 0: chosen
+    std::optional<std::string> memory;                         // "256M"; nullopt: the reference's own default
+    std::string base = "limit";                                // or "proxy"; for validate also "both"
+    std::optional<std::string> errorPx;                        // "0.05"; nullopt: the reference's own default
+    std::optional<std::filesystem::path> meshFile, cameraFile; // of `reference` only: .ply or .obj, .json
 };
 
 struct RealtimeArguments {
@@ -61,6 +62,7 @@ struct ValidateArguments {
 
 struct CompareArguments {
     std::filesystem::path reference, test;
+    std::vector<std::string> channelMap;         // THEIRS=OURS, validate/foreign_frame.h
     std::optional<std::filesystem::path> output; // folder
     bool json = false;
     ReportArguments report;

@@ -1,7 +1,7 @@
 #include "../../scenes/error.h"
-#include "../../scenes/frame_exr.h"
 #include "../../scenes/replace_file.h"
 #include "../../scenes/scene_metadata.h"
+#include "../foreign_frame.h"
 #include "../frame_metadata.h"
 #include "../output_files.h"
 #include "shared.h"
@@ -25,11 +25,28 @@ ReferenceSummary fromFile(const Frame& frame, const std::string& file) {
     return summary;
 }
 
-Results compareFiles(const CompareArguments& arguments, const Frame& reference, const Frame& test) {
-    std::vector<ObjectInfo> objects = objectsFromHeader(reference, arguments.reference.string());
-    if (objects.empty()) objects = objectsFromHeader(test, arguments.test.string());
-    std::optional<Camera> camera = cameraFromHeader(reference, arguments.reference.string());
-    if (!camera) camera = cameraFromHeader(test, arguments.test.string());
+/// Of the view, from either file's header.
+std::optional<Camera> cameraOf(const ForeignFrame& reference, const ForeignFrame& test) {
+    std::optional<Camera> camera = cameraFromHeader(reference.frame, reference.file);
+    return camera ? camera : cameraFromHeader(test.frame, test.file);
+}
+
+/// Both frames as the channel table has them; returns what was assumed for that.
+std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& test) {
+    if (reference.frame.width() != test.frame.width() || reference.frame.height() != test.frame.height())
+        return {}; // the camera isn't that of both; compareFrames refuses them
+    const std::optional<Camera> camera = cameraOf(reference, test);
+    std::vector<std::string> notes = settleFrame(reference, camera);
+    for (std::string& note : settleFrame(test, camera))
+        notes.push_back(std::move(note));
+    return notes;
+}
+
+Results compareFiles(const CompareArguments& arguments, const ForeignFrame& referenceFile,
+                     const ForeignFrame& testFile, const std::vector<std::string>& assumed) {
+    const Frame &reference = referenceFile.frame, &test = testFile.frame;
+    std::vector<ObjectInfo> objects = objectsFromHeader(reference, referenceFile.file);
+    if (objects.empty()) objects = objectsFromHeader(test, testFile.file);
 
     Results results;
     results.program = programName();
@@ -45,7 +62,9 @@ Results compareFiles(const CompareArguments& arguments, const Frame& reference, 
     TechniqueOutcome outcome;
     outcome.name = metadataOf(test, "technique", arguments.test.stem().string());
     outcome.msMedian = Figure::absent("the frame came from a file");
-    outcome.comparison = compareFrames(reference, test, objects, camera);
+    outcome.comparison = compareFrames(reference, test, objects, cameraOf(referenceFile, testFile));
+    std::vector<std::string>& notes = outcome.comparison.notes;
+    notes.insert(notes.begin(), assumed.begin(), assumed.end());
     results.techniques.push_back(std::move(outcome));
     return results;
 }
@@ -64,8 +83,11 @@ void writeComparison(const CompareArguments& arguments, const Results& results, 
 } // namespace
 
 int runCompare(const CompareArguments& arguments) {
-    const Frame reference = readFrame(arguments.reference), test = readFrame(arguments.test);
-    const Results results = compareFiles(arguments, reference, test);
+    ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
+    ForeignFrame testFile = readForeignFrame(arguments.test, parseChannelMap(arguments.channelMap));
+    const std::vector<std::string> assumed = settleFrames(referenceFile, testFile);
+    const Frame &reference = referenceFile.frame, &test = testFile.frame;
+    const Results results = compareFiles(arguments, referenceFile, testFile, assumed);
     if (arguments.output) {
         requireWritableFolder(*arguments.output);
         requireWritableFolder(*arguments.output / "report");

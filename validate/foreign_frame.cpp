@@ -1,0 +1,306 @@
+#include "foreign_frame.h"
+
+#include "../scenes/error.h"
+#include "../scenes/exr_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+// What Blender writes as the depth of nothing: 1e10, as float and where half has cut it off.
+constexpr float kNothingDepth = 1e10f, kNothingDepthHalf = 65504;
+/// A renderer may sample anywhere within a pixel and filter a few pixels wide; another camera is off by far more.
+constexpr double kSameCameraPx = 2;
+constexpr double kBehindPx = 1e9;    // stands for a position behind the camera, or none
+constexpr size_t kMostProbes = 4096; // pixels looked at for the space of positions
+
+const std::array<std::string, 3> kPosition{"P.X", "P.Y", "P.Z"}, kNormal{"N.X", "N.Y", "N.Z"};
+
+bool hasAll(const Frame& frame, const std::array<std::string, 3>& channels) {
+    return std::all_of(channels.begin(), channels.end(), [&](const auto& name) { return frame.has(name); });
+}
+
+std::array<std::span<float>, 3> planesOf(Frame& frame, const std::array<std::string, 3>& channels) {
+    return {frame.channel(channels[0]), frame.channel(channels[1]), frame.channel(channels[2])};
+}
+
+Vec3 vectorAt(const std::array<std::span<float>, 3>& planes, size_t pixel) {
+    return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
+}
+
+std::string sourcesOf(const ChannelPlan& plan) {
+    std::string text;
+    for (const auto& [ours, source] : plan.channels)
+        if (source.theirs != ours || source.negated || source.distanceFrom)
+            text += fmt::format("{}{} is {}{}", text.empty() ? "" : ", ", ours, source.negated ? "-" : "",
+                                source.theirs);
+    return text;
+}
+
+bool isNothing(float depth) {
+    return depth == kNothingDepth || depth == kNothingDepthHalf;
+}
+
+bool isDepth(float depth) {
+    return std::isfinite(depth) && depth > 0 && !isNothing(depth);
+}
+
+/// Settles one frame, a step a function; each says what it assumed.
+class FrameSettler {
+  public:
+    FrameSettler(ForeignFrame& foreign, const std::optional<Camera>& camera)
+        : file_(foreign.file), frame_(foreign.frame), plan_(foreign.plan), camera_(camera) {}
+
+    std::vector<std::string> settle() {
+        sayLayout();
+        settleObjects();
+        settleCoverage();
+        settleDistance();
+        settleSpace();
+        return std::move(notes_);
+    }
+
+  private:
+    bool isOwn() const { return plan_.layout == FrameLayout::Own && !plan_.mapped; }
+    void say(const std::string& assumed) { notes_.push_back(fmt::format("{}: {}", file_, assumed)); }
+
+    void sayLayout() {
+        if (isOwn()) return;
+        say(fmt::format("read as {}; {}", nameOf(plan_.layout), sourcesOf(plan_)));
+    }
+
+    /// Blender numbers no object by itself.
+    void settleObjects() {
+        if (plan_.layout != FrameLayout::Blender || !frame_.has("id")) return;
+        const auto id = frame_.channel("id");
+        if (std::any_of(id.begin(), id.end(), [](float value) { return value != 0; })) return;
+        frame_.remove("id");
+        say("every object has the pass index 0: they can't be told apart");
+    }
+
+    void settleCoverage() {
+        if (frame_.has("id") || (frame_.has("A") && !frame_.has("Z"))) {
+            coverById();
+            return;
+        }
+        if (frame_.has("A"))
+            uncoverNothing();
+        else if (frame_.has("Z"))
+            coverByDepth();
+        else if (hasAll(frame_, kPosition))
+            coverByPosition();
+    }
+
+    /// Where an id or coverage is given it is believed; a depth of nothing is then no depth.
+    void coverById() {
+        covered_.resize(frame_.pixelCount());
+        const auto plane = frame_.channel(frame_.has("id") ? "id" : "A");
+        for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
+            covered_[pixel] = plane[pixel] >= 0.5f;
+        if (!frame_.has("Z")) return;
+        size_t unnumbered = 0;
+        const auto depth = frame_.channel("Z");
+        for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
+            unnumbered += !covered_[pixel] && isDepth(depth[pixel]);
+        if (unnumbered > 0 && !isOwn())
+            say(fmt::format("{} pixels have a depth but no object's number: they count as nothing",
+                            unnumbered));
+    }
+
+    /// Blender's A is 1 all over unless the film is transparent; its depth knows better.
+    void uncoverNothing() {
+        const auto coverage = frame_.channel("A"), depth = frame_.channel("Z");
+        size_t count = 0;
+        for (size_t pixel = 0; pixel < coverage.size(); ++pixel)
+            if (coverage[pixel] >= 0.5f && isNothing(depth[pixel])) {
+                coverage[pixel] = 0;
+                ++count;
+            }
+        if (count > 0)
+            say(fmt::format(
+                "{} pixels have A = 1 and the depth of nothing, 1e10 or 65504: they count as nothing",
+                count));
+        coverById();
+    }
+
+    void coverByDepth() {
+        const auto depth = frame_.channel("Z");
+        cover([&](size_t pixel) { return isDepth(depth[pixel]); });
+        say("has no coverage: a pixel is covered where its depth is finite, > 0 and neither 1e10 nor 65504");
+    }
+
+    void coverByPosition() {
+        const auto planes = planesOf(frame_, kPosition);
+        cover([&](size_t pixel) {
+            const Vec3 position = vectorAt(planes, pixel);
+            return std::isfinite(position.x + position.y + position.z) && position != Vec3(0);
+        });
+        say("has no coverage: a pixel is covered where its position isn't (0, 0, 0)");
+    }
+
+    template <class IsCovered>
+    void cover(IsCovered&& isCovered) {
+        covered_.resize(frame_.pixelCount());
+        for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
+            covered_[pixel] = isCovered(pixel);
+        const auto coverage = frame_.add("A");
+        std::copy(covered_.begin(), covered_.end(), coverage.begin());
+    }
+
+    void settleDistance() {
+        const auto source = plan_.channels.find("Z");
+        if (source == plan_.channels.end() || !source->second.distanceFrom) return;
+        if (hasAll(frame_, kPosition) && camera_) {
+            frame_.remove("Z");
+            say("depth is that of the positions, not of the distances");
+            return;
+        }
+        const double near = *source->second.distanceFrom;
+        if (!camera_)
+            throw InputError(file_,
+                             fmt::format("{} is a distance along the ray, and the camera is not known",
+                                         source->second.theirs),
+                             "a header field camera in one of the two files, as plumbline writes it",
+                             fmt::format("--map \"{}=Z\" if it is planar depth", source->second.theirs));
+        const CameraRays rays(*camera_);
+        const Vec3 forward = glm::normalize(camera_->targetWorld - camera_->positionWorld);
+        const auto depth = frame_.channel("Z");
+        for (size_t pixel = 0; pixel < depth.size(); ++pixel)
+            if (isDepth(depth[pixel])) {
+                const auto width = static_cast<size_t>(frame_.width());
+                const Ray ray = rays.ray(static_cast<double>(pixel % width) + 0.5,
+                                         static_cast<double>(pixel / width) + 0.5);
+                depth[pixel] = static_cast<float>(near + depth[pixel] * glm::dot(ray.direction, forward));
+            }
+        say(fmt::format(
+            "{} is a distance along the ray from a plane {} in front of the camera{}", source->second.theirs,
+            near,
+            plan_.layout == FrameLayout::Mitsuba && !plan_.mapped ? ", Mitsuba's near_clip if not set" : ""));
+    }
+
+    struct Space {
+        const char* name;
+        Mat4 worldFromTheirs;
+    };
+    std::vector<Space> spaces() const {
+        const Mat4 zUp(Vec4(1, 0, 0, 0), Vec4(0, 0, -1, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 0, 1));
+        Mat4 flipped(1.0); // pbrt's camera looks along +z
+        flipped[2][2] = -1;
+        return {{"the world, Y up", Mat4(1.0)},
+                {"a world with Z up, as Blender's importers turn a mesh: (x, z, -y) in ours", zUp},
+                {"pbrt's camera space", glm::inverse(viewFromWorld(*camera_)) * flipped}};
+    }
+
+    void settleSpace() {
+        const bool positions = hasAll(frame_, kPosition), normals = hasAll(frame_, kNormal);
+        if (isOwn() || (!positions && !normals)) return;
+        if (!positions || !camera_) {
+            say(fmt::format("{} taken as in a world with Y up, for want of {}",
+                            positions ? "positions and normals are" : "normals are",
+                            positions ? "a camera" : "positions to tell by"));
+            return;
+        }
+        const std::vector<Space> all = spaces();
+        std::vector<double> offsets;
+        for (const Space& space : all)
+            offsets.push_back(medianOffset(space.worldFromTheirs));
+        const auto best = std::min_element(offsets.begin(), offsets.end());
+        if (*best == kInfinity) return; // nothing in sight
+        if (!(*best <= kSameCameraPx))
+            throw InputError(
+                file_, fmt::format("its positions are {:.1f} pixels beside their own in the median", *best),
+                "the reference's camera, and positions in the world, in one with Z up or in pbrt's "
+                "camera space");
+        const Space& space = all[static_cast<size_t>(best - offsets.begin())];
+        turn(space.worldFromTheirs, normals);
+        say(fmt::format("positions{} are in {}: there they lie on their pixels' rays, {:.2f} pixels beside "
+                        "in the median",
+                        normals ? " and normals" : "", space.name, *best));
+    }
+
+    /// Pixels between where a position is seen and its own pixel's centre, median over covered ones; infinite if there are none.
+    double medianOffset(const Mat4& worldFromTheirs) {
+        const auto planes = planesOf(frame_, kPosition);
+        const auto width = static_cast<size_t>(frame_.width());
+        std::vector<double> offsets;
+        for (const size_t pixel : probes()) {
+            const Vec3 position(worldFromTheirs * Vec4(vectorAt(planes, pixel), 1));
+            const Vec3 seen = pixelFromWorld(*camera_, position);
+            const Vec2 centre(static_cast<double>(pixel % width) + 0.5,
+                              static_cast<double>(pixel / width) + 0.5);
+            const double offset = glm::length(Vec2(seen) - centre);
+            offsets.push_back(seen.z > 0 && std::isfinite(offset) ? offset : kBehindPx);
+        }
+        if (offsets.empty()) return kInfinity;
+        const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+        std::nth_element(offsets.begin(), middle, offsets.end());
+        return *middle;
+    }
+
+    /// Covered pixels, spread over all of them.
+    std::vector<size_t> probes() const {
+        std::vector<size_t> covered;
+        for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
+            if (covered_[pixel]) covered.push_back(pixel);
+        const size_t step = covered.size() / kMostProbes + 1;
+        std::vector<size_t> chosen;
+        for (size_t k = 0; k < covered.size(); k += step)
+            chosen.push_back(covered[k]);
+        return chosen;
+    }
+
+    void turn(const Mat4& worldFromTheirs, bool normals) {
+        if (worldFromTheirs == Mat4(1.0)) return;
+        turnPlanes(kPosition, worldFromTheirs, 1);
+        if (normals) turnPlanes(kNormal, worldFromTheirs, 0);
+    }
+    void turnPlanes(const std::array<std::string, 3>& channels, const Mat4& worldFromTheirs, double w) {
+        const auto planes = planesOf(frame_, channels);
+        for (size_t pixel = 0; pixel < frame_.pixelCount(); ++pixel) {
+            const Vec4 turned = worldFromTheirs * Vec4(vectorAt(planes, pixel), w);
+            for (int axis = 0; axis < 3; ++axis)
+                planes[static_cast<size_t>(axis)][pixel] = static_cast<float>(turned[axis]);
+        }
+    }
+
+    const std::string& file_;
+    Frame& frame_;
+    const ChannelPlan& plan_;
+    const std::optional<Camera>& camera_;
+    std::vector<bool> covered_; // per pixel; empty where nothing says it
+    std::vector<std::string> notes_;
+};
+
+} // namespace
+
+ForeignFrame readForeignFrame(const std::filesystem::path& file, std::span<const ChannelMapping> mappings) {
+    ForeignFrame foreign{file.string(), {}, {}};
+    ExrPlanes exr = readExr(file, [&](const std::vector<std::string>& names) {
+        foreign.plan = planChannels(names, mappings, file.string());
+        std::vector<std::string> wanted;
+        for (const auto& [ours, source] : foreign.plan.channels)
+            if (std::find(wanted.begin(), wanted.end(), source.theirs) == wanted.end())
+                wanted.push_back(source.theirs);
+        return wanted;
+    });
+    foreign.frame = Frame(exr.width, exr.height);
+    for (const auto& [ours, source] : foreign.plan.channels) {
+        const std::vector<float>& theirs = exr.planes.at(source.theirs);
+        const float sign = source.negated ? -1.0f : 1.0f;
+        std::transform(theirs.begin(), theirs.end(), foreign.frame.add(ours).begin(),
+                       [&](float value) { return sign * value; });
+    }
+    foreign.frame.metadata = std::move(exr.attributes);
+    return foreign;
+}
+
+std::vector<std::string> settleFrame(ForeignFrame& foreign, const std::optional<Camera>& camera) {
+    return FrameSettler(foreign, camera).settle();
+}
+
+} // namespace plumbline
