@@ -178,7 +178,8 @@ TEST(ExrVariants, ASubsampledChannelIsRefusedOnlyWhereItIsWanted) {
     std::vector<float> chroma(128 * 128, 1.0f);
     Imf::FrameBuffer buffer;
     buffer.insert("Z", Imf::Slice::Make(Imf::HALF, depth.data(), window));
-    buffer.insert("BY", Imf::Slice::Make(Imf::FLOAT, chroma.data(), Imath::V2i(0), 128, 128, 0, 0, 2, 2));
+    buffer.insert("BY", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(chroma.data()), sizeof(float),
+                                   sizeof(float) * 128, 2, 2));
     {
         Imf::OutputFile output((folder / "a.exr").c_str(), header);
         output.setFrameBuffer(buffer);

@@ -1,0 +1,59 @@
+// Another renderer, given the exported mesh and camera, must draw the very picture: Blender's Cycles by blender_frame.py.
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cstdlib>
+#include <gmock/gmock.h>
+
+namespace plumbline::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class BlenderFrame : public EndToEnd {
+  protected:
+    void SetUp() override {
+        EndToEnd::SetUp();
+        if (std::system("command -v blender > /dev/null") != 0)
+            GTEST_SKIP()
+                << "no blender on this machine (Debian: apt-get install --no-install-recommends blender)";
+    }
+    /// blender's exit code, 124 where it takes longer than four minutes; what it says is in blender.log.
+    int runBlender(const std::string& mesh, const std::string& camera, const std::string& out) const {
+        const std::string command = "cd '" + folder_.string() +
+                                    "' && timeout 240 blender -b -P '" PLUMBLINE_SOURCE_DIR
+                                    "/tests/end_to_end/blender_frame.py' -- " +
+                                    mesh + " " + camera + " " + out + " > blender.log 2>&1";
+        return WEXITSTATUS(std::system(command.c_str()));
+    }
+};
+
+TEST_F(BlenderFrame, OfTheExportedMeshCoversTheSamePixels) {
+    const Outcome reference = run({"reference", "stone_torus", "--rate", "64", "-o", "reference.exr",
+                                   "--export-mesh", "mesh.ply", "--export-camera", "camera.json"});
+    ASSERT_EQ(reference.exitCode, 0) << reference.err;
+    ASSERT_EQ(runBlender("mesh.ply", "camera.json", "blender.exr"), 0) << readFile(folder_ / "blender.log");
+
+    const Outcome compared = run({"compare", "reference.exr", "blender.exr", "--json"});
+    ASSERT_EQ(compared.exitCode, 0) << compared.err;
+    EXPECT_THAT(compared.out, HasSubstr("read as a frame of Blender"));
+    const auto figures = nlohmann::json::parse(compared.out)["techniques"][0];
+    // Blender aims within 0.005 pixels of the centre: a contour of some 2000 pixels may change hands in about ten of 212 000.
+    EXPECT_GE(figures["silhouette"]["iou"], 0.9999);
+    EXPECT_GT(figures["silhouette"]["reference_px"], 200000);
+    // 0.005 pixels along slopes; a distance taken for planar depth would be off by tenths of the relief's depth.
+    EXPECT_LT(figures["depth"]["p99_relief"], 0.01);
+    // The map has 256 texels over 16/4 faces: 0.005 pixels are hundredths of a texel.
+    EXPECT_LT(figures["st"]["p95_texels"], 0.1);
+}
+
+TEST_F(BlenderFrame, TheScriptRefusesWhatIsNoMesh) {
+    writeFile(folder_ / "mesh.ply", "ply\nformat ascii 1.0\n");
+    writeFile(folder_ / "camera.json", "{}");
+    EXPECT_NE(runBlender("mesh.ply", "camera.json", "blender.exr"), 0);
+    EXPECT_THAT(filesBelow(folder_), testing::Not(testing::Contains("blender.exr")));
+}
+
+} // namespace
+} // namespace plumbline::test

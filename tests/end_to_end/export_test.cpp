@@ -1,0 +1,77 @@
+// Mesh and camera for other renderers, and frames back from them.
+#include "../../scenes/exr_file.h"
+#include "../../scenes/frame_exr.h"
+#include "program.h"
+
+#include <nlohmann/json.hpp>
+
+#include <gmock/gmock.h>
+
+namespace plumbline::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class Export : public EndToEnd {
+  protected:
+    Outcome runReference(const std::vector<std::string>& more) const {
+        std::vector<std::string> arguments{"reference", writeSmallScene(), "--rate", "4"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    }
+    void expectRefused(const Outcome& outcome, const std::string& part) const {
+        EXPECT_EQ(outcome.exitCode, 2) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr(part));
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+};
+
+TEST_F(Export, MeshAndCameraBesideTheFrame) {
+    const Outcome outcome =
+        runReference({"-o", "a.exr", "--export-mesh", "a.ply", "--export-camera", "a.json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(filesBelow(folder_), ElementsAre("a.exr", "a.json", "a.ply", "small.toml"));
+    EXPECT_THAT(outcome.out, HasSubstr("triangles, "));
+    EXPECT_EQ(nlohmann::json::parse(readFile(folder_ / "a.json"))["objects"][1]["name"], "floor");
+    EXPECT_THAT(readFile(folder_ / "a.ply"), HasSubstr("comment object_id 2: floor\n"));
+}
+
+TEST_F(Export, BadNamesAreRefusedBeforeTheWork) {
+    expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.stl"}),
+                  "a name that ends in .ply or .obj");
+    expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.ply", "--export-camera", "./a.ply"}),
+                  "is the name of two results");
+    expectRefused(runReference({"-o", "a.exr", "--export-camera", "small.toml"}), "would be replaced");
+    EXPECT_THAT(filesBelow(folder_), ElementsAre("small.toml"));
+}
+
+/// The reference's own frame under Mitsuba's names, its depth along the rays: nothing may differ.
+TEST_F(Export, AFrameOfOtherNamesAndDistancesIsTheSame) {
+    ASSERT_EQ(runReference({"-o", "a.exr"}).exitCode, 0);
+    const Frame frame = readFrame(folder_ / "a.exr");
+    std::map<std::string, std::vector<float>> planes;
+    std::vector<float>& distance = planes["dist"];
+    const Vec3 eye(1.1, 2.0, 2.9); // of the small scene
+    for (size_t pixel = 0; pixel < frame.pixelCount(); ++pixel) {
+        const Vec3 position(frame.channel("P.X")[pixel], frame.channel("P.Y")[pixel],
+                            frame.channel("P.Z")[pixel]);
+        distance.push_back(frame.channel("A")[pixel] > 0 ? float(glm::length(position - eye)) : 0.0f);
+    }
+    writeExr(folder_ / "b.exr", frame.width(), frame.height(), {{"dist", distance}}, {});
+    const Outcome outcome = run({"compare", "a.exr", "b.exr", "--map", "dist=distance", "--json"});
+    ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
+    const auto technique = nlohmann::json::parse(outcome.out)["techniques"][0];
+    EXPECT_EQ(technique["silhouette"]["iou"], 1.0);
+    EXPECT_LT(technique["depth"]["max"], 1e-5); // floats of a few units
+    EXPECT_THAT(technique["notes"].dump(), HasSubstr("dist is a distance along the ray"));
+    EXPECT_THAT(technique["notes"].dump(), HasSubstr("no normal figures"));
+
+    expectRefused(run({"compare", "a.exr", "b.exr"}), "has no channel of a frame; its channels are dist");
+    expectRefused(run({"compare", "a.exr", "b.exr", "--map", "dist=depth"}), "no channel is called 'depth'");
+    expectRefused(run({"compare", "b.exr", "b.exr", "--map", "dist=Z"}), "has no channel of a frame");
+}
+
+} // namespace
+} // namespace plumbline::test
