@@ -63,6 +63,12 @@ struct SceneObject {
     Vec3 colorAt(const Vec2& st) const { return colorMap ? colorMap->sample(st) : color; }
 };
 
+/// What techniques must reach on a scene: validate/requirement.h reads the text.
+struct SceneRequirement {
+    std::string text;  // "silhouette.iou >= 0.99"
+    std::string where; // "file:line: field", for messages
+};
+
 struct Scene {
     std::string name; // file stem
     std::string purpose;
@@ -70,6 +76,7 @@ struct Scene {
     Camera camera;
     std::vector<Light> lights;
     std::vector<SceneObject> objects;
+    std::vector<SceneRequirement> requirements;
     std::vector<std::string>
         warnings;     // a line each: what a user should know of meshes and maps before trusting figures
     std::string hash; // of the scene file, every file it names and the changes; hexadecimal

@@ -56,6 +56,7 @@ class SceneReader {
         for (const TomlTable& map : root_.tables("height_map"))
             readMap(map);
         readObjects();
+        readRequirements();
         root_.finish();
         scene_.hash = hash_.hexadecimal();
         return std::move(scene_);
@@ -260,6 +261,15 @@ class SceneReader {
         std::shared_ptr<const ColorMap>& map = colorMaps_[path.string()];
         if (!map) map = std::make_shared<const ColorMap>(readColorMap(path));
         object.colorMap = map;
+    }
+
+    /// [require]: "METRIC" = "OPERATOR NUMBER", or an array of such bounds.
+    void readRequirements() {
+        if (!root_.has("require")) return;
+        const TomlTable table = root_.table("require");
+        for (const std::string& metric : table.keys())
+            for (const std::string& bound : table.textOrTexts(metric))
+                scene_.requirements.push_back({metric + " " + bound, table.where(metric)});
     }
 
     std::filesystem::path file_;

@@ -36,8 +36,12 @@ std::map<std::string, std::string> sceneMetadata(const Scene& scene) {
                                                 {"camera", describe(scene.camera)}};
     if (!scene.changes.empty()) metadata["scene_changes"] = fmt::format("{}", fmt::join(scene.changes, ", "));
     std::string lights;
-    for (const Light& light : scene.lights)
+    for (const Light& light : scene.lights) {
         lights += (lights.empty() ? "" : " ") + light.name;
+        metadata["light." + light.name] = light.kind == Light::Kind::Point
+                                              ? "position " + text(light.positionWorld)
+                                              : "to_light " + text(light.toLightWorld);
+    }
     metadata["lights"] = lights;
     for (size_t i = 0; i < scene.objects.size(); ++i) {
         const SceneObject& object = scene.objects[i];

@@ -166,15 +166,17 @@ const TomlValue* TomlTable::find(std::string_view key) const {
     return found == node_->values.end() ? nullptr : &found->second;
 }
 
-void TomlTable::fail(std::string_view key, std::string_view what, std::string_view expected,
-                     std::string_view hint) const {
+std::string TomlTable::where(std::string_view key) const {
     const auto found = node_->values.find(key);
     const int line = found == node_->values.end() ? node_->line : found->second.line;
     const std::string path = joinPath(node_->path, key);
-    if (found != node_->values.end() && !found->second.changedBy.empty())
-        throw InputError(found->second.changedBy, what, expected, hint);
-    throw InputError(fmt::format("{}:{}{}{}", node_->file, line, path.empty() ? "" : ": ", path), what,
-                     expected, hint);
+    if (found != node_->values.end() && !found->second.changedBy.empty()) return found->second.changedBy;
+    return fmt::format("{}:{}{}{}", node_->file, line, path.empty() ? "" : ": ", path);
+}
+
+void TomlTable::fail(std::string_view key, std::string_view what, std::string_view expected,
+                     std::string_view hint) const {
+    throw InputError(where(key), what, expected, hint);
 }
 
 void TomlTable::failMissing(std::string_view key, std::string_view expected) const {
@@ -283,6 +285,14 @@ std::vector<std::string> TomlTable::texts(std::string_view key,
             if (const auto* text = element.as<std::string>()) result.push_back(*text);
     if (!array || result.size() != array->size()) fail(key, "is " + describe(*value), "an array of texts");
     return result;
+}
+
+std::vector<std::string> TomlTable::textOrTexts(std::string_view key) const {
+    const TomlValue* value = find(key);
+    if (!value) failMissing(key, "a text or an array of texts");
+    if (const auto* text = value->as<std::string>()) return {*text};
+    if (!value->as<TomlValue::Array>()) fail(key, "is " + describe(*value), "a text or an array of texts");
+    return texts(key);
 }
 
 std::vector<std::string> TomlTable::scalars(std::string_view key) const {

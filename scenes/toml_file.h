@@ -57,6 +57,8 @@ class TomlTable {
     /// An array of texts.
     std::vector<std::string> texts(std::string_view key,
                                    std::optional<std::vector<std::string>> fallback = {}) const;
+    /// A text or an array of texts.
+    std::vector<std::string> textOrTexts(std::string_view key) const;
     /// A number, text or boolean, or an array of them: each as TOML writes it ("0.5", "\"text\"").
     std::vector<std::string> scalars(std::string_view key) const;
     /// `[key]` or `key = { … }`.
@@ -67,6 +69,8 @@ class TomlTable {
     /// Throws for a field of this table nobody asked for. Call it for every table.
     void finish() const;
 
+    /// Where a field of this table stands, "file:line: path", or the table itself if `key` is empty.
+    std::string where(std::string_view key) const;
     /// Throws InputError about a field of this table, or about the table itself if `key` is empty.
     [[noreturn]] void fail(std::string_view key, std::string_view what, std::string_view expected = {},
                            std::string_view hint = {}) const;

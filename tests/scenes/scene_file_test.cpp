@@ -101,6 +101,26 @@ TEST_F(SceneFile, ReliefsGoAlongNormalsUnlessAlongTheAxis) {
     EXPECT_FALSE(sceneMetadata(scene).count("object.2.relief_axis"));
 }
 
+TEST_F(SceneFile, RequirementsArriveWithTheirPlace) {
+    EXPECT_TRUE(read(kWholeScene).requirements.empty());
+    const Scene scene = read(std::string(kWholeScene) + R"(
+[require]
+"silhouette.iou" = ">= 0.99"
+"depth.bias_relief" = [">= -0.01", "<= 0.01"]
+)");
+    ASSERT_EQ(scene.requirements.size(), 3u);
+    EXPECT_EQ(scene.requirements[0].text, "depth.bias_relief >= -0.01");
+    EXPECT_EQ(scene.requirements[1].text, "depth.bias_relief <= 0.01");
+    EXPECT_EQ(scene.requirements[2].text, "silhouette.iou >= 0.99");
+    EXPECT_THAT(scene.requirements[2].where, HasSubstr("require.silhouette.iou"));
+    EXPECT_THAT(scene.requirements[2].where, HasSubstr("scene.toml:"));
+    // Without quotes TOML makes a table of it.
+    EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\nsilhouette.iou = \">= 0.99\"\n"),
+                HasSubstr("require.silhouette: is a table; expected a text or an array of texts"));
+    EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = 0.99\n"),
+                HasSubstr("is 0.99; expected a text or an array of texts"));
+}
+
 TEST_F(SceneFile, Orthographic) {
     const std::string text = with("fov_y_degrees = 35", "projection = \"orthographic\"\nview_height = 2.5");
     EXPECT_EQ(read(text).camera.projection, Camera::Projection::Orthographic);
