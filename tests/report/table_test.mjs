@@ -38,12 +38,23 @@ test("better first, worse first, then the program's order again", async (t) => {
   assert.equal(await table(page).locator("[aria-sort]").count(), 0);
 });
 
-test("what is better low starts with the low, by size where it has a sign", async (t) => {
+test("what is better low starts with the low", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   for (const key of await table(page).locator("th[data-better=low]").evaluateAll((heads) => heads.map((cell) => cell.dataset.key))) {
     await head(page, key).getByRole("button").click();
     expectSorted(await valuesOf(page, key), (a, b) => Math.abs(a) - Math.abs(b));
   }
+});
+
+test("where low is better, a figure with a sign is sorted by its size", async (t) => {
+  const { page } = await openReport(t, reportFile("torus"));
+  const key = "depth.rmse_relief";
+  await table(page).evaluate((element, wanted) => {
+    const column = [...element.tHead.rows[0].cells].findIndex((cell) => cell.dataset.key === wanted);
+    ["-0.3", "0.1", "-0.05", "0.2"].forEach((value, row) => (element.tBodies[0].rows[row].cells[column].dataset.value = value));
+  }, key);
+  await head(page, key).getByRole("button").click();
+  assert.deepEqual(await valuesOf(page, key), ["-0.05", "0.1", "0.2", "-0.3"]);
 });
 
 test("absent figures stay last in either direction", async (t) => {
