@@ -18,14 +18,13 @@ async function openPanes(t, hash = "") {
   return { page, account };
 }
 
-/** Off the pane's edges: they and the ring of the focus aren't smoothed alike every time. */
-const kMarginPx = 16;
-
-/** The screen within the first pane from one share of its width to another once it has come to rest, as a hash. */
-async function seen(page, from = 0, to = 1) {
+/**
+ * The screen within the first pane, from one share of its width to another, once it has come to rest; as a hash. Off the frame's
+ * edges, which smoothing lets shine through what lies above, and off the focus's ring.
+ */
+async function seen(page, from = 0.2, to = 0.8) {
   const { x, y, width, height } = await page.locator(".pane-view:visible").first().boundingBox();
-  const [left, right] = [x + Math.max(from * width, kMarginPx), x + Math.min(to * width, width - kMarginPx)];
-  const clip = { x: left, y: y + kMarginPx, width: right - left, height: height - 2 * kMarginPx };
+  const clip = { x: x + from * width, y: y + 0.1 * height, width: (to - from) * width, height: 0.8 * height };
   const look = async () => {
     await nextFrame(page);
     const picture = await page.screenshot({ clip });
