@@ -246,11 +246,12 @@ void checkExrHeader(const std::filesystem::path& file) {
     Reader reader(file);
     const bool multiPart = readVersion(reader);
     const std::vector<Summary> parts = readHeaders(reader, multiPart);
+    checkPartsAgree(reader,
+                    parts); // first: a part of another size is also a crop, for all share a display window
     for (const Summary& part : parts) {
         checkWindows(reader, part);
         checkBytes(reader, part);
     }
-    checkPartsAgree(reader, parts);
 }
 
 } // namespace plumbline

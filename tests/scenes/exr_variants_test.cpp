@@ -49,7 +49,7 @@ struct Part {
 void writeParts(const std::filesystem::path& file, const std::vector<Part>& parts) {
     std::vector<Imf::Header> headers;
     for (const Part& part : parts) {
-        Imf::Header header(part.window, part.window);
+        Imf::Header header(kWindow, part.window); // display, data
         header.channels().insert(part.channel, Imf::Channel(Imf::FLOAT));
         header.setName(part.name);
         header.setType(Imf::SCANLINEIMAGE);

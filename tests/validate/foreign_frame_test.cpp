@@ -130,17 +130,19 @@ constexpr double kTwoRoundings = 1e-6;
 
 void expectDepth(const Frame& frame, double offBy = 0) {
     for (size_t pixel = 0; pixel < frame.pixelCount(); ++pixel)
-        if (const auto hit = hitAt(sphereCamera(), pixel))
+        if (const auto hit = hitAt(sphereCamera(), pixel)) {
             EXPECT_NEAR(frame.channel("Z")[pixel], hit->depth + offBy, kTwoRoundings) << pixel;
+        }
 }
 
 void expectVectors(const Frame& frame, const std::string& prefix) {
     for (size_t pixel = 0; pixel < frame.pixelCount(); ++pixel)
-        if (const auto hit = hitAt(sphereCamera(), pixel))
+        if (const auto hit = hitAt(sphereCamera(), pixel)) {
             for (int axis = 0; axis < 3; ++axis)
                 EXPECT_NEAR(frame.channel(prefix + "." + "XYZ"[axis])[pixel], hit->position[axis],
                             kTwoRoundings)
                     << pixel;
+        }
 }
 
 TEST_F(ForeignFrames, OfBlender) {
