@@ -59,6 +59,12 @@ if(NOT PLUMBLINE_REPORT_PAGE STREQUAL "OFF")
     endif()
 endif()
 
+if(page_problem)
+    set(PLUMBLINE_PAGE_BUILD "" CACHE INTERNAL "Where the page is bundled; empty where it isn't")
+else()
+    set(PLUMBLINE_PAGE_BUILD ${page_build} CACHE INTERNAL "Where the page is bundled; empty where it isn't")
+endif()
+
 # Gives report/page_bundle.cpp the page, or the reason why there is none.
 function(embed_report_page)
     if(page_problem)

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 
 namespace plumbline::report {
 namespace {
@@ -39,7 +39,7 @@ Column plain(const char* key, const char* text, const char* unit, const char* be
 }
 
 bool isBetter(const Column& column, double a, double b) {
-    return column.better == "high" ? a > b : a < b;
+    return column.better == "high" ? a > b : std::abs(a) < std::abs(b); // a bias may have either sign
 }
 
 } // namespace
@@ -85,7 +85,7 @@ std::vector<Column> metricColumns(const std::set<std::string>& lights) {
               [](Set m) { return m.contour.meanPx; }),
         plain("silhouette.hausdorff95_px", "outline off", "95 %, px", "low", "{:.2f}",
               [](Set m) { return m.contour.hausdorff95Px; }),
-        plain("depth.bias_relief", "depth bias", "relief depth", "", "{:+.4f}",
+        plain("depth.bias_relief", "depth bias", "relief depth", "low", "{:+.4f}",
               [](Set m) { return m.depth.relief.bias; }),
         plain("depth.rmse_relief", "depth RMSE", "relief depth", "low", "{:.4f}",
               [](Set m) { return m.depth.relief.rmse; }),

@@ -38,7 +38,7 @@ struct RowFigures {
 struct Column {
     std::string key;        // as `plumbline list metrics` has it, with the light's name
     std::string text, unit; // of its head
-    std::string better;     // "high", "low", or empty where neither end is
+    std::string better;     // "high", "low" (by size: the nearer to 0), or empty where neither end is
     std::string format;     // of fmt
     std::function<ColumnValue(const RowFigures&)> value;
 };
