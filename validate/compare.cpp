@@ -1,8 +1,12 @@
 #include "compare.h"
 
+#include "frame_metadata.h"
+
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
+#include <algorithm>
 #include <set>
 
 namespace plumbline {
@@ -16,27 +20,50 @@ std::set<std::string> lightsOf(const FramePair& pair) {
     return lights;
 }
 
-MetricSet computeMetrics(const FramePair& pair, ObjectSelection selection, const Comparison& comparison,
-                         const std::string& noDepthReason) {
+/// What metrics need beside the pair.
+struct View {
+    std::span<const float> referenceDepth, testDepth;
+    std::string noDepthReason;
+    std::vector<BoundaryRims> rims;
+    std::vector<Light> lights; // those whose place is known
+    const std::optional<Camera>& camera;
+
+    std::optional<Light> light(const std::string& name) const {
+        const auto found = std::find_if(lights.begin(), lights.end(),
+                                        [&](const Light& light) { return light.name == name; });
+        return found == lights.end() ? std::nullopt : std::optional(*found);
+    }
+};
+
+MetricSet computeMetrics(const FramePair& pair, ObjectSelection selection, const View& view) {
     MetricSet metrics;
-    metrics.silhouette = computeSilhouetteIou(pair, selection);
-    metrics.contour = computeContourDistance(pair, selection);
-    metrics.depth =
-        computeDepthError(pair, selection, comparison.referenceDepth, comparison.testDepth, noDepthReason);
-    for (const std::string& light : lightsOf(pair))
-        metrics.shadow[light] = computeShadowAgreement(pair, selection, light);
-    metrics.normal = computeNormalAngle(pair, selection);
-    metrics.st = computeStError(pair, selection);
-    metrics.cost = computeFetchCost(pair, selection);
-    metrics.iterations = computeSearchIterations(pair, selection);
+    tbb::parallel_invoke([&] { metrics.silhouette = computeSilhouetteIou(pair, selection); },
+                         [&] { metrics.boundary = computeBoundaryIou(pair, selection, view.rims); },
+                         [&] { metrics.contour = computeContourDistance(pair, selection); },
+                         [&] {
+                             metrics.depth = computeDepthError(pair, selection, view.referenceDepth,
+                                                               view.testDepth, view.noDepthReason);
+                         },
+                         [&] {
+                             for (const std::string& light : lightsOf(pair)) {
+                                 metrics.shadow[light] = computeShadowAgreement(pair, selection, light);
+                                 metrics.shadowKinds[light] = computeShadowKinds(
+                                     pair, selection, light, view.light(light), view.camera);
+                             }
+                         },
+                         [&] { metrics.normal = computeNormalAngle(pair, selection); },
+                         [&] { metrics.st = computeStError(pair, selection); },
+                         [&] {
+                             metrics.cost = computeFetchCost(pair, selection);
+                             metrics.iterations = computeSearchIterations(pair, selection);
+                         });
     return metrics;
 }
 
-void noteMissingChannels(const FramePair& pair, const std::string& noDepthReason,
-                         std::vector<std::string>& notes) {
+void noteMissing(const FramePair& pair, const View& view, std::vector<std::string>& notes) {
     if (!pair.objectsToldApart())
         notes.push_back(pair.missingChannel("id") + ": everything covered counts as one object");
-    if (!noDepthReason.empty()) notes.push_back(noDepthReason + ": no depth figures");
+    if (!view.noDepthReason.empty()) notes.push_back(view.noDepthReason + ": no depth figures");
     if (lightsOf(pair).empty())
         notes.push_back("neither frame has a channel shadow.<light>: no shadow figures");
     for (const std::string& light : lightsOf(pair))
@@ -48,6 +75,14 @@ void noteMissingChannels(const FramePair& pair, const std::string& noDepthReason
             notes.push_back(fmt::format("{}: no intervals of the shadow figures for {}", missing, light));
     if (const std::string missing = pair.missingInReference("uncertain"); !missing.empty())
         notes.push_back(missing + ": no intervals");
+    if (!view.camera && !lightsOf(pair).empty())
+        notes.push_back("the camera is not known: attached and cast shadows are not told apart");
+    else
+        for (const std::string& light : lightsOf(pair))
+            if (!view.light(light) && pair.missingChannel(shadowChannel(light)).empty())
+                notes.push_back(fmt::format("no frame's header says where the light {} is: attached and cast "
+                                            "shadows are not told apart",
+                                            light));
     for (const char* channel : {"N.X", "N.Y", "N.Z"})
         if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
             notes.push_back(missing + ": no normal figures");
@@ -94,30 +129,32 @@ Comparison compareFrames(const Frame& reference, const Frame& test, const std::v
     Comparison comparison;
     PlanarDepth referenceDepth = planarDepth(reference, "reference", camera);
     PlanarDepth testDepth = planarDepth(test, "test", camera);
-    const std::string noDepthReason =
-        referenceDepth.reason.empty() ? testDepth.reason : referenceDepth.reason;
     comparison.referenceDepth = std::move(referenceDepth.depth);
     comparison.testDepth = std::move(testDepth.depth);
 
+    View view{comparison.referenceDepth,
+              comparison.testDepth,
+              referenceDepth.reason.empty() ? testDepth.reason : referenceDepth.reason,
+              {},
+              lightsFromHeader(reference, "reference"),
+              camera};
+    if (view.lights.empty()) view.lights = lightsFromHeader(test, "test");
+    tbb::parallel_invoke([&] { view.rims = findBoundaryRims(pair); },
+                         [&] { comparison.image = computeImageError(pair); });
+
     const std::vector<size_t> relief = pair.reliefObjects();
     std::vector<MetricSet> ofObjects(pair.objects().size());
-    tbb::parallel_for(size_t(0), pair.objects().size() + 2, [&](size_t task) {
-        if (task == 0) {
-            comparison.pooled = computeMetrics(pair, relief, comparison, noDepthReason);
-            return;
-        }
-        if (task == 1) {
-            comparison.image = computeImageError(pair);
-            return;
-        }
-        const size_t index = task - 2;
-        ofObjects[index] = computeMetrics(pair, std::span(&index, 1), comparison, noDepthReason);
+    tbb::parallel_for(size_t(0), ofObjects.size() + 1, [&](size_t index) {
+        if (index == ofObjects.size())
+            comparison.pooled = computeMetrics(pair, relief, view);
+        else
+            ofObjects[index] = computeMetrics(pair, std::span(&index, 1), view);
     });
     for (const size_t index : relief)
         comparison.pooledObjects.push_back(pair.objects()[index].name);
     for (size_t index = 0; index < pair.objects().size(); ++index)
         comparison.objects.push_back({pair.objects()[index], std::move(ofObjects[index])});
-    noteMissingChannels(pair, noDepthReason, comparison.notes);
+    noteMissing(pair, view, comparison.notes);
     return comparison;
 }
 

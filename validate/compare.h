@@ -2,6 +2,7 @@
 #pragma once
 
 #include "../scenes/camera.h"
+#include "boundary_iou.h"
 #include "contour_distance.h"
 #include "depth_error.h"
 #include "fetch_cost.h"
@@ -9,6 +10,7 @@
 #include "normal_angle.h"
 #include "search_iterations.h"
 #include "shadow_agreement.h"
+#include "shadow_kinds.h"
 #include "silhouette_iou.h"
 #include "st_error.h"
 
@@ -20,9 +22,11 @@ namespace plumbline {
 /// Every metric over one selection of objects: all but that of the whole picture.
 struct MetricSet {
     SilhouetteIou silhouette;
+    BoundaryIou boundary;
     ContourDistance contour;
     DepthError depth;
-    std::map<std::string, ShadowAgreement> shadow; // by light
+    std::map<std::string, ShadowAgreement> shadow;  // by light
+    std::map<std::string, ShadowKinds> shadowKinds; // of the same lights
     NormalAngle normal;
     StError st;
     FetchCost cost;
@@ -51,8 +55,9 @@ struct PlanarDepth {
 };
 PlanarDepth planarDepth(const Frame& frame, const char* which, const std::optional<Camera>& camera);
 
-/// `camera`: of the view, to get depth from positions where a frame has P but no Z. Throws InputError as
-/// FramePair does.
+/// `camera`: of the view, to get depth from positions where a frame has P but no Z, and to tell which side of a surface it
+/// sees. Where the lights are stands in the reference's header or else the test's (lightsFromHeader in frame_metadata.h). Throws
+/// InputError as FramePair and lightsFromHeader do.
 Comparison compareFrames(const Frame& reference, const Frame& test, const std::vector<ObjectInfo>& objects,
                          const std::optional<Camera>& camera);
 

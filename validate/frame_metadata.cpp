@@ -165,6 +165,29 @@ std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& wh
     return camera;
 }
 
+std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where) {
+    constexpr std::string_view kPrefix = "light.";
+    std::vector<Light> lights;
+    for (const auto& [key, value] : frame.metadata) {
+        if (!key.starts_with(kPrefix)) continue;
+        Words words(value);
+        const std::string kind = words.word();
+        const Vec3 vector = words.vector();
+        const bool point = kind == "position";
+        if (!words.ok() || (!point && (kind != "to_light" || !(glm::length(vector) > 0))))
+            refuse(where, key, value, "'to_light x y z', not zero, or 'position x y z'");
+        Light light;
+        light.name = key.substr(kPrefix.size());
+        light.kind = point ? Light::Kind::Point : Light::Kind::Directional;
+        if (point)
+            light.positionWorld = vector;
+        else
+            light.toLightWorld = glm::normalize(vector);
+        lights.push_back(std::move(light));
+    }
+    return lights;
+}
+
 CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where) {
     const std::string prefix = "certificate.";
     CertificateSummary certificate;

@@ -19,6 +19,9 @@ std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string&
 /// The camera of a frame's header, with the frame's own size; nullopt if it has none. Throws likewise.
 std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& where);
 
+/// The lights of a frame's header, by its keys `light.<name>`; empty if it has none. Throws likewise.
+std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where);
+
 /// What a reference's frame says of its own error: the header fields certificate.error_px_p99 and its like (see
 /// certificate.h), numbers >= 0, and the counts of its channels. What isn't there is absent. Throws likewise.
 CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where);

@@ -53,6 +53,13 @@ class RatioRange {
             ++worst_.hits;
     }
 
+    /// The pixels of another range, none of them added here already.
+    void add(const RatioRange& other) {
+        best_.add(other.best_);
+        worst_.add(other.worst_);
+        uncertainPx_ += other.uncertainPx_;
+    }
+
     /// Pixels added that have more than one outcome.
     uint64_t uncertainPx() const { return uncertainPx_; }
 
@@ -68,6 +75,10 @@ class RatioRange {
   private:
     struct Counts {
         uint64_t hits = 0, misses = 0;
+        void add(const Counts& other) {
+            hits += other.hits;
+            misses += other.misses;
+        }
         Figure ratio(uint64_t hitWeight) const {
             return Figure::ratio(hitWeight * hits, hitWeight * hits + misses, "no pixel counts");
         }

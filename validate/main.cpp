@@ -101,6 +101,14 @@ void addRealtimeOptions(CLI::App& command, RealtimeArguments& arguments) {
         ->type_name("SECONDS");
 }
 
+void addRequire(CLI::App& command, std::vector<std::string>& require) {
+    command
+        .add_option("--require", require,
+                    "What must be reached, as \"silhouette.iou >= 0.99\", else exit code 1; may be repeated")
+        ->type_name("METRIC>=X")
+        ->allow_extra_args(false);
+}
+
 void addBake(CLI::App& app, Arguments& arguments, std::function<int()>& run) {
     BakeArguments& bake = arguments.bake;
     CLI::App* command = app.add_subcommand("bake", "Work out a map that techniques look up; kept by content");
@@ -239,6 +247,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     addReportOptions(*validate, arguments.validate.report);
     addReferenceOptions(*validate, arguments.validate.reference, "limit|proxy|both");
     addRealtimeOptions(*validate, arguments.validate.realtime);
+    addRequire(*validate, arguments.validate.require);
     addThreads(*validate, arguments);
     validate->callback([&] {
         arguments.validate.realtime.threads = arguments.threads;
@@ -274,6 +283,7 @@ void addCommands(CLI::App& app, Arguments& arguments, std::function<int()>& run)
     compare->add_flag("--json", arguments.compare.json, "Print results.json instead of the table");
     addReportOptions(*compare, arguments.compare.report);
     addChannelMap(*compare, arguments.compare);
+    addRequire(*compare, arguments.compare.require);
     compare->callback([&] { run = [&] { return runCompare(arguments.compare); }; });
 
     addNew(app, arguments, run);

@@ -7,6 +7,7 @@
 
 #include "certificate.h"
 #include "compare.h"
+#include "requirement.h"
 
 #include <cstdint>
 #include <map>
@@ -50,7 +51,8 @@ struct TechniqueOutcome {
     std::vector<std::string> limits;  // known ones, from its manifest
     std::optional<std::string> error; // set: no metrics
     Comparison comparison;
-    std::optional<Comparison> againstProxy; // with both bases: held against the reference on the proxy
+    std::vector<RequirementResult> requirements; // what it was to reach; also of one that failed
+    std::optional<Comparison> againstProxy;      // with both bases: held against the reference on the proxy
 };
 
 /// The reference on the proxy, where a run has one beside that on the limit surface, and what the base alone
@@ -80,7 +82,7 @@ std::string toCsv(const Results& results);
 
 /// Plain-text table of the pooled figures people look at first, for the terminal. "±" is the distance from
 /// the figure before it to the farther end of its interval, rounded up. Normals in degrees, "rel" in relief
-/// depths. With both bases a second table: the gap between the references, and each technique against that on
+/// depths. "require": how many requirements are reached of how many, where there are any. With both bases a second table: the gap between the references, and each technique against that on
 /// the proxy.
 std::string toTable(const Results& results);
 

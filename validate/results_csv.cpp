@@ -1,5 +1,6 @@
 #include "csv_text.h"
 #include "results.h"
+#include "row_values.h"
 
 #include <fmt/format.h>
 
@@ -16,14 +17,6 @@ std::string cell(const MetricValue& entry) {
 struct Row {
     std::vector<std::pair<std::string, std::string>> cells;
     void add(const std::string& name, const std::string& text) { cells.emplace_back(name, text); }
-    void add(const std::string& prefix, const MetricValues& values) {
-        for (const MetricValue& entry : values)
-            cells.emplace_back(prefix + "." + entry.key, cell(entry));
-    }
-    void addEmpty(const std::string& prefix, const MetricValues& values) {
-        for (const MetricValue& entry : values)
-            cells.emplace_back(prefix + "." + entry.key, "");
-    }
 };
 
 /// What a row is of, beyond its object and light.
@@ -31,32 +24,19 @@ struct Subject {
     std::string technique;
     std::string reference; // base of the reference held against
     std::string error = {};
-    Figure msMedian = {}, bakeMs = {}, bakeBytes = {};
+    const TechniqueOutcome* outcome = nullptr; // for what it cost; nullptr: nothing is known of that
 };
 
 /// `image`: of the pooled row; nullptr: empty cells.
 Row makeRow(const Subject& subject, const std::string& object, const std::string& light,
-            const MetricSet& metrics, const ShadowAgreement& shadow, const ImageError* image) {
+            const MetricSet& metrics, const ImageError* image) {
     Row row;
     row.add("technique", subject.technique);
     row.add("object", object);
     row.add("light", light);
     row.add("reference", subject.reference);
-    row.add("silhouette", valuesOf(metrics.silhouette));
-    row.add("silhouette", valuesOf(metrics.contour));
-    row.add("depth", valuesOf(metrics.depth));
-    row.add("shadow", valuesOf(shadow));
-    row.add("normal", valuesOf(metrics.normal));
-    row.add("st", valuesOf(metrics.st));
-    if (image)
-        row.add("image", valuesOf(*image));
-    else
-        row.addEmpty("image", valuesOf(ImageError{}));
-    row.add("cost", valuesOf(metrics.cost));
-    row.add("cost", valuesOf(metrics.iterations));
-    row.add("cost", {{"bake_ms", subject.bakeMs},
-                     {"bake_bytes", wholeNumber(subject.bakeBytes)},
-                     {"ms_median", subject.msMedian}});
+    for (const MetricValue& entry : rowValues(metrics, light, image, subject.outcome))
+        row.add(entry.key, cell(entry));
     row.add("error", subject.error);
     return row;
 }
@@ -71,8 +51,8 @@ std::string textOf(const Row& row, bool head) {
 void addRows(std::string& csv, const Subject& subject, const std::string& object, const MetricSet& metrics,
              const ImageError* image) {
     for (const auto& [light, shadow] : metrics.shadow)
-        csv += textOf(makeRow(subject, object, light, metrics, shadow, image), false);
-    if (metrics.shadow.empty()) csv += textOf(makeRow(subject, object, "", metrics, {}, image), false);
+        csv += textOf(makeRow(subject, object, light, metrics, image), false);
+    if (metrics.shadow.empty()) csv += textOf(makeRow(subject, object, "", metrics, image), false);
 }
 
 void addRows(std::string& csv, const Subject& subject, const Comparison& comparison) {
@@ -82,7 +62,7 @@ void addRows(std::string& csv, const Subject& subject, const Comparison& compari
 }
 
 std::string failedRow(const Subject& subject) {
-    Row row = makeRow(subject, "(pooled)", "", {}, {}, nullptr);
+    Row row = makeRow(subject, "(pooled)", "", {}, nullptr);
     for (auto& [name, text] : row.cells)
         if (name != "technique" && name != "object" && name != "error")
             text.clear(); // counts of nothing are no zeros
@@ -92,15 +72,14 @@ std::string failedRow(const Subject& subject) {
 } // namespace
 
 std::string toCsv(const Results& results) {
-    std::string csv = textOf(makeRow({}, "", "", {}, {}, nullptr), true);
+    std::string csv = textOf(makeRow({}, "", "", {}, nullptr), true);
     if (results.proxy) addRows(csv, {"(base gap)", results.base}, results.proxy->gap);
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
             csv += failedRow({technique.name, "", *technique.error});
             continue;
         }
-        Subject subject{technique.name,     results.base,     "",
-                        technique.msMedian, technique.bakeMs, technique.bakeBytes};
+        Subject subject{technique.name, results.base, "", &technique};
         addRows(csv, subject, technique.comparison);
         if (!technique.againstProxy) continue;
         subject.reference = "proxy";

@@ -46,12 +46,18 @@ Json toGroup(const MetricValues& values) {
 void addMetrics(Json& json, const MetricSet& metrics) {
     Group silhouette;
     silhouette.add(valuesOf(metrics.silhouette));
+    silhouette.add("boundary_iou", toGroup(valuesOf(metrics.boundary)));
     silhouette.add(valuesOf(metrics.contour));
     json["silhouette"] = silhouette.json();
     json["depth"] = toGroup(valuesOf(metrics.depth));
     json["shadow"] = Json::object();
-    for (const auto& [light, agreement] : metrics.shadow)
-        json["shadow"][light] = toGroup(valuesOf(agreement));
+    for (const auto& [light, agreement] : metrics.shadow) {
+        Group shadow;
+        shadow.add(valuesOf(agreement));
+        if (const auto kinds = metrics.shadowKinds.find(light); kinds != metrics.shadowKinds.end())
+            shadow.add(valuesOf(kinds->second));
+        json["shadow"][light] = shadow.json();
+    }
     json["normal"] = toGroup(valuesOf(metrics.normal));
     json["st"] = toGroup(valuesOf(metrics.st));
 }
@@ -90,10 +96,22 @@ Json toJson(const Comparison& comparison) {
     return json;
 }
 
+Json toJson(const RequirementResult& result) {
+    Json json{{"require", result.requirement}, {"key", result.key}};
+    if (result.value)
+        json["value"] = *result.value;
+    else
+        json["absent"] = result.value.reason();
+    json["passed"] = result.passed;
+    return json;
+}
+
 Json toJson(const TechniqueOutcome& technique) {
     Json json{{"name", technique.name}, {"parameters", technique.parameters}};
     if (technique.control) json["control"] = true;
     json["gl"] = {{"backend", technique.backend}, {"renderer", technique.renderer}};
+    for (const RequirementResult& result : technique.requirements)
+        json["requirements"].push_back(toJson(result));
     if (technique.error) {
         json["error"] = *technique.error;
         return json;

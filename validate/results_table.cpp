@@ -58,6 +58,13 @@ std::vector<std::string> joined(const std::string& first, std::vector<std::strin
     return cells;
 }
 
+/// "2/2", or "1/2 FAILED".
+std::string reached(const std::vector<RequirementResult>& requirements) {
+    const auto passed = static_cast<size_t>(std::count_if(
+        requirements.begin(), requirements.end(), [](const RequirementResult& each) { return each.passed; }));
+    return fmt::format("{}/{}{}", passed, requirements.size(), passed < requirements.size() ? " FAILED" : "");
+}
+
 std::string proxyTable(const Results& results) {
     TextTable table(joined("against the proxy", kMetricHeads, {}));
     table.add(joined("(base gap)", metricCells(results.proxy->gap.pooled), {}));
@@ -70,7 +77,12 @@ std::string proxyTable(const Results& results) {
 } // namespace
 
 std::string toTable(const Results& results) {
-    TextTable table(joined("technique", kMetricHeads, {"fetches", "ms"}));
+    const bool required =
+        std::any_of(results.techniques.begin(), results.techniques.end(),
+                    [](const TechniqueOutcome& each) { return !each.requirements.empty(); });
+    std::vector<std::string> costHeads{"fetches", "ms"};
+    if (required) costHeads.push_back("require");
+    TextTable table(joined("technique", kMetricHeads, costHeads));
     std::string errors;
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
@@ -78,8 +90,10 @@ std::string toTable(const Results& results) {
             continue;
         }
         const MetricSet& pooled = technique.comparison.pooled;
-        table.add(joined(technique.name, metricCells(pooled),
-                         {shown(pooled.cost.mean, "{:.1f}"), shown(technique.msMedian, "{:.1f}")}));
+        std::vector<std::string> costCells{shown(pooled.cost.mean, "{:.1f}"),
+                                           shown(technique.msMedian, "{:.1f}")};
+        if (required) costCells.push_back(reached(technique.requirements));
+        table.add(joined(technique.name, metricCells(pooled), costCells));
     }
     std::string text = table.text() + errors;
     if (results.proxy)

@@ -1,21 +1,11 @@
 #include "shadow_agreement.h"
 
-#include <cmath>
-
 namespace plumbline {
 namespace {
 
-constexpr float kShadowThreshold = 0.5f;
-
-void countPixels(const FramePair& pair, ObjectSelection selection, const std::string& channel,
+void countPixels(const FramePair& pair, ObjectSelection selection, const std::string& light,
                  ShadowAgreement& result) {
-    const auto reference = pair.reference().channel(channel), test = pair.test().channel(channel);
-    forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo&) {
-        if (!std::isfinite(reference[pixel]) || !std::isfinite(test[pixel])) {
-            ++result.invalidPx;
-            return;
-        }
-        const bool dark = reference[pixel] >= kShadowThreshold, darkInTest = test[pixel] >= kShadowThreshold;
+    result.invalidPx = forShadowPixels(pair, selection, light, [&](uint32_t, bool dark, bool darkInTest) {
         ++result.domainPx;
         result.bothShadowPx += dark && darkInTest;
         result.bothLitPx += !dark && !darkInTest;
@@ -105,13 +95,12 @@ void setNoRanges(const std::string& reason, ShadowAgreement& result) {
 ShadowAgreement computeShadowAgreement(const FramePair& pair, ObjectSelection selection,
                                        const std::string& light) {
     ShadowAgreement result;
-    const std::string channel = shadowChannel(light);
-    if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
+    if (const std::string missing = pair.missingChannel(shadowChannel(light)); !missing.empty()) {
         result.agreement = result.iou = result.f1 = result.ber = Figure::absent(missing);
         setNoRanges(missing, result);
         return result;
     }
-    countPixels(pair, selection, channel, result);
+    countPixels(pair, selection, light, result);
     computeFigures(result);
     std::string noRange = pair.missingInReference("uncertain");
     if (noRange.empty()) noRange = pair.missingInReference(uncertainShadowChannel(light));

@@ -6,7 +6,7 @@
 // alone, lit in the test alone:
 //     agreement = (TP + TN) / domain      IoU = TP / (TP + FP + FN)      F1 = 2 TP / (2 TP + FP + FN)
 //     BER = (FP / (TN + FP) + FN / (TP + FN)) / 2                        (balanced error rate)
-// Both cast and attached shadows count. Never looks at depth: a pixel may be in the right shadow for a wrong
+// Both cast and attached shadows count (apart: shadow_kinds.h). Never looks at depth: a pixel may be in the right shadow for a wrong
 // reason.
 //
 // Intervals: [low, high] of agreement, IoU and F1 are their ranges over all true images that the reference
@@ -22,9 +22,29 @@
 #include "frame_pair.h"
 #include "interval.h"
 
+#include <cmath>
 #include <string>
 
 namespace plumbline {
+
+inline constexpr float kShadowThreshold = 0.5f;
+
+/// Calls visit(pixel, dark in the reference, dark in the test) for every pixel of the domain. Both frames must have the light's
+/// channel. Returns the number of shared pixels without a finite value in both.
+template <class Visit>
+uint64_t forShadowPixels(const FramePair& pair, ObjectSelection selection, const std::string& light,
+                         Visit&& visit) {
+    const auto reference = pair.reference().channel(shadowChannel(light)),
+               test = pair.test().channel(shadowChannel(light));
+    uint64_t invalidPx = 0;
+    forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo&) {
+        if (std::isfinite(reference[pixel]) && std::isfinite(test[pixel]))
+            visit(pixel, reference[pixel] >= kShadowThreshold, test[pixel] >= kShadowThreshold);
+        else
+            ++invalidPx;
+    });
+    return invalidPx;
+}
 
 struct ShadowAgreement {
     uint64_t domainPx = 0;

@@ -173,6 +173,35 @@ TEST_F(EndToEnd, AFrameShiftedByOnePixel) {
                     {"results.json", "results.csv", "report/index.html", "report/reference.png"}));
 }
 
+// 9 of 12 pixels of a row: IoU 0.75.
+TEST_F(EndToEnd, RequirementsDecideTheExitCodeOfCompare) {
+    Frame reference = emptyFrame(20, 3), test = reference;
+    paintRectangle(reference, 2, 1, 14, 2);
+    paintRectangle(test, 2, 1, 11, 2);
+    writeFrame(reference, folder_ / "reference.exr");
+    writeFrame(test, folder_ / "test.exr");
+    const auto compare = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> arguments{"compare", "reference.exr", "test.exr"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return run(arguments);
+    };
+    const Outcome reached = compare({"--require", "silhouette.iou >= 0.75", "--require", "depth.max<=0"});
+    EXPECT_EQ(reached.exitCode, 0) << reached.err;
+    EXPECT_THAT(reached.out, HasSubstr("2/2"));
+    const Outcome missed =
+        compare({"--require", "silhouette.iou > 0.75", "--require", "depth.max<=0", "--json"});
+    EXPECT_EQ(missed.exitCode, 1);
+    EXPECT_EQ(missed.err, "test: silhouette.iou is 0.75; required silhouette.iou > 0.75\n");
+    const json requirements = json::parse(missed.out).at("techniques").at(0).at("requirements");
+    EXPECT_EQ(requirements.at(0).at("passed"), false);
+    EXPECT_EQ(requirements.at(1).at("passed"), true);
+    const Outcome absent = compare({"--require", "shadow.sun.ber < 1"});
+    EXPECT_EQ(absent.exitCode, 1);
+    EXPECT_THAT(absent.err, HasSubstr("shadow.sun.ber is absent (no pixel of the domain is in shadow"));
+    expectRefusal(compare({"--require", "silhouette.oiu >= 1"}), 2, "did you mean 'silhouette.iou'");
+    expectRefusal(compare({"--require", "shadow.sum.iou >= 1"}), 2, "did you mean 'sun'");
+}
+
 // Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain:
 // 12/15 at best, and so is a pixel outside: 12/17 at worst.
 TEST_F(EndToEnd, AReferenceThatSaysHowSureItIs) {

@@ -58,6 +58,36 @@ json withoutMeasurements(json results) {
     }
     return results;
 }
+// A mistake of the scene's [require] is told with its line, before anything is drawn.
+TEST_F(Validate, RequirementsOfASceneAreReadFirst) {
+    for (const auto& [line, part] :
+         {std::pair("\"silhouette.oiu\" = \">= 1\"", "did you mean 'silhouette.iou'"),
+          {"\"silhouette.iou@tours\" = \">= 1\"", "did you mean 'torus'"},
+          {"\"silhouette.iou\" = \"1\"", "compares with nothing"}}) {
+        writeFile(folder_ / "small.toml", std::string(kSmallScene) + "\n[require]\n" + line + "\n");
+        const Outcome refused = validate("out");
+        EXPECT_EQ(refused.exitCode, 2);
+        EXPECT_THAT(refused.err, HasSubstr(part));
+        EXPECT_THAT(refused.err, HasSubstr("small.toml:"));
+        EXPECT_FALSE(fs::exists(folder_ / "out"));
+    }
+}
+
+// No technique is better than perfect, and each covers some of the torus.
+TEST_F(Validate, ARequirementThatIsNotReachedEndsInExitCode1) {
+    writeFile(folder_ / "small.toml",
+              std::string(kSmallScene) + "\n[require]\n\"silhouette.iou\" = [\"> 0\", \"> 1\"]\n");
+    const Outcome missed = validate("out", {"--technique", "linear_binary"});
+    EXPECT_EQ(missed.exitCode, 1) << missed.err;
+    EXPECT_THAT(missed.out, HasSubstr("1/2 FAILED"));
+    EXPECT_THAT(missed.err, HasSubstr("required silhouette.iou > 1"));
+    const json requirements = resultsOf("out").at("techniques").at(0).at("requirements");
+    EXPECT_EQ(requirements.at(0).at("passed"), true);
+    EXPECT_EQ(requirements.at(1).at("passed"), false);
+    // A technique that fails reaches nothing, but its own exit code stays.
+    const Outcome failed = validate("out", {"--technique", "linear_binary:linear_steps=0"});
+    EXPECT_EQ(failed.exitCode, 2) << failed.err;
+}
 
 TEST_F(Validate, ASceneReadWithOtherValuesIsTheSceneThatHasThem) {
     // Also in the process that draws; the frames differ in their metadata alone.

@@ -1,8 +1,10 @@
 #include "../../validate/compare.h"
+#include "../../validate/results.h"
 #include "random_frames.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
 
 #include <gmock/gmock.h>
 
@@ -66,7 +68,8 @@ TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
 TEST(Compare, SaysThatThereAreNoIntervals) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
-    const auto notes = compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, std::nullopt).notes;
+    frame.metadata["light.sun"] = "to_light 0 0 1";
+    const auto notes = compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, Camera()).notes;
     EXPECT_THAT(notes,
                 ElementsAre("the reference frame has no channel uncertain.shadow.sun: no intervals of the "
                             "shadow figures for sun",
@@ -77,7 +80,48 @@ TEST(Compare, NothingMissingMeansNoNotes) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
     addUncertainty(frame);
-    EXPECT_THAT(compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, std::nullopt).notes, IsEmpty());
+    frame.metadata["light.sun"] = "to_light 0 0 1";
+    EXPECT_THAT(compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, Camera()).notes, IsEmpty());
+}
+
+// paintPixel's normal is +z, the camera stands there too: a light from the front leaves nothing attached, one from behind all.
+TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
+    Frame frame = emptyFrame(2, 1);
+    paintRectangle(frame, 0, 0, 2, 1);
+    Frame lit = frame, dark = frame;
+    lit.metadata["light.sun"] = "to_light 0 0 1";
+    dark.metadata["light.sun"] = "to_light 0 0 -1";
+    const auto castPx = [](const Frame& reference, const Frame& test) {
+        return *compareFrames(reference, test, {}, Camera()).pooled.shadowKinds.at("sun").cast.domainPx;
+    };
+    EXPECT_EQ(castPx(lit, dark), 2);
+    EXPECT_EQ(castPx(dark, lit), 0);
+    EXPECT_EQ(castPx(frame, lit), 2);
+    const Comparison unknown = compareFrames(frame, frame, {}, Camera());
+    EXPECT_THAT(unknown.notes, Contains(HasSubstr("no frame's header says where the light sun is")));
+    EXPECT_FALSE(unknown.pooled.shadowKinds.at("sun").cast.agreement);
+    EXPECT_THAT(compareFrames(lit, lit, {}, std::nullopt).notes,
+                Contains(HasSubstr("the camera is not known: attached and cast")));
+}
+
+// Whatever runs side by side writes its own figures: one thread gives the same as all.
+TEST(Compare, ThreadsChangeNothing) {
+    Frame reference = emptyFrame(64, 48);
+    paintRectangle(reference, 5, 5, 40, 40, 1);
+    paintRectangle(reference, 20, 10, 60, 30, 2);
+    reference.metadata["light.sun"] = "position 1 2 3";
+    addUncertainty(reference);
+    set(reference, "uncertain", 5, 5, 1);
+    const Frame test = shiftedRight(reference);
+    const auto results = [&] {
+        Results outcome;
+        outcome.techniques.resize(1);
+        outcome.techniques[0].comparison = compareFrames(reference, test, threeObjects(), Camera());
+        return toJson(outcome);
+    };
+    const std::string all = results();
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(results(), all);
 }
 
 // Camera at (0, 0, 3) looking down -z: the point (5, 7, 1) has the planar depth 2, wherever it is sideways.

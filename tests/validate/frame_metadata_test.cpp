@@ -55,6 +55,36 @@ TEST(FrameMetadata, ObjectsComeBackAsTheyWere) {
     EXPECT_FALSE(read[1].map->repeatT);
 }
 
+TEST(FrameMetadata, LightsComeBackAsTheyWere) {
+    Scene scene = twoObjects();
+    scene.lights.resize(2);
+    scene.lights[0].name = "sun";
+    scene.lights[0].toLightWorld = {0, 0.6, 0.8};
+    scene.lights[1].name = "lamp";
+    scene.lights[1].kind = Light::Kind::Point;
+    scene.lights[1].positionWorld = {0.1, -1.0 / 3.0, 0};
+    const auto lights = lightsFromHeader(frameOf(scene), "a.exr"); // by name
+    ASSERT_EQ(lights.size(), 2u);
+    EXPECT_EQ(lights[0].name, "lamp");
+    EXPECT_EQ(lights[0].kind, Light::Kind::Point);
+    EXPECT_EQ(lights[0].positionWorld, scene.lights[1].positionWorld);
+    EXPECT_EQ(lights[1].name, "sun");
+    EXPECT_EQ(lights[1].kind, Light::Kind::Directional);
+    EXPECT_NEAR(glm::length(lights[1].toLightWorld - scene.lights[0].toLightWorld), 0, 1e-15);
+    EXPECT_THAT(lightsFromHeader(Frame(2, 1), "a.exr"), IsEmpty());
+    for (const char* broken :
+         {"", "to_light 1 2", "to_light 0 0 0", "up 1 2 3", "position 1 2 nan", "position 1 2 3 4"}) {
+        Frame frame(2, 1);
+        frame.metadata["light.sun"] = broken;
+        try {
+            lightsFromHeader(frame, "a.exr");
+            ADD_FAILURE() << broken;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("a.exr: header field 'light.sun'"));
+        }
+    }
+}
+
 TEST(FrameMetadata, CameraComesBackAsItWas) {
     Scene scene = twoObjects();
     for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic}) {

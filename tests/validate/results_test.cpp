@@ -1,4 +1,5 @@
 #include "../../validate/metric_table.h"
+#include "../../validate/metric_table_json.h"
 #include "sample_results.h"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,8 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
     for (const char* key : {"iou", "iou_low", "iou_high", "missing_px", "extra_px", "uncertain_px",
                             "contour_mean_px", "hausdorff95_px", "contour_reference_px", "contour_test_px"})
         EXPECT_TRUE(technique["silhouette"].contains(key)) << key;
+    for (const char* key : {"1px", "2px", "4px", "2pct", "1px_low", "2pct_high", "4px_intersection_px"})
+        EXPECT_TRUE(technique["silhouette"]["boundary_iou"].at(key).is_number()) << key;
     for (const char* key : {"domain_px", "bias", "mae", "rmse", "p50", "p95", "p99", "max", "rmse_relief",
                             "badpix_1pct", "badpix_5pct", "badpix_25pct", "uncertain_px"})
         EXPECT_TRUE(technique["depth"].at(key).is_number()) << key;
@@ -260,6 +263,81 @@ TEST(MetricTable, NamesExactlyTheColumnsOfTheCsv) {
     for (const std::string& column : rows.at(0))
         if (column.find('.') != std::string::npos) written.insert(column);
     EXPECT_EQ(documented, written);
+}
+
+/// Keys of the numbers and of the reasons in a group of results.json, with the group's name in front.
+void collectKeys(const json& group, const std::string& prefix, std::set<std::string>& keys) {
+    for (const auto& [key, value] : group.items())
+        if (key == "absent")
+            collectKeys(value, prefix, keys);
+        else if (value.is_object())
+            collectKeys(value, prefix + "." + key, keys);
+        else
+            keys.insert(prefix + "." + key);
+}
+
+TEST(MetricTable, NamesExactlyTheKeysOfTheJson) {
+    const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
+    std::set<std::string> documented, written;
+    for (const MetricInfo& metric : metricTable())
+        documented.emplace(metric.key);
+    for (const char* group : {"silhouette", "depth", "normal", "st", "image", "cost"})
+        collectKeys(technique.at(group), group, written);
+    collectKeys(technique.at("shadow").at("sun"), "shadow", written);
+    for (const char* more : {"cost.ms_runs", "cost.timer"}) // of the run, no figures
+        EXPECT_EQ(written.erase(more), 1u) << more;
+    EXPECT_EQ(documented, written);
+}
+
+TEST(MetricTable, HasIntervalsWhereResultsDo) {
+    EXPECT_TRUE(hasInterval(*findMetric("silhouette.boundary_iou.2pct")));
+    EXPECT_TRUE(hasInterval(*findMetric("shadow.f1")));
+    EXPECT_FALSE(hasInterval(*findMetric("shadow.ber")));
+    EXPECT_EQ(findMetric("silhouette.oui"), nullptr);
+}
+
+TEST(MetricTable, IsReadableInATerminal) {
+    for (const MetricInfo& metric : metricTable()) {
+        std::istringstream lines(describe(metric));
+        std::string line;
+        while (std::getline(lines, line)) {
+            const auto characters =
+                std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; });
+            EXPECT_LE(characters, 110) << line;
+        }
+        EXPECT_EQ(describe(metric).find(metric.key), 0u);
+        for (const std::string* text : {&metric.label, &metric.unit, &metric.domain, &metric.meaning})
+            EXPECT_FALSE(text->empty()) << metric.key;
+        EXPECT_THAT(metric.better, testing::AnyOf("high", "low", ""));
+        EXPECT_TRUE(metric.best != "1" || metric.better == "high") << metric.key;
+    }
+}
+
+TEST(MetricTable, AsJson) {
+    const json table = json::parse(metricTableJson());
+    ASSERT_EQ(table.size(), metricTable().size());
+    EXPECT_EQ(table[0]["key"], "silhouette.iou");
+    EXPECT_EQ(table[0]["better"], "high");
+    for (const json& metric : table)
+        for (const char* field :
+             {"key", "label", "unit", "best", "better", "formula", "domain", "source", "meaning"})
+            EXPECT_TRUE(metric.at(field).is_string()) << field;
+}
+
+TEST(ResultsJson, HoldsRequirements) {
+    Results results = sampleResults();
+    EXPECT_FALSE(json::parse(toJson(results))["techniques"][0].contains("requirements"));
+    results.techniques[0].requirements = {{"silhouette.iou >= 0.99", "silhouette.iou", 0.5, false}};
+    results.techniques[1].requirements = {
+        {"silhouette.iou >= 0.99", "silhouette.iou", Figure::absent("the technique failed"), false}};
+    const json techniques = json::parse(toJson(results))["techniques"];
+    EXPECT_EQ(techniques[0]["requirements"], (json::array({{{"require", "silhouette.iou >= 0.99"},
+                                                            {"key", "silhouette.iou"},
+                                                            {"value", 0.5},
+                                                            {"passed", false}}})));
+    EXPECT_EQ(techniques[1]["requirements"][0]["absent"], "the technique failed");
+    EXPECT_THAT(toTable(results), HasSubstr("0/1 FAILED"));
+    EXPECT_THAT(toTable(sampleResults()), Not(HasSubstr("require")));
 }
 
 TEST(ResultsTable, FitsATerminal) {

@@ -58,6 +58,7 @@ struct ValidateArguments {
     RealtimeArguments realtime;
     std::optional<std::filesystem::path> output; // folder
     ReportArguments report;
+    std::vector<std::string> require;            // "silhouette.iou >= 0.99"
 };
 
 struct CompareArguments {
@@ -66,6 +67,7 @@ struct CompareArguments {
     std::optional<std::filesystem::path> output; // folder
     bool json = false;
     ReportArguments report;
+    std::vector<std::string> require; // as for validate
 };
 
 inline constexpr uint64_t kDefaultCheckRays = 1'000'000;

@@ -4,6 +4,7 @@
 #include "../foreign_frame.h"
 #include "../frame_metadata.h"
 #include "../output_files.h"
+#include "requirements.h"
 #include "shared.h"
 
 #include <fmt/format.h>
@@ -83,11 +84,14 @@ void writeComparison(const CompareArguments& arguments, const Results& results, 
 } // namespace
 
 int runCompare(const CompareArguments& arguments) {
+    const auto requirements = readRequirements(arguments.require);
     ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
     ForeignFrame testFile = readForeignFrame(arguments.test, parseChannelMap(arguments.channelMap));
     const std::vector<std::string> assumed = settleFrames(referenceFile, testFile);
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
-    const Results results = compareFiles(arguments, referenceFile, testFile, assumed);
+    Results results = compareFiles(arguments, referenceFile, testFile, assumed);
+    checkNames(requirements, results.techniques[0]);
+    const int exitCode = holdRequirements(requirements, results.techniques[0]) ? kExitDone : kExitThreshold;
     if (arguments.output) {
         requireWritableFolder(*arguments.output);
         requireWritableFolder(*arguments.output / "report");
@@ -95,13 +99,13 @@ int runCompare(const CompareArguments& arguments) {
     }
     if (arguments.json) {
         fmt::print("{}", toJson(results));
-        return kExitDone;
+        return exitCode;
     }
     fmt::print("{}", toTable(results));
     for (const std::string& note : results.techniques[0].comparison.notes)
         fmt::print("note: {}\n", note);
     if (arguments.output) fmt::print("{}", reportLine(*arguments.output / "report" / "index.html"));
-    return kExitDone;
+    return exitCode;
 }
 
 } // namespace plumbline

@@ -22,8 +22,7 @@ void listScenes() {
 
 void listMetrics() {
     for (const MetricInfo& metric : metricTable())
-        fmt::print("{:<31}  {:<13}  {}{}\n", metric.key, metric.unit, metric.meaning,
-                   metric.best.empty() ? "" : fmt::format(" (best: {})", metric.best));
+        fmt::print("{}", describe(metric));
 }
 
 void listBakes() {

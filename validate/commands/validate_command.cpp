@@ -5,6 +5,7 @@
 #include "../../scenes/scene_metadata.h"
 #include "../frame_metadata.h"
 #include "../output_files.h"
+#include "requirements.h"
 #include "shared.h"
 #include "trial.h"
 
@@ -153,6 +154,8 @@ int runValidate(const ValidateArguments& arguments) {
     const std::filesystem::path sceneFile = findScene(arguments.reference.scene);
     const Scene scene = readScene(sceneFile, arguments.reference.sceneChanges);
     printWarnings(scene.warnings);
+    const auto requirements = readRequirements(arguments.require, scene.requirements);
+    checkNames(requirements, scene);
     const auto settings = parseSettings(arguments.realtime.settings);
     const auto requests = chosenTechniques(arguments.realtime.techniques, settings);
     checkSettings(settings, requests);
@@ -183,6 +186,7 @@ int runValidate(const ValidateArguments& arguments) {
     Report report(output.report, reportOptions(arguments.report));
     writeReferences(references, results, output, report);
     int exitCode = kExitDone;
+    bool requirementsReached = true;
     std::set<std::string> warned;
     for (const TechniqueRequest& request : requests) {
         progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
@@ -190,6 +194,7 @@ int runValidate(const ValidateArguments& arguments) {
         Trial trial = tryTechnique(request, settings, drawer,
                                    references.scene ? &references.scene->microMeshes() : nullptr);
         if (!trial.outcome.error) judge(trial, references, scene, output, report);
+        requirementsReached &= holdRequirements(requirements, trial.outcome);
         for (const std::string& warning : trial.warnings)
             if (warned.insert(warning).second) printWarnings({warning});
         if (exitCode == kExitDone) exitCode = trial.exitCode;
@@ -198,7 +203,7 @@ int runValidate(const ValidateArguments& arguments) {
                      report); // whole after every technique: a run that is stopped leaves what was finished
     }
     fmt::print("{}\n{}", toTable(results), reportLine(output.report / "index.html"));
-    return exitCode;
+    return exitCode == kExitDone && !requirementsReached ? kExitThreshold : exitCode;
 }
 
 #else
