@@ -1,8 +1,9 @@
-// ./plumbline bench [--section=processes|bakes|harness|surfaces|report|stages] [Google Benchmark's options]: whole processes, then baked maps, then what
-// the harness adds to searches, then what a report costs, then stages of the reference and their ratios to bare libraries.
+// ./plumbline bench [--section=NAME] [Google Benchmark's options]: whole processes, then baked maps, then the metrics of a pair,
+// then what the harness adds to searches, then what a report costs, then stages of the reference and their ratios to bare libraries.
 #include "../../scenes/scene_file.h"
 #include "bake_bench.h"
 #include "harness_bench.h"
+#include "metrics_bench.h"
 #include "process_bench.h"
 #include "report_bench.h"
 #include "stage_bench.h"
@@ -142,6 +143,9 @@ void printProcesses() {
     }
 }
 
+constexpr const char* kSections[] = {"processes", "bakes", "metrics", "harness",
+                                     "surfaces", "report", "stages"};
+
 /// Takes --section=NAME out of the arguments; empty: all. Throws for a name there isn't.
 std::string takeSection(int& argc, char** argv) {
     const std::string option = "--section=";
@@ -149,10 +153,9 @@ std::string takeSection(int& argc, char** argv) {
         const std::string argument = argv[i];
         if (argument.rfind(option, 0) != 0) continue;
         const std::string name = argument.substr(option.size());
-        if (name != "processes" && name != "bakes" && name != "harness" && name != "surfaces" &&
-            name != "report" && name != "stages")
-            throw std::runtime_error("--section=" + name +
-                                     "; expected processes, bakes, harness, surfaces, report or stages");
+        if (std::find(std::begin(kSections), std::end(kSections), name) == std::end(kSections))
+            throw std::runtime_error(
+                fmt::format("--section={}; expected one of {}", name, fmt::join(kSections, ", ")));
         std::copy(argv + i + 1, argv + argc, argv + i);
         --argc;
         return name;
@@ -171,6 +174,7 @@ int main(int argc, char** argv) {
         // A child's peak memory begins at what its parent holds when it is started: while that is little.
         if (wanted("processes")) printProcesses();
         if (wanted("bakes")) plumbline::printBakes();
+        if (wanted("metrics")) plumbline::printMetrics();
 #ifdef PLUMBLINE_GL
         if (wanted("harness")) plumbline::printHarness();
         if (wanted("surfaces")) plumbline::printSurfaces();
