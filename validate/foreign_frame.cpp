@@ -66,7 +66,11 @@ class FrameSettler {
     }
 
   private:
-    bool isOwn() const { return plan_.layout == FrameLayout::Own && !plan_.mapped; }
+    bool isOwn() const {
+        return plan_.layout == FrameLayout::Own &&
+               std::none_of(plan_.channels.begin(), plan_.channels.end(),
+                            [](const auto& entry) { return entry.second.byUser; });
+    }
     void say(const std::string& assumed) { notes_.push_back(fmt::format("{}: {}", file_, assumed)); }
 
     void sayLayout() {
@@ -155,7 +159,7 @@ class FrameSettler {
     void settleDistance() {
         const auto source = plan_.channels.find("Z");
         if (source == plan_.channels.end() || !source->second.distanceFrom) return;
-        if (hasAll(frame_, kPosition) && camera_) {
+        if (!source->second.byUser && hasAll(frame_, kPosition) && camera_) {
             frame_.remove("Z");
             say("depth is that of the positions, not of the distances");
             return;
@@ -177,10 +181,9 @@ class FrameSettler {
                                          static_cast<double>(pixel / width) + 0.5);
                 depth[pixel] = static_cast<float>(near + depth[pixel] * glm::dot(ray.direction, forward));
             }
-        say(fmt::format(
-            "{} is a distance along the ray from a plane {} in front of the camera{}", source->second.theirs,
-            near,
-            plan_.layout == FrameLayout::Mitsuba && !plan_.mapped ? ", Mitsuba's near_clip if not set" : ""));
+        say(fmt::format("{} is a distance along the ray from a plane {} in front of the camera{}",
+                        source->second.theirs, near,
+                        source->second.byUser ? "" : ", Mitsuba's near_clip if not set"));
     }
 
     struct Space {

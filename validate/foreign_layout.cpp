@@ -133,7 +133,7 @@ ChannelMapping parseMapping(const std::string& text) {
     const size_t equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
         throw InputError(where, "names no pair of channels", kExpected);
-    ChannelMapping mapping{text.substr(0, equals), text.substr(equals + 1)};
+    ChannelMapping mapping{text.substr(0, equals), text.substr(equals + 1), true};
     constexpr std::string_view kDistance = "distance";
     if (mapping.ours.starts_with(kDistance)) {
         const std::string plane = mapping.ours.substr(kDistance.size());
@@ -195,7 +195,6 @@ ChannelPlan planChannels(std::span<const std::string> names, std::span<const Cha
     plan.channels.merge(plan.layout == FrameLayout::Own
                             ? planOwn(names)
                             : planKnown(plan.layout, names, plan.channels, where));
-    plan.mapped = !mappings.empty();
     if (plan.channels.empty())
         throw InputError(where, "has no channel of a frame; its channels are " + listOf(names),
                          "Z or P.X P.Y P.Z, A or id, and the rest of the channel table",

@@ -14,9 +14,10 @@
 
 namespace plumbline {
 
-/// One --map.
+/// One --map, or what stands for one where the channel's name is known.
 struct ChannelMapping {
     std::string theirs, ours; // ours: of the channel table; "Z" for distances too
+    bool byUser = false;
     bool negated = false;
     /// Distances along the ray, from a plane so far in front of the camera; world units.
     std::optional<double> distanceFrom{};
@@ -33,7 +34,6 @@ const char* nameOf(FrameLayout layout);
 struct ChannelPlan {
     FrameLayout layout = FrameLayout::Own;
     std::map<std::string, ChannelMapping> channels; // by our name
-    bool mapped = false;                            // by --map, any of them
 };
 
 /// `names`: all channels of the file. Throws InputError, with `where` in front, for a mapping of a channel that isn't there, two channels that

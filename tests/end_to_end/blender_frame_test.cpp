@@ -38,14 +38,17 @@ TEST_F(BlenderFrame, OfTheExportedMeshCoversTheSamePixels) {
     const Outcome compared = run({"compare", "reference.exr", "blender.exr", "--json"});
     ASSERT_EQ(compared.exitCode, 0) << compared.err;
     EXPECT_THAT(compared.out, HasSubstr("read as a frame of Blender"));
-    const auto figures = nlohmann::json::parse(compared.out)["techniques"][0];
+    const auto results = nlohmann::json::parse(compared.out);
+    const auto& figures = results["techniques"][0];
     // Blender aims within 0.005 pixels of the centre: a contour of some 2000 pixels may change hands in about ten of 212 000.
     EXPECT_GE(figures["silhouette"]["iou"], 0.9999);
     EXPECT_GT(figures["silhouette"]["reference_px"], 200000);
-    // 0.005 pixels along slopes; a distance taken for planar depth would be off by tenths of the relief's depth.
-    EXPECT_LT(figures["depth"]["p99_relief"], 0.01);
-    // The map has 256 texels over 16/4 faces: 0.005 pixels are hundredths of a texel.
-    EXPECT_LT(figures["st"]["p95_texels"], 0.1);
+    // The reference's depth is on the surface itself, Blender's on micro-triangles that are so far from it, along rays that may be
+    // slanted. A distance taken for planar depth would be off by 0.1 and more.
+    EXPECT_LT(figures["depth"]["p99"], 4 * results["reference"]["error_world_p99"].get<double>());
+    EXPECT_LT(results["reference"]["error_world_p99"], 0.005);
+    // Likewise; a micro-triangle is a texel wide.
+    EXPECT_LT(figures["st"]["p95_texels"], 0.5);
 }
 
 TEST_F(BlenderFrame, TheScriptRefusesWhatIsNoMesh) {

@@ -18,6 +18,7 @@
 #include <cstring>
 #include <fstream>
 #include <gmock/gmock.h>
+#include <random>
 #include <sys/resource.h>
 
 namespace plumbline {
@@ -245,15 +246,15 @@ TEST(ExrVariants, DamagedPartsAreReadOrRefused) {
     const TemporaryFolder folder;
     writeParts(folder / "a.exr", {{"beauty", "R", 1}, {"depth", "Z", 2}});
     const std::string whole = readBytes(folder / "a.exr");
+    std::mt19937 random(5);
     int refused = 0;
-    for (size_t at = 0; at < whole.size(); ++at)
-        for (const char value : {'\0', '\x7f', '\xff'}) {
-            std::string damaged = whole;
-            damaged[at] = value;
-            writeBytes(folder / "damaged.exr", damaged);
-            refused += !worksOrIsRefused([&] { readAll(folder / "damaged.exr"); });
-        }
-    EXPECT_GT(refused, 300); // most of a small file is header and tables
+    for (size_t at = 0; at < whole.size(); ++at) {
+        std::string damaged = whole;
+        damaged[at] = static_cast<char>(random());
+        writeBytes(folder / "damaged.exr", damaged);
+        refused += !worksOrIsRefused([&] { readAll(folder / "damaged.exr"); });
+    }
+    EXPECT_GT(refused, 100); // most of a small file is header and tables
 }
 
 } // namespace

@@ -23,7 +23,7 @@ void requireOutputs(const ReferenceArguments& arguments, const std::filesystem::
     for (const auto& file : {std::optional(frameFile), arguments.meshFile, arguments.cameraFile}) {
         if (!file) continue;
         requireWritableFile(*file, sceneFile);
-        if (!names.insert(std::filesystem::weakly_canonical(*file)).second)
+        if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(*file))).second)
             throw InputError(file->string(), "is the name of two results", "a file for each");
     }
 }
