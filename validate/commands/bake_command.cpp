@@ -34,9 +34,9 @@ std::shared_ptr<const HeightMap> readMap(const BakeArguments& arguments) {
     const size_t hash = arguments.map.rfind('#');
     if (isFile || hash == std::string::npos) return readPicture(arguments);
     for (const auto& [option, value] :
-         {std::pair("--stores", arguments.stores), std::pair("--wrap", arguments.wrap)})
-        if (value)
-            throw InputError(option, fmt::format("found '{}' beside a scene's map", *value), "nothing",
+         {std::pair("--stores", &arguments.stores), std::pair("--wrap", &arguments.wrap)})
+        if (*value)
+            throw InputError(option, fmt::format("found '{}' beside a scene's map", **value), "nothing",
                              "the scene says what its maps store and how they wrap");
     return readSceneMap(findScene(arguments.map.substr(0, hash)), arguments.map.substr(hash + 1));
 }
