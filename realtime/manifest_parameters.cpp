@@ -4,6 +4,7 @@
 #include "inputs/bake.h"
 #include "manifest_fields.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

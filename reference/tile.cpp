@@ -2,6 +2,7 @@
 
 #include "../scenes/displaced_surface.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline {

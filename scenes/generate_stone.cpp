@@ -1,6 +1,7 @@
 // The generated maps `cobbles` and `noise`.
 #include "map_texels.h"
 
+#include <algorithm>
 #include <array>
 
 namespace plumbline {

@@ -1,6 +1,7 @@
 // Frames whose pixels can be worked out by hand.
 #include "gl_fixture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 

@@ -1,6 +1,7 @@
 // How fast searches converge: errors by steps, and what the errata say of the secant.
 #include "search_rays.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace plumbline {

@@ -1,6 +1,7 @@
 // The searches of realtime/techniques/ that need the height map alone, over rays whose hits are known.
 #include "search_rays.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace plumbline {

@@ -4,6 +4,7 @@
 #include "../../realtime/shadow_projection.h"
 #include "gl_fixture.h"
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 

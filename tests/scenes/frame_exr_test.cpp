@@ -10,6 +10,7 @@
 #include <ImfOutputFile.h>
 #include <ImfThreading.h>
 #include <ImfTiledOutputFile.h>
+#include <algorithm>
 #include <csignal>
 #include <cstring>
 #include <gmock/gmock.h>

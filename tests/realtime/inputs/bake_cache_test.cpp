@@ -3,6 +3,7 @@
 #include "../../scenes/test_files.h"
 #include "awkward_maps.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <gmock/gmock.h>

@@ -4,6 +4,7 @@
 #include "../../../scenes/generate_map.h"
 #include "../../../scenes/map_texels.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
