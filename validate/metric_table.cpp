@@ -91,7 +91,7 @@ Section depth() {
     std::vector<Row>& rows = section.rows;
     rows.push_back({"domain_px", "depth compared", "px", "", "", "pixels compared"});
     const std::vector<Row> errors{
-        {"bias", "depth bias", "", "0", "", "mean error; positive: too far away", "mean e, e = Z_T - Z_R"},
+        {"bias", "depth bias", "", "0", "low", "mean error; positive: too far away", "mean e, e = Z_T - Z_R"},
         {"mae", "depth MAE", "", "0", "low", "mean magnitude of the error", "mean |e|"},
         {"rmse", "depth RMSE", "", "0", "low", "root of the mean squared error", "√(mean e²)"},
         {"p50", "depth p50", "", "0", "low", "median magnitude of the error", "p50 |e|, nearest rank"},

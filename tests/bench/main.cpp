@@ -143,8 +143,8 @@ void printProcesses() {
     }
 }
 
-constexpr const char* kSections[] = {"processes", "bakes", "metrics", "harness",
-                                     "surfaces", "report", "stages"};
+constexpr const char* kSections[] = {"processes", "bakes",  "metrics", "harness",
+                                     "surfaces",  "report", "stages"};
 
 /// Takes --section=NAME out of the arguments; empty: all. Throws for a name there isn't.
 std::string takeSection(int& argc, char** argv) {

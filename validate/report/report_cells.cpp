@@ -1,7 +1,10 @@
 #include "report_cells.h"
 
+#include "../metric_table.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::report {
@@ -27,15 +30,26 @@ ShadowAgreement shadowOf(const MetricSet& metrics, const std::string& light) {
     return found == metrics.shadow.end() ? ShadowAgreement{} : found->second;
 }
 
+ShadowKinds kindsOf(const MetricSet& metrics, const std::string& light) {
+    const auto found = metrics.shadowKinds.find(light);
+    return found == metrics.shadowKinds.end() ? ShadowKinds{} : found->second;
+}
+
+/// `light`: of a figure that there is for every light.
+Column column(const std::string& metric, const std::string& light, const std::string& text,
+              const std::string& unit, const char* format,
+              std::function<ColumnValue(const RowFigures&)> value) {
+    const MetricInfo* info = findMetric(metric);
+    const std::string key = light.empty() ? metric : "shadow." + light + metric.substr(metric.rfind('.'));
+    return {key, text, unit, info ? info->better : "", format, std::move(value)};
+}
+
 /// A column of a figure without an interval.
-Column plain(const char* key, const char* text, const char* unit, const char* better, const char* format,
+Column plain(const char* metric, const char* text, const char* unit, const char* format,
              std::function<Figure(const MetricSet&)> figure) {
-    return {key,
-            text,
-            unit,
-            better,
-            format,
-            [figure = std::move(figure)](const RowFigures& row) { return ColumnValue{figure(row.metrics), {}}; }};
+    return column(metric, "", text, unit, format, [figure = std::move(figure)](const RowFigures& row) {
+        return ColumnValue{figure(row.metrics), {}};
+    });
 }
 
 bool isBetter(const Column& column, double a, double b) {
@@ -73,52 +87,61 @@ std::set<std::string> lightsOf(const Results& results) {
 std::vector<Column> metricColumns(const std::set<std::string>& lights) {
     using Set = const MetricSet&;
     std::vector<Column> columns{
-        {"silhouette.iou", "silhouette IoU", "", "high", "{:.5f}",
-         [](const RowFigures& row) {
-             return ColumnValue{row.metrics.silhouette.iou, row.metrics.silhouette.iouRange};
-         }},
-        plain("silhouette.missing_px", "missing", "px", "low", "{:.0f}",
+        column("silhouette.iou", "", "silhouette IoU", "", "{:.5f}",
+               [](const RowFigures& row) {
+                   return ColumnValue{row.metrics.silhouette.iou, row.metrics.silhouette.iouRange};
+               }),
+        plain("silhouette.missing_px", "missing", "px", "{:.0f}",
               [](Set m) { return count(m.silhouette.missingPx); }),
-        plain("silhouette.extra_px", "extra", "px", "low", "{:.0f}",
+        plain("silhouette.extra_px", "extra", "px", "{:.0f}",
               [](Set m) { return count(m.silhouette.extraPx); }),
-        plain("silhouette.contour_mean_px", "outline off", "mean, px", "low", "{:.2f}",
+        column("silhouette.boundary_iou.2pct", "", "boundary IoU", "2 % of diagonal", "{:.4f}",
+               [](const RowFigures& row) {
+                   const BoundaryIou::AtWidth& widest = row.metrics.boundary.at.back();
+                   return ColumnValue{widest.iou, widest.range};
+               }),
+        plain("silhouette.contour_mean_px", "outline off", "mean, px", "{:.2f}",
               [](Set m) { return m.contour.meanPx; }),
-        plain("silhouette.hausdorff95_px", "outline off", "95 %, px", "low", "{:.2f}",
+        plain("silhouette.hausdorff95_px", "outline off", "95 %, px", "{:.2f}",
               [](Set m) { return m.contour.hausdorff95Px; }),
-        plain("depth.bias_relief", "depth bias", "relief depth", "low", "{:+.4f}",
+        plain("depth.bias_relief", "depth bias", "relief depth", "{:+.4f}",
               [](Set m) { return m.depth.relief.bias; }),
-        plain("depth.rmse_relief", "depth RMSE", "relief depth", "low", "{:.4f}",
+        plain("depth.rmse_relief", "depth RMSE", "relief depth", "{:.4f}",
               [](Set m) { return m.depth.relief.rmse; }),
-        plain("depth.p99_relief", "depth p99", "relief depth", "low", "{:.4f}",
+        plain("depth.p99_relief", "depth p99", "relief depth", "{:.4f}",
               [](Set m) { return m.depth.relief.p99; }),
-        plain("depth.badpix_5pct", "off by > 5 %", "share", "low", "{:.4f}",
+        plain("depth.badpix_5pct", "off by > 5 %", "share", "{:.4f}",
               [](Set m) { return m.depth.badpix5pct; }),
     };
     for (const std::string& light : lights) {
-        columns.push_back({"shadow." + light + ".agreement", "shadow agreement", light, "high", "{:.4f}",
-                           [light](const RowFigures& row) {
-                               const ShadowAgreement shadow = shadowOf(row.metrics, light);
-                               return ColumnValue{shadow.agreement, shadow.agreementRange};
-                           }});
-        columns.push_back({"shadow." + light + ".ber", "shadow error rate", light + ", balanced", "low",
-                           "{:.4f}", [light](const RowFigures& row) {
-                               return ColumnValue{shadowOf(row.metrics, light).ber, {}};
-                           }});
+        columns.push_back(column("shadow.agreement", light, "shadow agreement", light, "{:.4f}",
+                                 [light](const RowFigures& row) {
+                                     const ShadowAgreement shadow = shadowOf(row.metrics, light);
+                                     return ColumnValue{shadow.agreement, shadow.agreementRange};
+                                 }));
+        columns.push_back(column("shadow.cast_agreement", light, "cast shadows", light, "{:.4f}",
+                                 [light](const RowFigures& row) {
+                                     return ColumnValue{kindsOf(row.metrics, light).cast.agreement, {}};
+                                 }));
+        columns.push_back(column("shadow.ber", light, "shadow error rate", light + ", balanced", "{:.4f}",
+                                 [light](const RowFigures& row) {
+                                     return ColumnValue{shadowOf(row.metrics, light).ber, {}};
+                                 }));
     }
-    columns.push_back(plain("normal.mean_degrees", "normal", "mean, degrees", "low", "{:.2f}",
+    columns.push_back(plain("normal.mean_degrees", "normal", "mean, degrees", "{:.2f}",
                             [](Set m) { return m.normal.meanDegrees; }));
-    columns.push_back(plain("st.mean_texels", "st", "mean, texels", "low", "{:.2f}",
-                            [](Set m) { return m.st.meanTexels; }));
+    columns.push_back(
+        plain("st.mean_texels", "st", "mean, texels", "{:.2f}", [](Set m) { return m.st.meanTexels; }));
     return columns;
 }
 
 std::vector<Column> techniqueColumns(const std::set<std::string>& lights) {
     std::vector<Column> columns = metricColumns(lights);
-    columns.push_back(plain("cost.fetches_mean", "look-ups", "a pixel", "low", "{:.1f}",
+    columns.push_back(plain("cost.fetches_mean", "look-ups", "a pixel", "{:.1f}",
                             [](const MetricSet& metrics) { return metrics.cost.mean; }));
-    columns.push_back({"cost.ms_median", "time", "ms", "low", "{:.1f}", [](const RowFigures& row) {
-                           return ColumnValue{row.milliseconds, {}};
-                       }});
+    columns.push_back(column("cost.ms_median", "", "time", "ms", "{:.1f}", [](const RowFigures& row) {
+        return ColumnValue{row.milliseconds, {}};
+    }));
     return columns;
 }
 
@@ -131,6 +154,17 @@ data headOf(const Column& column) {
     setIfAny(head, "unit", column.unit);
     setIfAny(head, "better", column.better);
     return head;
+}
+
+/// Whether the pooled figure of the column was required to be another one.
+bool isMissed(const Column& column, const TechniqueOutcome& technique) {
+    return std::any_of(technique.requirements.begin(), technique.requirements.end(),
+                       [&](const RequirementResult& each) { return !each.passed && each.key == column.key; });
+}
+
+/// Who looks up nothing is cheapest; that is no achievement.
+bool isQuality(const Column& column) {
+    return !column.better.empty() && !column.key.starts_with("cost.");
 }
 
 RowFigures rowOf(const TechniqueOutcome& technique) {
@@ -161,7 +195,7 @@ std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, co
         ++judged;
         for (size_t i = 0; i < columns.size(); ++i)
             if (const Figure figure = columns[i].value(rowOf(technique)).figure;
-                figure && !columns[i].better.empty() && (!best[i] || isBetter(columns[i], *figure, *best[i])))
+                figure && isQuality(columns[i]) && (!best[i] || isBetter(columns[i], *figure, *best[i])))
                 best[i] = *figure;
     }
     if (judged < 2) best.assign(columns.size(), std::nullopt);
@@ -174,7 +208,9 @@ data techniqueCells(const std::vector<Column>& columns, const TechniqueOutcome& 
     for (size_t i = 0; i < columns.size(); ++i) {
         const ColumnValue value = columns[i].value(rowOf(technique));
         data entry = cellOf(columns[i], value);
-        if (!technique.control && value.figure && best[i] && *value.figure == *best[i])
+        if (isMissed(columns[i], technique))
+            entry.set("mark", "fail");
+        else if (!technique.control && value.figure && best[i] && *value.figure == *best[i])
             entry.set("mark", "best");
         cells << entry;
     }

@@ -1,6 +1,6 @@
 #include "report_data.h"
 
-#include "../metric_table.h"
+#include "../metric_table_json.h"
 #include "failing_pixels.h"
 
 #include <fmt/format.h>
@@ -12,19 +12,6 @@ namespace plumbline::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-Json metricsJson() {
-    Json metrics = Json::array();
-    for (const MetricInfo& metric : metricTable())
-        metrics.push_back({{"key", metric.key},
-                           {"label", metric.key},
-                           {"unit", metric.unit},
-                           {"meaning", metric.meaning},
-                           {"better", metric.best == "1"   ? "high"
-                                      : metric.best == "0" ? "low"
-                                                           : ""}});
-    return metrics;
-}
 
 Json toJson(const FrameEntry& frame) {
     Json json{{"name", frame.name}, {"kind", frame.kind}, {"file", frame.file}, {"layers", frame.layers}};
@@ -68,7 +55,7 @@ std::string reportDataJson(const Results& results, const ReportData& data) {
               {"width", results.scene.width},
               {"height", results.scene.height},
               {"results", Json::parse(plumbline::toJson(results))},
-              {"metrics", metricsJson()}};
+              {"metrics", Json::parse(metricTableJson())}};
     json["frames"] = Json::array();
     for (const FrameEntry& frame : data.frames)
         json["frames"].push_back(toJson(frame));

@@ -148,6 +148,17 @@ data objectRows(const Comparison& comparison, const std::vector<Column>& columns
     return objects;
 }
 
+/// What it was to reach and didn't, a sentence each.
+data missedRequirements(const TechniqueOutcome& technique) {
+    std::vector<std::string> missed;
+    for (const RequirementResult& each : technique.requirements)
+        if (!each.passed)
+            missed.push_back(fmt::format("{}: required {}, found {}", each.key, each.requirement,
+                                         each.value ? fmt::format("{}", *each.value)
+                                                    : "no figure (" + each.value.reason() + ")"));
+    return listOfTexts(missed);
+}
+
 data techniqueSection(const TechniqueOutcome& technique, const std::vector<Column>& columns,
                       const std::vector<std::optional<double>>& best,
                       const std::vector<ReportPicture>& pictures) {
@@ -160,6 +171,7 @@ data techniqueSection(const TechniqueOutcome& technique, const std::vector<Colum
     if (technique.msMedian)
         section.set("timer", fmt::format("{:.1f} ms, median of {} ({})", *technique.msMedian,
                                          technique.msRuns, technique.timer));
+    section.set("missed", missedRequirements(technique));
     section.set("technique_limits", listOfTexts(technique.limits));
     if (technique.error) {
         section.set("error", *technique.error);
