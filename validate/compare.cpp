@@ -143,13 +143,15 @@ Comparison compareFrames(const Frame& reference, const Frame& test, const std::v
                          [&] { comparison.image = computeImageError(pair); });
 
     const std::vector<size_t> relief = pair.reliefObjects();
+    const bool several = relief.size() != 1; // pooled over one, figures are that one's
     std::vector<MetricSet> ofObjects(pair.objects().size());
-    tbb::parallel_for(size_t(0), ofObjects.size() + 1, [&](size_t index) {
+    tbb::parallel_for(size_t(0), ofObjects.size() + several, [&](size_t index) {
         if (index == ofObjects.size())
             comparison.pooled = computeMetrics(pair, relief, view);
         else
             ofObjects[index] = computeMetrics(pair, std::span(&index, 1), view);
     });
+    if (!several) comparison.pooled = ofObjects[relief[0]];
     for (const size_t index : relief)
         comparison.pooledObjects.push_back(pair.objects()[index].name);
     for (size_t index = 0; index < pair.objects().size(); ++index)

@@ -28,9 +28,9 @@ DepthError::Spread spreadOf(const std::vector<double>& errors) {
     return {.bias = sum / count,
             .mae = sumAbsolute / count,
             .rmse = std::sqrt(sumSquares / count),
-            .p50 = nearestRank(magnitudes, 50),
-            .p95 = nearestRank(magnitudes, 95),
-            .p99 = nearestRank(magnitudes, 99),
+            .p50 = nearestRankInPlace(magnitudes, 50),
+            .p95 = nearestRankInPlace(magnitudes, 95),
+            .p99 = nearestRankInPlace(magnitudes, 99),
             .max = *std::max_element(magnitudes.begin(), magnitudes.end())};
 }
 

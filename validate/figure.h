@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
@@ -63,11 +64,14 @@ inline std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
     return figure;
 }
 
-/// Nearest-rank percentile (scenes/nearest_rank.h). `values`: in any order, not empty.
-inline double nearestRank(std::vector<double> values, unsigned percent) {
+/// Nearest-rank percentile (scenes/nearest_rank.h). `values`: in any order, not empty; left in another one.
+inline double nearestRankInPlace(std::span<double> values, unsigned percent) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
     std::nth_element(values.begin(), place, values.end());
     return *place;
+}
+inline double nearestRank(std::vector<double> values, unsigned percent) {
+    return nearestRankInPlace(values, percent);
 }
 
 } // namespace plumbline

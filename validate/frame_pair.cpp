@@ -5,8 +5,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
-#include <set>
 
 namespace plumbline {
 namespace {
@@ -73,20 +71,29 @@ FramePair::FramePair(const Frame& reference, const Frame& test, std::vector<Obje
         else
             objects_ = {unknownObject(1, "everything")};
     }
-    std::map<int, size_t> indexOfId;
-    for (size_t i = 0; i < objects_.size(); ++i)
-        indexOfId.emplace(objects_[i].id, i);
-    std::set<int> shown(referenceIds_.begin(), referenceIds_.end());
-    shown.insert(testIds_.begin(), testIds_.end());
-    for (const int id : shown)
-        if (id > 0 && indexOfId.emplace(id, objects_.size()).second)
+    // Number of the object by its id, 1 more than its index; 0: none is known.
+    std::vector<size_t> numberOf(kLargestId + 1);
+    for (size_t i = objects_.size(); i-- > 0;) // of two with one id the first
+        if (objects_[i].id > 0 && objects_[i].id <= kLargestId)
+            numberOf[static_cast<size_t>(objects_[i].id)] = i + 1;
+    std::vector<bool> shown(kLargestId + 1);
+    for (const std::vector<int>* ids : {&referenceIds_, &testIds_})
+        for (const int id : *ids)
+            shown[static_cast<size_t>(id)] = true;
+    for (int id = 1; id <= kLargestId; ++id)
+        if (shown[static_cast<size_t>(id)] && numberOf[static_cast<size_t>(id)] == 0) {
             objects_.push_back(unknownObject(id, fmt::format("object {}", id)));
+            numberOf[static_cast<size_t>(id)] = objects_.size();
+        }
 
     pixels_.resize(objects_.size());
+    const auto list = [&](int id, uint32_t pixel) {
+        pixels_[numberOf[static_cast<size_t>(id)] - 1].push_back(pixel);
+    };
     for (uint32_t pixel = 0; pixel < referenceIds_.size(); ++pixel) {
         const int inReference = referenceIds_[pixel], inTest = testIds_[pixel];
-        if (inReference > 0) pixels_[indexOfId[inReference]].push_back(pixel);
-        if (inTest > 0 && inTest != inReference) pixels_[indexOfId[inTest]].push_back(pixel);
+        if (inReference > 0) list(inReference, pixel);
+        if (inTest > 0 && inTest != inReference) list(inTest, pixel);
     }
 
     uncertain_.resize(referenceIds_.size());

@@ -25,13 +25,38 @@ ImageError absentImageError(const std::string& reason) {
     return result;
 }
 
+/// srgbCode by look-up, for it takes a power: it never falls as the colour grows, so where each code begins says all.
+class SrgbCodes {
+  public:
+    SrgbCodes() {
+        for (size_t code = 1; code < begins_.size(); ++code) {
+            float below = begins_[code - 1], from = 1; // the code begins after `below` and by `from`
+            while (std::nextafter(below, from) < from) {
+                const float middle = below + (from - below) / 2;
+                (srgbCode(middle) >= code ? from : below) = middle;
+            }
+            begins_[code] = from;
+        }
+    }
+    /// `value`: finite.
+    int of(float value) const {
+        return static_cast<int>(std::upper_bound(begins_.begin() + 1, begins_.end(), value) -
+                                begins_.begin()) -
+               1;
+    }
+
+  private:
+    std::array<float, 256> begins_{}; // linear
+};
+
 /// Codes between the two frames' colours at a pixel, per channel; nullopt if one isn't finite.
-std::optional<std::array<int, 3>> codesApart(const Planes& reference, const Planes& test, size_t pixel) {
+std::optional<std::array<int, 3>> codesApart(const SrgbCodes& codes, const Planes& reference,
+                                             const Planes& test, size_t pixel) {
     std::array<int, 3> apart{};
     for (size_t c = 0; c < 3; ++c) {
         const float a = reference[c][pixel], b = test[c][pixel];
         if (!std::isfinite(a) || !std::isfinite(b)) return std::nullopt;
-        if (a != b) apart[c] = std::abs(int(srgbCode(b)) - int(srgbCode(a))); // a code takes a power
+        if (a != b) apart[c] = std::abs(codes.of(b) - codes.of(a));
     }
     return apart;
 }
@@ -44,10 +69,11 @@ ImageError computeImageError(const FramePair& pair) {
             return absentImageError(missing);
     const Planes reference = planesOf(pair.reference()), test = planesOf(pair.test());
 
+    static const SrgbCodes srgbCodes;
     const uint64_t pixelCount = pair.reference().pixelCount();
     uint64_t domainPx = 0, bad2CodesPx = 0, sumSquares = 0;
     for (size_t pixel = 0; pixel < pixelCount; ++pixel) {
-        const auto apart = codesApart(reference, test, pixel);
+        const auto apart = codesApart(srgbCodes, reference, test, pixel);
         if (!apart) continue;
         ++domainPx;
         bad2CodesPx += *std::max_element(apart->begin(), apart->end()) > 2;

@@ -59,7 +59,7 @@ NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection)
     }
     result.meanDegrees =
         std::accumulate(angles.begin(), angles.end(), 0.0) / static_cast<double>(angles.size());
-    result.p95Degrees = nearestRank(angles, 95);
+    result.p95Degrees = nearestRankInPlace(angles, 95);
     return result;
 }
 

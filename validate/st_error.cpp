@@ -59,7 +59,7 @@ StError computeStError(const FramePair& pair, ObjectSelection selection) {
     }
     result.meanTexels =
         std::accumulate(errors.begin(), errors.end(), 0.0) / static_cast<double>(errors.size());
-    result.p95Texels = nearestRank(errors, 95);
+    result.p95Texels = nearestRankInPlace(errors, 95);
     return result;
 }
 
