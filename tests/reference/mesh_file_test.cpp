@@ -8,10 +8,12 @@
 #include "test_scenes.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
 #include <gmock/gmock.h>
 #include <set>
 #include <sstream>
+#include <sys/resource.h>
 
 namespace plumbline {
 namespace {
@@ -207,6 +209,21 @@ TEST_F(MeshFile, PlacesThatCanNotBeWritten) {
     EXPECT_THAT(inputErrorOf([&] { write("a.stl"); }), HasSubstr("a name that ends in .ply or .obj"));
     EXPECT_THAT(inputErrorOf([&] { write("none/a.ply"); }), HasSubstr("does not exist"));
     EXPECT_EQ(folder_.fileCount(), 0u);
+}
+
+TEST_F(MeshFile, AFullDiskLeavesTheOldFile) {
+    writeBytes(folder_ / "a.ply", "old");
+    rlimit old{};
+    getrlimit(RLIMIT_FSIZE, &old);
+    std::signal(SIGXFSZ, SIG_IGN);
+    rlimit small = old;
+    small.rlim_cur = 4096; // less than the mesh
+    setrlimit(RLIMIT_FSIZE, &small);
+    const std::string error = inputErrorOf([&] { write("a.ply"); });
+    setrlimit(RLIMIT_FSIZE, &old);
+    EXPECT_THAT(error, HasSubstr("a.ply: can't be written: File too large"));
+    EXPECT_EQ(readBytes(folder_ / "a.ply"), "old");
+    EXPECT_EQ(folder_.fileCount(), 1u);
 }
 
 ControlMesh octahedron() {
