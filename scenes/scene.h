@@ -7,6 +7,7 @@
 #include "height_map.h"
 #include "light.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -78,7 +79,8 @@ struct Scene {
     std::vector<SceneObject> objects;
     std::vector<SceneRequirement> requirements;
     std::vector<std::string>
-        warnings;     // a line each: what a user should know of meshes and maps before trusting figures
+        warnings; // a line each: what a user should know of meshes and maps before trusting figures
+    std::vector<std::filesystem::path> files; // read: the scene file, meshes and maps
     std::string hash; // of the scene file, every file it names and the changes; hexadecimal
     std::vector<std::string>
         changes; // fields that were given other values than the file's: "camera.width=400"

@@ -48,6 +48,7 @@ class SceneReader {
 
     Scene read() {
         scene_.name = file_.stem().string();
+        scene_.files = {file_};
         scene_.purpose = readPurpose();
         hash_.add(text_);
         scene_.background = root_.vector3("background", 0, 1, Vec3(0));
@@ -114,6 +115,7 @@ class SceneReader {
             table.fail(key, fmt::format("no such file as '{}'", path.string()),
                        "a path relative to the scene file's folder");
         hash_.addFile(path);
+        scene_.files.push_back(path);
         return path;
     }
 

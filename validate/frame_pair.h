@@ -73,6 +73,12 @@ class FramePair {
     std::vector<bool> uncertain_; // per pixel
 };
 
+/// A value of a channel `shadow…` from here on is shadow: another renderer's penumbra is cut at its middle.
+inline constexpr float kShadowThreshold = 0.5f;
+inline bool isShadow(float value) {
+    return value >= kShadowThreshold;
+}
+
 /// Whether a value of a channel `uncertain…` says so. One that is no number can't rule it out.
 inline bool saysUncertain(float value) {
     return !(value < 0.5f);

@@ -7,11 +7,12 @@
 namespace plumbline {
 
 struct MetricInfo {
-    std::string key;     // group.key, as in results.csv; shadow.* stand once for every light
-    std::string label;   // a few words, for the head of a column
-    std::string unit;    // "1" for a ratio
-    std::string best;    // the value of a perfect technique, or "" where there is none
-    std::string better;  // "high", "low" (the nearer to 0); "" where neither is, as of counts that a figure is made of
+    std::string key;   // group.key, as in results.csv; shadow.* stand once for every light
+    std::string label; // a few words, for the head of a column
+    std::string unit;  // "1" for a ratio
+    std::string best;  // the value of a perfect technique, or "" where there is none
+    std::string
+        better; // "high", "low" (the nearer to 0); "" where neither is, as of counts that a figure is made of
     std::string formula; // "" where the meaning says it all
     std::string domain;  // the pixels it is of
     std::string source;  // paper; "" where there is none to cite

@@ -33,14 +33,24 @@ void requireWritableFolder(const std::filesystem::path& folder) {
     tryCreateFile(folder);
 }
 
-void requireWritableFile(const std::filesystem::path& file, const std::filesystem::path& input) {
+void requireWritableFile(const std::filesystem::path& file,
+                         const std::vector<std::filesystem::path>& inputs) {
     std::error_code ignored;
-    if (std::filesystem::equivalent(file, input, ignored))
-        throw InputError(file.string(), "would be replaced, and is what is read",
-                         "another name for the result");
+    for (const std::filesystem::path& input : inputs)
+        if (std::filesystem::equivalent(file, input, ignored))
+            throw InputError(file.string(), "would be replaced, and is what is read",
+                             "another name for the result");
     if (std::filesystem::is_directory(file, ignored) || !file.has_filename())
         throw InputError(file.string(), "this is a folder", "the name of a file");
     requireWritableFolder(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
+}
+
+void removeOldResults(const std::filesystem::path& folder) {
+    for (const char* name : {"results.json", "results.csv", "report/index.html"}) {
+        std::error_code error;
+        std::filesystem::remove(folder / name, error);
+        if (error) throw InputError((folder / name).string(), "can't be replaced", "the name of a file");
+    }
 }
 
 std::string safeFileName(const std::string& name) {

@@ -39,7 +39,7 @@ struct ReferenceSummary {
 };
 
 struct TechniqueOutcome {
-    std::string name;                              // search@surface:changed=parameters
+    std::string name;     // search@surface:changed=parameters
     bool control = false; // it draws the reference's own triangles: no technique to compete with
     std::map<std::string, std::string> parameters; // all, with the values used
     std::string backend, renderer;                 // empty where the frame came from a file

@@ -27,8 +27,6 @@
 
 namespace plumbline {
 
-inline constexpr float kShadowThreshold = 0.5f;
-
 /// Calls visit(pixel, dark in the reference, dark in the test) for every pixel of the domain. Both frames must have the light's
 /// channel. Returns the number of shared pixels without a finite value in both.
 template <class Visit>
@@ -39,7 +37,7 @@ uint64_t forShadowPixels(const FramePair& pair, ObjectSelection selection, const
     uint64_t invalidPx = 0;
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo&) {
         if (std::isfinite(reference[pixel]) && std::isfinite(test[pixel]))
-            visit(pixel, reference[pixel] >= kShadowThreshold, test[pixel] >= kShadowThreshold);
+            visit(pixel, isShadow(reference[pixel]), isShadow(test[pixel]));
         else
             ++invalidPx;
     });

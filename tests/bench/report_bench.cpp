@@ -66,7 +66,7 @@ double secondsToWrite(const std::filesystem::path& folder, const Frame& referenc
     for (const Judged& technique : techniques) {
         report.addTechnique(technique.outcome, reference, technique.frame);
         results.techniques.push_back(technique.outcome);
-        report.write(results);
+        report.write(results, results.techniques.size() == techniques.size());
     }
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }

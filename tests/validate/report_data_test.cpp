@@ -194,12 +194,29 @@ TEST(FailingPixels, CountsEachReasonOnceAndNothingUncertain) {
     EXPECT_THAT(failing.counts(), ElementsAre(2, 2, 0, 2, 2, 2, 0, 2));
 }
 
+TEST(FailingPixels, AShadowCountsWhereTheReferenceKnowsIt) {
+    Frame reference = emptyFrame(4, 1);
+    addUncertainty(reference);
+    paintRectangle(reference, 0, 0, 4, 1);
+    Frame test = reference;
+    for (int x = 0; x < 3; ++x)
+        set(test, "shadow.sun", x, 0, 1);
+    set(reference, "uncertain.shadow.sun", 1, 0, 1);
+    set(reference, "shadow.sun", 2, 0, kNanF);
+    set(test, "shadow.sun", 3, 0, kNanF); // says nothing where it should say lit
+    const FramePair pair(reference, test, {objectWithRelief(1, 1)});
+    report::FailingPixels failing;
+    failing.add(pair, compareFrames(reference, test, pair.objects(), std::nullopt));
+    EXPECT_THAT(failing.counts(), ElementsAre(1, 0, 0, 1));
+}
+
 TEST(ReportData, HoldsNothingThatEndsAScriptElement) {
     const std::string hostile = "</script><script>alert(1)</script><!--";
     Results results = sampleResults(hostile);
     results.scene.name = results.scene.purpose = hostile;
     report::ReportData data;
-    data.frames = {{.name = hostile, .kind = "technique", .file = "data/" + hostile, .layers = {hostile}}};
+    data.frames = {
+        {.id = "t1", .name = hostile, .kind = "technique", .file = "data/" + hostile, .layers = {hostile}}};
     data.objects = {objectWithRelief(1, 0.1)};
     data.objects[0].name = hostile;
     const std::string text = report::reportDataJson(results, data);
@@ -210,7 +227,7 @@ TEST(ReportData, HoldsNothingThatEndsAScriptElement) {
 
 TEST(ReportData, ANameThatIsNotUtf8StaysJson) {
     report::ReportData data;
-    data.frames = {{.name = "caf\xe9", .kind = "technique", .file = "data/1.js", .layers = {}}};
+    data.frames = {{.id = "t1", .name = "caf\xe9", .kind = "technique", .file = "data/1.js", .layers = {}}};
     EXPECT_TRUE(json::accept(report::reportDataJson(sampleResults(), data)));
 }
 

@@ -156,10 +156,35 @@ TEST(ReportPage, SaysWhatAPersonMustKnow) {
     EXPECT_THAT(page, HasSubstr(">0.50000<small>0.47059–0.50000</small>"));
     EXPECT_THAT(page, HasSubstr(">0.7500<small>0.7500–0.8750</small>"));
     EXPECT_THAT(page, HasSubstr("outline off<small>mean, px"));
-    EXPECT_THAT(
-        page, HasSubstr("<td>4</td><td>4</td><td>0.60</td><td>1.00</td>")); // 4 missing, 4 extra, 12 px in 20
+    // 4 missing, 4 extra, 12 px in 20.
+    EXPECT_THAT(page, HasSubstr("<td data-value=\"4\">4</td><td data-value=\"4\">4</td>"));
+    EXPECT_THAT(page, HasSubstr("<td data-value=\"0.6\">0.60</td><td data-value=\"1\">1.00</td>"));
     EXPECT_THAT(page, HasSubstr("title=\"the test frame has no channel cost.fetches\">–"));
     EXPECT_THAT(page, HasSubstr("12.5 ms, median of 5 (wall clock around glFinish)"));
+}
+
+TEST(ReportPage, MarksTheBestAndTheMissed) {
+    Results results = sampleResults(); // its first technique has an IoU of 0.5
+    const Frame reference = sampleReference();
+    TechniqueOutcome exact = results.techniques[0];
+    exact.name = "exact";
+    exact.comparison = compareFrames(reference, reference, {objectWithRelief(1, 0.1)}, std::nullopt);
+    results.techniques.push_back(exact);
+    EXPECT_THAT(reportPage(results, {}, {}), HasSubstr("<td class=\"best\" data-value=\"1\">1.00000"));
+    EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("class=\"best\" data-value=\"0.5\"")));
+    EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("isn't reached is")));
+
+    results.techniques[0].requirements = {{"silhouette.iou >= 0.9", "silhouette.iou", 0.5, false},
+                                          {"depth.rmse <= 1", "depth.rmse", 0.1, true}};
+    const std::string page = reportPage(results, {}, {});
+    EXPECT_THAT(page, HasSubstr("<td class=\"fail\" data-value=\"0.5\">0.50000"));
+    EXPECT_THAT(page, HasSubstr("misses 1 of 2 required"));
+    EXPECT_THAT(page,
+                HasSubstr("Not reached: silhouette.iou: required silhouette.iou &gt;= 0.9, found 0.5."));
+    EXPECT_THAT(page, HasSubstr("isn't reached is"));
+
+    results.techniques.back().control = true; // then there is nobody to be better than
+    EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("class=\"best\" data-value")));
 }
 
 TEST(ReportPage, ShowsTheGapBetweenTheBases) {
@@ -170,11 +195,11 @@ TEST(ReportPage, ShowsTheGapBetweenTheBases) {
     picture.file = "gap.png";
     pictures.baseGap = {picture};
     const std::string page = reportPage(sampleResultsOnBothBases(), pictures, {});
-    const size_t begin = page.find("id=\"base\""), end = page.find("id=\"linear_binary\"");
+    const size_t begin = page.find("id=\"base\""), end = page.find("id=\"technique-1\"");
     ASSERT_LT(begin, end);
     const std::string section = page.substr(begin, end - begin);
-    EXPECT_THAT(section, HasSubstr("<td>the base gap</td><td>0.66667<small>"));
-    EXPECT_THAT(section, HasSubstr("<td>linear_binary</td><td>0.66667<small>"));
+    EXPECT_THAT(section, HasSubstr("<th scope=\"row\">the base gap</th><td>0.66667<small>"));
+    EXPECT_THAT(section, HasSubstr("<th scope=\"row\">linear_binary</th><td>0.66667<small>"));
     EXPECT_THAT(section,
                 HasSubstr("src=\"gap.png\" alt=\"Silhouette difference of the reference on the proxy\""));
     EXPECT_THAT(section, HasSubstr(cssColor(palette::kMissing))); // its legend

@@ -139,7 +139,7 @@ int runBake(const BakeArguments& arguments) {
     const BakeRequest request = parseRequest(arguments);
     requireCheckable(arguments);
     if (arguments.output)
-        requireWritableFile(*arguments.output, arguments.map.substr(0, arguments.map.rfind('#')));
+        requireWritableFile(*arguments.output, {arguments.map.substr(0, arguments.map.rfind('#'))});
     Progress progress;
     progress.step("reading the map");
     const std::shared_ptr<const HeightMap> map = readMap(arguments);

@@ -73,12 +73,13 @@ Results compareFiles(const CompareArguments& arguments, const ForeignFrame& refe
 void writeComparison(const CompareArguments& arguments, const Results& results, const Frame& reference,
                      const Frame& test) {
     const std::filesystem::path folder = *arguments.output;
+    removeOldResults(folder);
     Report report(folder / "report", reportOptions(arguments.report));
     report.addReference(reference);
     report.addTechnique(results.techniques[0], reference, test);
     replaceFile(folder / "results.json", toJson(results));
     replaceFile(folder / "results.csv", toCsv(results));
-    report.write(results);
+    report.write(results, true);
 }
 
 } // namespace

@@ -115,7 +115,7 @@ int runHistory(const HistoryArguments& arguments) {
     const size_t known = history.records.size();
     append(history, arguments);
     if (history.records.size() > known && !arguments.dryRun) {
-        requireWritableFile(arguments.file, arguments.results[0]);
+        requireWritableFile(arguments.file, {arguments.results.begin(), arguments.results.end()});
         replaceFile(arguments.file, history.text);
     }
     bool regression = false;

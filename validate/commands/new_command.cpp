@@ -59,7 +59,7 @@ int runNew(const NewArguments& arguments) {
         sceneText(draftScene(mesh, map, wishes), relativeTo(arguments.output, arguments.mesh),
                   relativeTo(arguments.output, arguments.height), map, storesHeight);
     const Scene scene = parseScene(arguments.output, text); // nothing is written that can't be read
-    requireWritableFile(arguments.output, arguments.mesh);
+    requireWritableFile(arguments.output, {arguments.mesh, arguments.height});
     replaceFile(arguments.output, text);
     printWarnings(scene.warnings);
     fmt::print("{}\nnext: plumbline validate {}\n", arguments.output.string(), arguments.output.string());

@@ -29,7 +29,7 @@ int runRealtime(const RealtimeArguments& arguments) {
     const std::filesystem::path file =
         arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
                                   "frames" / (safeFileName(displayName(request, settings)) + ".exr"));
-    requireWritableFile(file, findScene(arguments.scene));
+    requireWritableFile(file, scene.files);
 
     std::optional<ReferenceScene> reference;
     if (drawsMicroTriangles(request)) {

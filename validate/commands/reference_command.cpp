@@ -17,12 +17,12 @@ namespace {
 
 /// Before any work: every file has a name of its own and can be written.
 void requireOutputs(const ReferenceArguments& arguments, const std::filesystem::path& frameFile,
-                    const std::filesystem::path& sceneFile) {
+                    const Scene& scene) {
     if (arguments.meshFile) requireMeshFileName(*arguments.meshFile);
     std::set<std::filesystem::path> names;
     for (const auto& file : {std::optional(frameFile), arguments.meshFile, arguments.cameraFile}) {
         if (!file) continue;
-        requireWritableFile(*file, sceneFile);
+        requireWritableFile(*file, scene.files);
         if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(*file))).second)
             throw InputError(file->string(), "is the name of two results", "a file for each");
     }
@@ -52,7 +52,7 @@ int runReference(const ReferenceArguments& arguments) {
     options.microAttributes = arguments.meshFile.has_value();
     const std::filesystem::path file = arguments.output.value_or(
         std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
-    requireOutputs(arguments, file, findScene(arguments.scene));
+    requireOutputs(arguments, file, scene);
 
     progress.step("tessellating");
     ReferenceScene reference(scene, options);

@@ -36,18 +36,6 @@ struct OutputFolder {
             requireWritableFolder(each);
     }
 
-    /// Results of an earlier run: gone before the first file of this one, so that no stopped run can pass for
-    /// whole.
-    void removeOldResults() const {
-        for (const auto& file : {folder / "results.json", folder / "results.csv", report / "index.html"}) {
-            std::error_code error;
-            std::filesystem::remove(file, error);
-            if (error) throw InputError(file.string(), "can't be replaced", "the name of a file");
-        }
-        std::error_code ignored; // what is left of it is only not shown
-        std::filesystem::remove_all(report / "data", ignored);
-    }
-
     /// A file of its own for each name, though two may be safe in the same way.
     std::filesystem::path newFrameFile(const std::string& technique) {
         const std::string stem = safeFileName(technique);
@@ -57,10 +45,10 @@ struct OutputFolder {
         return frames / (unique + ".exr");
     }
 
-    void write(const Results& results, const Report& page) const {
+    void write(const Results& results, Report& page, bool last) const {
         replaceFile(folder / "results.json", toJson(results));
         replaceFile(folder / "results.csv", toCsv(results));
-        page.write(results);
+        page.write(results, last);
     }
 };
 
@@ -176,7 +164,7 @@ int runValidate(const ValidateArguments& arguments) {
     if (references.proxyFrame)
         progress.say(certificateLine(references.proxySummary.certificate, " of the reference on the proxy"));
 
-    output.removeOldResults();
+    removeOldResults(output.folder);
     Results results{programName(),
                     summaryOf(scene),
                     references.base,
@@ -199,8 +187,8 @@ int runValidate(const ValidateArguments& arguments) {
             if (warned.insert(warning).second) printWarnings({warning});
         if (exitCode == kExitDone) exitCode = trial.exitCode;
         results.techniques.push_back(std::move(trial.outcome));
-        output.write(results,
-                     report); // whole after every technique: a run that is stopped leaves what was finished
+        // Whole after every technique: a run that is stopped leaves what was finished.
+        output.write(results, report, results.techniques.size() == requests.size());
     }
     fmt::print("{}\n{}", toTable(results), reportLine(output.report / "index.html"));
     return exitCode == kExitDone && !requirementsReached ? kExitThreshold : exitCode;

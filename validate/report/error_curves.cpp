@@ -31,7 +31,7 @@ uint64_t countAbove(const std::vector<double>& sorted, double limit) {
 } // namespace
 
 std::vector<double> badpixThresholds() {
-    std::vector<double> thresholds{0.01, 0.05, 0.25};
+    std::vector<double> thresholds(kNamedThresholds.begin(), kNamedThresholds.end());
     for (int i = -32; i <= 8; ++i)
         if (i != -16) thresholds.push_back(std::pow(10.0, i / 8.0)); // 0.01 is there
     std::sort(thresholds.begin(), thresholds.end());

@@ -4,13 +4,16 @@
 
 #include "../compare.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace plumbline::report {
 
-/// From 1e-4 to 10 relief depths, eight to a decade; 1, 5 and 25 % of BadPix (Scharstein, Szeliski 2002) among them.
+/// Those of the figures badpix_1pct, 5pct, 25pct (Scharstein, Szeliski 2002).
+inline constexpr std::array<double, 3> kNamedThresholds{0.01, 0.05, 0.25};
+/// From 1e-4 to 10 relief depths, eight to a decade, and the named ones.
 std::vector<double> badpixThresholds();
 /// From -0.25 to 0.25 relief depths, a hundredth each.
 std::vector<double> histogramEdges();

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace plumbline::report {
@@ -20,13 +21,31 @@ std::vector<double> tolerances(const FramePair& pair) {
     return byId;
 }
 
+/// One light's shadow in both frames.
+struct ShadowPlanes {
+    std::span<const float> reference, test, uncertain; // the last empty where the reference has none
+
+    ShadowPlanes(const FramePair& pair, const std::string& light)
+        : reference(pair.reference().channel(shadowChannel(light))),
+          test(pair.test().channel(shadowChannel(light))) {
+        if (const std::string channel = uncertainShadowChannel(light); pair.reference().has(channel))
+            uncertain = pair.reference().channel(channel);
+    }
+    /// Where the reference knows it.
+    bool differAt(uint32_t pixel) const {
+        if (!std::isfinite(reference[pixel]) || (!uncertain.empty() && saysUncertain(uncertain[pixel])))
+            return false;
+        return !std::isfinite(test[pixel]) || isShadow(test[pixel]) != isShadow(reference[pixel]);
+    }
+};
+
 } // namespace
 
 std::string FailingPixels::meaning() {
     return fmt::format(
         "another object than the reference shows, or none; or a depth off by more than {:.0f} % of the "
-        "relief depth, or no finite one; or another shadow of any light. Pixels at which the reference "
-        "can't tell which object is seen don't count.",
+        "relief depth, or no finite one; or another shadow of any light, or none. Where the reference itself "
+        "can't tell doesn't count, and controls don't.",
         100 * kReliefShare);
 }
 
@@ -36,11 +55,9 @@ void FailingPixels::add(const FramePair& pair, const Comparison& comparison) {
     ++techniques_;
     const std::vector<double> tolerance = tolerances(pair);
     const bool depthKnown = !comparison.referenceDepth.empty() && !comparison.testDepth.empty();
-    std::vector<std::pair<std::span<const float>, std::span<const float>>> shadows;
+    std::vector<ShadowPlanes> shadows;
     for (const std::string& light : pair.reference().lightNames())
-        if (pair.missingChannel(shadowChannel(light)).empty())
-            shadows.emplace_back(pair.reference().channel(shadowChannel(light)),
-                                 pair.test().channel(shadowChannel(light)));
+        if (pair.missingChannel(shadowChannel(light)).empty()) shadows.emplace_back(pair, light);
 
     const auto fails = [&](uint32_t pixel) {
         const int id = pair.referenceIds()[pixel];
@@ -51,9 +68,8 @@ void FailingPixels::add(const FramePair& pair, const Comparison& comparison) {
             !(std::abs(double(comparison.testDepth[pixel]) - double(comparison.referenceDepth[pixel])) <=
               allowed))
             return true;
-        for (const auto& [inReference, inTest] : shadows)
-            if ((inReference[pixel] >= 0.5f) != (inTest[pixel] >= 0.5f)) return true;
-        return false;
+        return std::any_of(shadows.begin(), shadows.end(),
+                           [&](const ShadowPlanes& each) { return each.differAt(pixel); });
     };
     for (uint32_t pixel = 0; pixel < pixels; ++pixel)
         if (!pair.isUncertain(pixel) && fails(pixel)) ++counts_[pixel];

@@ -143,7 +143,7 @@ FrameData packCounts(const std::string& layer, const std::vector<uint16_t>& coun
 }
 
 std::string frameScript(const std::string& file, const FrameData& frame) {
-    return fmt::format("plumblineFrame({},{});\n", Json(file).dump(-1, ' ', true), frame.json);
+    return fmt::format("{}{},{});\n", kFrameScriptBeginning, Json(file).dump(-1, ' ', true), frame.json);
 }
 
 } // namespace plumbline::report

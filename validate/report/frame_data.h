@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline::report {
@@ -24,6 +25,7 @@ FrameData packTest(const FramePair& pair, std::span<const float> depth);
 /// One layer of counts.
 FrameData packCounts(const std::string& layer, const std::vector<uint16_t>& counts);
 
+inline constexpr std::string_view kFrameScriptBeginning = "plumblineFrame(";
 /// The script that hands a frame to the page: a call of plumblineFrame(). `file`: as the page names it.
 std::string frameScript(const std::string& file, const FrameData& frame);
 

@@ -29,7 +29,7 @@ Rgb mix(const Rgb& a, const Rgb& b, double t) {
 
 /// Colour of a pixel that the two frames don't share; the error has no meaning there.
 Rgb unsharedColor(int inReference, int inTest) {
-    return inReference == 0 && inTest == 0 ? palette::kNothing : Rgb{60, 64, 72};
+    return inReference == 0 && inTest == 0 ? palette::kNothing : palette::kUnshared;
 }
 
 } // namespace
@@ -135,7 +135,7 @@ Picture shadowPicture(const FramePair& pair, const std::string& light) {
         const int inReference = pair.referenceIds()[i], inTest = pair.testIds()[i];
         if (inReference == 0 || inReference != inTest) return unsharedColor(inReference, inTest);
         if (!std::isfinite(reference[i]) || !std::isfinite(test[i])) return palette::kInvalid;
-        const bool dark = reference[i] >= 0.5f, darkInTest = test[i] >= 0.5f;
+        const bool dark = isShadow(reference[i]), darkInTest = isShadow(test[i]);
         if (dark == darkInTest) return dark ? palette::kBothDark : palette::kAgree;
         return dark ? palette::kMissing : palette::kExtra;
     });

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace plumbline {
@@ -29,6 +30,13 @@ inline constexpr Rgb kExtra{0, 114, 178};    // blue: is there and shouldn't be;
 inline constexpr Rgb kOther{204, 121, 167};  // reddish purple: another object in front
 inline constexpr Rgb kBothDark{90, 90, 90};  // in shadow in both
 inline constexpr Rgb kInvalid{240, 228, 66}; // yellow: a value that isn't a finite number
+inline constexpr Rgb kUnshared{60, 64, 72};  // not the same object in both
+
+/// Those above, by their names in templates and in the page's data.
+inline std::vector<std::pair<std::string, Rgb>> all() {
+    return {{"nothing", kNothing}, {"agree", kAgree},   {"missing", kMissing}, {"extra", kExtra},
+            {"other", kOther},     {"dark", kBothDark}, {"invalid", kInvalid}, {"unshared", kUnshared}};
+}
 } // namespace palette
 
 /// "#e69f00".

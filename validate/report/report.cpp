@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 
 namespace plumbline {
 namespace {
@@ -25,12 +26,24 @@ FramePair pairOf(const Comparison& comparison, const Frame& reference, const Fra
     return {reference, test, objects};
 }
 
+/// Of an earlier run, by what they begin with: the folder may hold somebody else's files.
+void removeOldFrames(const std::filesystem::path& folder) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (!entry.is_regular_file() || entry.path().extension() != ".js") continue;
+        std::string beginning(report::kFrameScriptBeginning.size(), ' ');
+        std::ifstream(entry.path()).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+        std::error_code ignored; // one that stays is not shown
+        if (beginning == report::kFrameScriptBeginning) std::filesystem::remove(entry.path(), ignored);
+    }
+}
+
 } // namespace
 
 Report::Report(std::filesystem::path folder, ReportOptions options)
     : folder_(std::move(folder)), options_(options) {
     if (!options_.interactive || options_.singleFile) return;
     requireWritableFolder(folder_ / "data");
+    removeOldFrames(folder_ / "data");
     replaceFile(folder_ / "report.js", report::pageScript());
 }
 
@@ -45,17 +58,33 @@ std::string Report::save(const std::string& stem, const std::string& what, const
            report::base64({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
 }
 
+/// In the place of an earlier one with its id.
 void Report::saveFrame(report::FrameEntry entry, const report::FrameData& frame) {
     entry.layers = frame.layers;
     if (options_.singleFile)
-        embedded_.emplace_back(entry.file, frame.json);
+        embedded_[entry.file] = frame.json;
     else
         replaceFile(folder_ / entry.file, report::frameScript(entry.file, frame));
-    data_.frames.push_back(std::move(entry));
+    const auto found = std::find_if(data_.frames.begin(), data_.frames.end(),
+                                    [&](const report::FrameEntry& each) { return each.id == entry.id; });
+    if (found != data_.frames.end())
+        *found = std::move(entry);
+    else
+        data_.frames.push_back(std::move(entry));
+}
+
+void Report::saveReference(const FramePair& pair, std::span<const float> depth) {
+    saveFrame(
+        {.id = "r", .name = "reference", .kind = "reference", .file = "data/reference.js", .layers = {}},
+        report::packReference(pair, depth));
 }
 
 void Report::addReference(const Frame& reference) {
     pictures_.reference = save("reference", "", colorPicture(reference));
+    if (!options_.interactive) return;
+    const FramePair alone(reference, reference, {});
+    data_.objects = alone.objects();
+    saveReference(alone, reference.has("Z") ? reference.channel("Z") : std::span<const float>());
 }
 
 std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, const Comparison& comparison,
@@ -107,15 +136,15 @@ void Report::saveCurvature(const std::string& stem, const Frame& test,
                                Kind::Curvature, fmt::format("{:.3g}", range)});
 }
 
-/// The planes of a frame held against the reference; before the first one those of the reference, since only a pair
-/// knows whether objects are told apart and where depth comes from.
+/// The planes of a frame held against the reference. The first one tells what only a pair knows: what is known of the objects,
+/// whether they are told apart, and where depth comes from.
 void Report::saveTest(const std::string& stem, report::FrameEntry entry, const Comparison& comparison,
                       const FramePair& pair) {
-    if (data_.frames.empty()) {
+    if (data_.frames.size() == 1) {
         data_.objects = pair.objects();
         data_.depthRange = report::depthRange(comparison);
-        saveFrame({.name = "reference", .kind = "reference", .file = "data/reference.js", .layers = {}},
-                  report::packReference(pair, comparison.referenceDepth));
+        if (!pair.objectsToldApart() || !pair.reference().has("Z"))
+            saveReference(pair, comparison.referenceDepth);
     }
     entry.file = fmt::format("data/{}.js", safeFileName(stem));
     entry.curves = report::errorCurves(pair, comparison);
@@ -128,8 +157,13 @@ void Report::addTechnique(const TechniqueOutcome& technique, const Frame& refere
     const FramePair pair = pairOf(technique.comparison, reference, test);
     std::vector<ReportPicture>& entries = pictures_.techniques[technique.name];
     if (options_.interactive) {
-        failing_.add(pair, technique.comparison);
-        saveTest(stem, {.name = technique.name, .kind = "technique", .file = {}, .layers = {}},
+        if (!technique.control) failing_.add(pair, technique.comparison);
+        saveTest(stem,
+                 {.id = fmt::format("t{}", pictures_.techniques.size()),
+                  .name = technique.name,
+                  .kind = "technique",
+                  .file = {},
+                  .layers = {}},
                  technique.comparison, pair);
     } else {
         entries = saveDifferences(stem, technique.comparison, pair);
@@ -141,34 +175,31 @@ void Report::addBaseGap(const Comparison& gap, const Frame& reference, const Fra
     const FramePair pair = pairOf(gap, reference, proxyReference);
     if (options_.interactive)
         saveTest("reference_proxy",
-                 {.name = "reference on the proxy", .kind = "proxy", .file = {}, .layers = {}}, gap, pair);
+                 {.id = "p", .name = "reference on the proxy", .kind = "proxy", .file = {}, .layers = {}},
+                 gap, pair);
     else
         pictures_.baseGap = saveDifferences("base_gap", gap, pair);
 }
 
-void Report::write(const Results& results) const {
+void Report::write(const Results& results, bool last) {
     if (!options_.interactive) {
-        replaceFile(folder_ / "index.html", reportPage(results, pictures_, {}));
+        if (last || !options_.singleFile)
+            replaceFile(folder_ / "index.html", reportPage(results, pictures_, {}));
         return;
     }
-    report::ReportData data = data_;
-    PageScripts scripts;
-    if (options_.singleFile) scripts.script = std::string(report::pageScript());
     if (failing_.techniques() > 0) {
-        data.failingOf = failing_.techniques();
-        const report::FrameData summary = report::packCounts("failing", failing_.counts());
-        data.frames.push_back({.name = "all techniques",
-                               .kind = "summary",
-                               .file = "data/failing.js",
-                               .layers = summary.layers});
-        if (options_.singleFile)
-            scripts.frames.emplace_back(data.frames.back().file, summary.json);
-        else
-            replaceFile(folder_ / data.frames.back().file,
-                        report::frameScript(data.frames.back().file, summary));
+        data_.failingOf = failing_.techniques();
+        saveFrame(
+            {.id = "s", .name = "all techniques", .kind = "summary", .file = "data/failing.js", .layers = {}},
+            report::packCounts("failing", failing_.counts()));
     }
-    scripts.data = report::reportDataJson(results, data);
-    scripts.frames.insert(scripts.frames.end(), embedded_.begin(), embedded_.end());
+    if (options_.singleFile && !last) return; // all of it anew each time would take longer than the run
+    PageScripts scripts;
+    scripts.data = report::reportDataJson(results, data_);
+    if (options_.singleFile) {
+        scripts.script = report::pageScript();
+        scripts.frames = embedded_;
+    }
     replaceFile(folder_ / "index.html", reportPage(results, pictures_, scripts));
 }
 

@@ -11,6 +11,8 @@
 #include "report_page.h"
 
 #include <filesystem>
+#include <map>
+#include <span>
 #include <string>
 
 namespace plumbline {
@@ -35,8 +37,8 @@ class Report {
     void addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test);
     /// `gap` must be of these two frames.
     void addBaseGap(const Comparison& gap, const Frame& reference, const Frame& proxyReference);
-    /// Techniques without pictures (failed ones) are shown with their error.
-    void write(const Results& results) const;
+    /// Techniques without pictures (failed ones) are shown with their error. A single file is written only if this is the last time.
+    void write(const Results& results, bool last);
 
   private:
     std::string save(const std::string& stem, const std::string& what, const Picture& picture) const;
@@ -44,6 +46,7 @@ class Report {
                                                const FramePair& pair) const;
     void saveCurvature(const std::string& stem, const Frame& test, std::vector<ReportPicture>& entries) const;
     void saveFrame(report::FrameEntry entry, const report::FrameData& frame);
+    void saveReference(const FramePair& pair, std::span<const float> depth);
     void saveTest(const std::string& stem, report::FrameEntry entry, const Comparison& comparison,
                   const FramePair& pair);
 
@@ -52,8 +55,7 @@ class Report {
     ReportPictures pictures_;
     report::ReportData data_;
     report::FailingPixels failing_;
-    std::vector<std::pair<std::string, std::string>>
-        embedded_; // file and planes of frames, if all is one file
+    std::map<std::string, std::string> embedded_; // planes of frames by file, if all is one file
 };
 
 } // namespace plumbline

@@ -2,6 +2,7 @@
 
 #include "../metric_table_json.h"
 #include "failing_pixels.h"
+#include "pictures.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,8 +14,23 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// So that the page paints as pictures.cpp does.
+void addColors(Json& json) {
+    for (const auto& [name, color] : palette::all())
+        json["palette"][name] = cssColor(color);
+    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0})
+        json["diverging"].push_back(cssColor(divergingColor(x)));
+    for (const double x : {0.0, 0.5, 1.0})
+        json["sequential"].push_back(cssColor(sequentialColor(x)));
+    json["shadow_threshold"] = kShadowThreshold;
+}
+
 Json toJson(const FrameEntry& frame) {
-    Json json{{"name", frame.name}, {"kind", frame.kind}, {"file", frame.file}, {"layers", frame.layers}};
+    Json json{{"id", frame.id},
+              {"name", frame.name},
+              {"kind", frame.kind},
+              {"file", frame.file},
+              {"layers", frame.layers}};
     if (frame.curves) {
         json["badpix"] = frame.curves->badpix;
         json["histogram"] = {
@@ -64,7 +80,9 @@ std::string reportDataJson(const Results& results, const ReportData& data) {
         json["objects"].push_back(toJson(object));
     json["depth_range"] = {{"world", data.depthRange.worldUnits}, {"note", data.depthRange.note}};
     json["failing"] = {{"of", data.failingOf}, {"meaning", FailingPixels::meaning()}};
-    json["curves"] = {{"thresholds", badpixThresholds()}, {"edges", histogramEdges()}};
+    json["curves"] = {
+        {"thresholds", badpixThresholds()}, {"named", kNamedThresholds}, {"edges", histogramEdges()}};
+    addColors(json);
     return scriptSafe(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

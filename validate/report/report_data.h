@@ -12,7 +12,8 @@ namespace plumbline::report {
 
 /// A frame the page can show.
 struct FrameEntry {
-    std::string name;
+    std::string id;                 // unique, whatever techniques are called
+    std::string name;               // of a technique: its name in the results
     const char* kind = "technique"; // reference, proxy, technique, summary
     std::string file;               // relative to the page
     std::vector<std::string> layers;

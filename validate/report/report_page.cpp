@@ -71,11 +71,7 @@ data referenceData(const ReferenceSummary& reference) {
 
 data paletteData() {
     data colors{data::type::object};
-    for (const auto& [name, color] :
-         {std::pair("nothing", palette::kNothing), std::pair("agree", palette::kAgree),
-          std::pair("missing", palette::kMissing), std::pair("extra", palette::kExtra),
-          std::pair("other", palette::kOther), std::pair("dark", palette::kBothDark),
-          std::pair("invalid", palette::kInvalid)})
+    for (const auto& [name, color] : palette::all())
         colors.set(name, cssColor(color));
     std::string gradient;
     for (int i = -4; i <= 4; ++i)
@@ -149,29 +145,34 @@ data objectRows(const Comparison& comparison, const std::vector<Column>& columns
 }
 
 /// What it was to reach and didn't, a sentence each.
-data missedRequirements(const TechniqueOutcome& technique) {
+std::vector<std::string> missedRequirements(const TechniqueOutcome& technique) {
     std::vector<std::string> missed;
     for (const RequirementResult& each : technique.requirements)
         if (!each.passed)
             missed.push_back(fmt::format("{}: required {}, found {}", each.key, each.requirement,
                                          each.value ? fmt::format("{}", *each.value)
                                                     : "no figure (" + each.value.reason() + ")"));
-    return listOfTexts(missed);
+    return missed;
 }
 
-data techniqueSection(const TechniqueOutcome& technique, const std::vector<Column>& columns,
+/// `number`: from 1, in the order of the results.
+data techniqueSection(size_t number, const TechniqueOutcome& technique, const std::vector<Column>& columns,
                       const std::vector<std::optional<double>>& best,
                       const std::vector<ReportPicture>& pictures) {
     data section{data::type::object};
     section.set("name", technique.name);
-    section.set("anchor", safeFileName(technique.name));
+    section.set("anchor", fmt::format("technique-{}", number));
     setIfAny(section, "parameters", parametersText(technique.parameters));
     if (!technique.renderer.empty())
         section.set("renderer", fmt::format("{}, {}", technique.renderer, technique.backend));
     if (technique.msMedian)
         section.set("timer", fmt::format("{:.1f} ms, median of {} ({})", *technique.msMedian,
                                          technique.msRuns, technique.timer));
-    section.set("missed", missedRequirements(technique));
+    const std::vector<std::string> missed = missedRequirements(technique);
+    section.set("missed", listOfTexts(missed));
+    if (!missed.empty())
+        section.set("missed_text",
+                    fmt::format("misses {} of {} required", missed.size(), technique.requirements.size()));
     section.set("technique_limits", listOfTexts(technique.limits));
     if (technique.error) {
         section.set("error", *technique.error);
@@ -247,12 +248,17 @@ std::string reportPage(const Results& results, const ReportPictures& pictures, c
     page.set("has_best",
              std::any_of(best.begin(), best.end(), [](const auto& value) { return value.has_value(); }));
     data sections{data::type::list};
+    size_t number = 0;
+    bool missed = false;
     for (const TechniqueOutcome& technique : results.techniques) {
+        missed |= std::any_of(technique.requirements.begin(), technique.requirements.end(),
+                              [](const RequirementResult& each) { return !each.passed; });
         const auto found = pictures.techniques.find(technique.name);
-        sections << techniqueSection(technique, columns, best,
+        sections << techniqueSection(++number, technique, columns, best,
                                      found == pictures.techniques.end() ? std::vector<ReportPicture>{}
                                                                         : found->second);
     }
+    page.set("has_missed", missed);
     page.set("techniques", sections);
     if (results.proxy) page.set("base_gap", baseGapData(results, metricColumns(lights), pictures));
     const std::string pictureLayout = readTemplate("pictures.mustache");

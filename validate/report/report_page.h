@@ -28,9 +28,9 @@ struct ReportPictures {
 
 /// What the interactive page runs on; all empty: a plain page.
 struct PageScripts {
-    std::string data;                                        // reportDataJson()
-    std::string script;                                      // empty: report.js lies beside the page
-    std::vector<std::pair<std::string, std::string>> frames; // file and JSON of frames the page itself holds
+    std::string data;                          // reportDataJson()
+    std::string script;                        // empty: report.js lies beside the page
+    std::map<std::string, std::string> frames; // JSON of frames the page itself holds, by file
 };
 
 /// Fills validate/report/page/index.mustache and pictures.mustache in it, which escape every text. Throws
