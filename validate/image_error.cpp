@@ -37,16 +37,22 @@ class SrgbCodes {
             }
             begins_[code] = from;
         }
+        for (size_t cell = 0; cell < codeAt_.size(); ++cell)
+            codeAt_[cell] = srgbCode(static_cast<double>(cell) / kCells);
     }
     /// `value`: finite.
     int of(float value) const {
-        return static_cast<int>(std::upper_bound(begins_.begin() + 1, begins_.end(), value) -
-                                begins_.begin()) -
-               1;
+        const float clamped = std::clamp(value, 0.0f, 1.0f);
+        size_t code = codeAt_[static_cast<size_t>(clamped * kCells)];
+        while (code + 1 < begins_.size() && clamped >= begins_[code + 1])
+            ++code;
+        return static_cast<int>(code);
     }
 
   private:
-    std::array<float, 256> begins_{}; // linear
+    static constexpr int kCells = 4096;        // a code spans at least 1/3295: a step or two remain
+    std::array<float, 256> begins_{};          // linear
+    std::array<uint8_t, kCells + 1> codeAt_{}; // where each cell begins
 };
 
 /// Codes between the two frames' colours at a pixel, per channel; nullopt if one isn't finite.
