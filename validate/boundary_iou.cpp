@@ -49,6 +49,7 @@ class RimFinder {
     RimBits find(const Inside& inside) const {
         std::vector<Pixel> mask, outside;
         PixelBox box;
+        mask.reserve(pixels_.size());
         for (const uint32_t pixel : pixels_) {
             if (!inside(pixel)) continue;
             const Pixel place = placeOf(pixel);

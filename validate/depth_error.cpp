@@ -66,6 +66,8 @@ DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
     const std::string noRelief = noReliefReason(pair, selection);
 
     std::vector<double> errors, reliefErrors;
+    errors.reserve(mostPixels(pair, selection));
+    if (noRelief.empty()) reliefErrors.reserve(errors.capacity());
     uint64_t uncertainPx = 0;
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo& object) {
         if (!depthKnown || !std::isfinite(referenceDepth[pixel]) || !std::isfinite(testDepth[pixel])) {

@@ -132,6 +132,7 @@ std::vector<double> valuesOnCoveredPixels(const FramePair& pair, ObjectSelection
     std::vector<double> values;
     if (!pair.test().has(channel)) return values;
     const auto plane = pair.test().channel(channel);
+    values.reserve(mostPixels(pair, selection));
     for (const size_t index : selection)
         for (const uint32_t pixel : pair.pixelsOf(index))
             if (pair.testIds()[pixel] == pair.objects()[index].id && std::isfinite(plane[pixel]))

@@ -87,6 +87,14 @@ inline bool saysUncertain(float value) {
 /// The objects a figure is computed over, as indices into FramePair::objects().
 using ObjectSelection = std::span<const size_t>;
 
+/// Pixels that show one of them in either frame: room for a value each of what is collected over them.
+inline size_t mostPixels(const FramePair& pair, ObjectSelection selection) {
+    size_t count = 0;
+    for (const size_t index : selection)
+        count += pair.pixelsOf(index).size();
+    return count;
+}
+
 /// Calls visit(pixel, object) for every pixel that both frames cover with the same object of the selection:
 /// the domain of every metric but the silhouette's.
 template <class Visit>

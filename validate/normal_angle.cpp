@@ -43,6 +43,7 @@ NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection)
         return result;
     }
     std::vector<double> angles;
+    angles.reserve(mostPixels(pair, selection));
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo&) {
         const double degrees = angle.degreesAt(pixel);
         if (std::isnan(degrees))

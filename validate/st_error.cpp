@@ -41,6 +41,7 @@ StError computeStError(const FramePair& pair, ObjectSelection selection) {
     const auto testS = pair.test().channel("st.S"), testT = pair.test().channel("st.T");
     StError result;
     std::vector<double> errors;
+    errors.reserve(mostPixels(pair, selection));
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo& object) {
         const double ds = tileDifference(testS[pixel], referenceS[pixel], object.map->repeatS);
         const double dt = tileDifference(testT[pixel], referenceT[pixel], object.map->repeatT);
