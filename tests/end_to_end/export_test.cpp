@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace plumbline::test {

@@ -7,6 +7,7 @@
 #include "../../validate/foreign_frame.h"
 #include "../scenes/test_files.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gmock/gmock.h>

@@ -3,6 +3,7 @@
 #include "../scenes/test_files.h"
 #include "sample_results.h"
 
+#include <algorithm>
 #include <gmock/gmock.h>
 
 namespace plumbline::test {

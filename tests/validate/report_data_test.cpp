@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <gmock/gmock.h>
 #include <zlib.h>
