@@ -1,6 +1,6 @@
 // Figures of the picture against those of OpenImageIO's ImageBufAlgo::compare.
 #include "../../validate/image_error.h"
-#include "../../validate/pictures.h"
+#include "../../validate/report/pictures.h"
 #include "painted_frames.h"
 
 #include <OpenImageIO/imagebuf.h>

@@ -25,16 +25,38 @@ TEST_F(OutputFiles, FoldersAreCreatedWithTheirParentsAndLeftEmpty) {
     requireWritableFolder(folder_ / "a" / "b");
     EXPECT_TRUE(fs::is_directory(folder_ / "a" / "b"));
     EXPECT_TRUE(fs::is_empty(folder_ / "a" / "b")); // the probe is gone
-    requireWritableFile(folder_ / "c" / "frame.exr", "no input");
+    requireWritableFile(folder_ / "c" / "frame.exr", {});
     EXPECT_FALSE(fs::exists(folder_ / "c" / "frame.exr"));
+}
+
+TEST_F(OutputFiles, WhatIsReadIsNotReplaced) {
+    for (const char* name : {"scene.toml", "mesh.obj"})
+        std::ofstream(folder_ / name) << "text";
+    const std::vector<fs::path> inputs{folder_ / "scene.toml", folder_ / "mesh.obj"};
+    for (const fs::path& input : inputs)
+        EXPECT_THROW(requireWritableFile(input, inputs), InputError) << input;
+    EXPECT_NO_THROW(requireWritableFile(folder_ / "mesh.ply", inputs));
+}
+
+TEST_F(OutputFiles, OldResultsGoAndNothingElse) {
+    fs::create_directories(folder_ / "report");
+    for (const char* name :
+         {"results.json", "results.csv", "notes.txt", "report/index.html", "report/mine.html"})
+        std::ofstream(folder_ / name) << "text";
+    removeOldResults(folder_);
+    for (const char* name : {"results.json", "results.csv", "report/index.html"})
+        EXPECT_FALSE(fs::exists(folder_ / name)) << name;
+    for (const char* name : {"notes.txt", "report/mine.html"})
+        EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+    removeOldResults(folder_ / "nowhere"); // nothing to remove is fine
 }
 
 TEST_F(OutputFiles, APlaceBelowAFileIsRefused) {
     std::ofstream(folder_ / "file") << "text";
     EXPECT_THROW(requireWritableFolder(folder_ / "file"), InputError);
     EXPECT_THROW(requireWritableFolder(folder_ / "file" / "below"), InputError);
-    EXPECT_THROW(requireWritableFile(folder_ / "file" / "below.exr", "no input"), InputError);
-    EXPECT_THROW(requireWritableFile(folder_, "no input"), InputError); // a folder where a file should be
+    EXPECT_THROW(requireWritableFile(folder_ / "file" / "below.exr", {}), InputError);
+    EXPECT_THROW(requireWritableFile(folder_, {}), InputError); // a folder where a file should be
 }
 
 TEST(SafeFileName, KeepsNamesReadableAndInsideTheFolder) {
