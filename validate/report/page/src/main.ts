@@ -1,6 +1,8 @@
 // The interactive part of the report. The page is whole without it but for pictures and plots.
 import "./page.css";
-import { FrameStore, readReportData } from "./data";
+import { readReportData, type FrameEntry } from "./data";
+import { FrameStore } from "./frame_store";
+import { frameOfTechnique } from "./frames";
 import { kStateA } from "./plots/highlight";
 import { drawPlots } from "./plots/plots";
 import { updateState } from "./state";
@@ -16,18 +18,21 @@ function section(id: string): HTMLElement {
   return element;
 }
 
-/** Panes that somebody chose give way to those that belong to the technique. */
-function showTechnique(name: string): void {
-  const panes = ["f1", "f2", "f3", "f4", "l1", "l2", "l3", "l4"];
-  updateState({ ...Object.fromEntries(panes.map((key) => [key, undefined])), vs: undefined, t: name, [kStateA]: name });
+/** What somebody chose to see gives way to the usual panes of the technique. */
+function showTechnique({ id }: FrameEntry): void {
+  const chosen = ["view", "n", "vs", "f1", "f2", "f3", "f4", "l1", "l2", "l3", "l4"];
+  updateState({ ...Object.fromEntries(chosen.map((key) => [key, undefined])), t: id, [kStateA]: id });
   section("viewer").scrollIntoView();
 }
 
-function showFailing(): void {
-  updateState({ view: undefined, n: "1", f1: summary?.name, l1: "failing" });
+function showFailing({ id }: FrameEntry): void {
+  updateState({ view: undefined, n: "1", f1: id, l1: "failing" });
   section("viewer").scrollIntoView();
 }
 
 startViewer(report, new FrameStore(report), section("viewer"));
-enhanceTable(section("techniques"), showTechnique);
-drawPlots(report, section("plots"), summary && showFailing);
+enhanceTable(section("techniques"), (technique) => {
+  const frame = frameOfTechnique(report, technique);
+  return frame && (() => showTechnique(frame));
+});
+drawPlots(report, section("plots"), summary && (() => showFailing(summary)));

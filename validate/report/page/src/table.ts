@@ -17,8 +17,8 @@ interface Column {
   first: Direction;
 }
 
-/** `show`: called with the technique a person wants to see in the viewer. */
-export function enhanceTable(root: HTMLElement, show: (technique: string) => void): void {
+/** `showing`: what brings a technique into the viewer; undefined of one that drew nothing. */
+export function enhanceTable(root: HTMLElement, showing: (technique: string) => (() => void) | undefined): void {
   const table = root.querySelector("table");
   const body = table?.tBodies[0];
   if (!table?.tHead || !body) return;
@@ -38,7 +38,7 @@ export function enhanceTable(root: HTMLElement, show: (technique: string) => voi
       const next = nextSorting(column, parseSorting(getState("sort"), columns));
       setState("sort", next && `${next.key}:${next.direction}`);
     });
-  for (const row of original) addShowButton(row, show);
+  for (const row of original) addShowButton(row, showing);
   onStateChange((changed) => {
     if (changed.has("sort")) apply();
   });
@@ -100,14 +100,15 @@ function addButton(column: Column, press: () => void): void {
   column.head.append(button);
 }
 
-function addShowButton(row: HTMLTableRowElement, show: (technique: string) => void): void {
-  const technique = row.dataset.technique;
-  if (technique === undefined || row.querySelector("td.error")) return;
+function addShowButton(row: HTMLTableRowElement, showing: (technique: string) => (() => void) | undefined): void {
+  const { technique } = row.dataset;
+  const show = technique === undefined ? undefined : showing(technique);
+  if (!show) return;
   const button = document.createElement("button");
   button.type = "button";
   button.className = "show";
   button.textContent = "view";
   button.setAttribute("aria-label", `View ${technique}`);
-  button.addEventListener("click", () => show(technique));
+  button.addEventListener("click", show);
   row.cells[0].prepend(button);
 }

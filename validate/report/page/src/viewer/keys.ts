@@ -58,6 +58,7 @@ export function listenToKeys(root: HTMLElement, actions: KeyActions): void {
     const action = arrow ? () => actions.moveCursor(arrow[0] * step, arrow[1] * step) : others[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();
+    if (event.repeat && action === others.f) return; // a key held down would flash faster than is safe
     action();
   });
 }

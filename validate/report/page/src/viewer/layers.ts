@@ -1,5 +1,6 @@
 // What a pane can show of a frame, and why it can't.
 import type { FrameEntry, LayerName, ReportData } from "../data";
+import { referenceOf } from "../frames";
 
 export type LayerKey =
   | "color"
@@ -18,25 +19,25 @@ export interface LayerInfo {
   /** Planes it takes of the frame and of the reference. */
   ofFrame: LayerName[];
   ofReference: LayerName[];
-  /** Of the reference, where it has it. */
-  uncertain?: LayerName;
+  /** Of the reference, as far as it has them. */
+  uncertain?: LayerName[];
 }
 
 /** Every layer of the report in the order of the menus, a shadow for each light of the reference. */
 export function layersOf(report: ReportData): LayerInfo[] {
-  const lights = referenceOf(report).layers.filter((layer): layer is `shadow.${string}` => layer.startsWith("shadow."));
+  const lights = (referenceOf(report)?.layers ?? []).filter((layer): layer is `shadow.${string}` => layer.startsWith("shadow."));
   return [
     { key: "color", label: "Colour", ofFrame: ["color"], ofReference: [] },
-    { key: "silhouette", label: "Silhouette difference", ofFrame: ["id"], ofReference: ["id"], uncertain: "uncertain" },
+    { key: "silhouette", label: "Silhouette difference", ofFrame: ["id"], ofReference: ["id"], uncertain: ["uncertain"] },
     { key: "depth_error", label: "Depth error", ofFrame: ["id", "depth"], ofReference: ["id", "depth"] },
     ...lights.map((light): LayerInfo => ({
       key: light,
       label: `Shadow difference, ${light.slice("shadow.".length)}`,
       ofFrame: ["id", light],
       ofReference: ["id", light],
-      uncertain: `uncertain.${light}`,
+      uncertain: ["uncertain", `uncertain.${light}`],
     })),
-    { key: "normal_angle", label: "Normal angle", ofFrame: ["id", "normal_angle"], ofReference: [] },
+    { key: "normal_angle", label: "Normal angle", ofFrame: ["id", "normal_angle"], ofReference: ["id"] },
     { key: "fetches", label: "Look-ups", ofFrame: ["id", "fetches"], ofReference: [] },
     { key: "iterations", label: "Iterations", ofFrame: ["id", "iterations"], ofReference: [] },
     { key: "depth", label: "Depth", ofFrame: ["id", "depth"], ofReference: [] },
@@ -61,25 +62,6 @@ export function reasonAgainst(report: ReportData, layer: LayerInfo, frame: Frame
   const lacking = layer.ofFrame.find((plane) => !frame.layers.includes(plane));
   if (lacking) return kPlaneWords[lacking] ?? "no such shadow";
   const reference = referenceOf(report);
-  const lackingThere = layer.ofReference.find((plane) => !reference.layers.includes(plane));
+  const lackingThere = layer.ofReference.find((plane) => !reference?.layers.includes(plane));
   return lackingThere ? `${kPlaneWords[lackingThere] ?? "no such shadow"} in the reference` : undefined;
-}
-
-export function referenceOf(report: ReportData): FrameEntry {
-  const reference = report.frames.find((frame) => frame.kind === "reference");
-  if (!reference) throw new Error("the report holds no reference");
-  return reference;
-}
-
-export function frameLabel(frame: FrameEntry): string {
-  switch (frame.kind) {
-    case "reference":
-      return "Reference";
-    case "proxy":
-      return "Reference on the proxy";
-    case "summary":
-      return "All techniques";
-    case "technique":
-      return frame.name;
-  }
 }

@@ -1,8 +1,8 @@
 // Below a picture: a colour bar with its ends, middle and unit and the controls of its range, or categories with their pixels.
-import { cssColor } from "./colormaps";
+import { cssColor, type Colors } from "./colormaps";
 import { make, setText } from "./dom";
 import { significant, wholeNumber } from "./numbers";
-import { mappedColor, type Range } from "./paint";
+import { isRange, mappedColor, type Range } from "./paint";
 import type { Reading } from "./readings";
 
 const kStops = 17; // of the bar's gradient: the maps are straight between fewer
@@ -22,6 +22,7 @@ export class Legend {
   private high: RangeEnd | null = null;
 
   constructor(
+    private readonly colors: Colors,
     private readonly paneIndex: number,
     private readonly onRange: (range: Range | undefined) => void,
   ) {}
@@ -49,7 +50,7 @@ export class Legend {
     const tell = () => {
       const high = this.high?.value ?? NaN;
       const low = reading.map === "diverging" ? -high : (this.low?.value ?? 0);
-      if (low < high) this.onRange([low, high]);
+      if (isRange(reading.layer, low, high)) this.onRange([low, high]);
     };
     const where = `pane ${this.paneIndex + 1}`;
     const linear = reading.map === "grey" ? usual : null;
@@ -61,7 +62,7 @@ export class Legend {
 
   private showRange(reading: Reading, range: Range): void {
     const [low, high] = range;
-    const colors = Array.from({ length: kStops }, (_, i) => mappedColor(reading.map, low + ((high - low) * i) / (kStops - 1), range));
+    const colors = Array.from({ length: kStops }, (_, i) => mappedColor(this.colors, reading.map, low + ((high - low) * i) / (kStops - 1), range));
     this.bar.style.background = `linear-gradient(to right, ${colors.map(cssColor).join(", ")})`;
     const sign = (value: number) => (reading.map === "diverging" && value > 0 ? "+" : "") + significant(value, 4);
     const words = reading.map === "diverging" ? [" too near", "", " too far"] : ["", "", ""];

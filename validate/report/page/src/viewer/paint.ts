@@ -1,6 +1,7 @@
 // Layers in colour.
-import { divergingColor, greyColor, palette, sequentialColor, type Packed } from "./colormaps";
+import type { Colors, Packed } from "./colormaps";
 import type { ReportData } from "../data";
+import type { LayerKey } from "./layers";
 import { roundedUp } from "./numbers";
 import type { Reading } from "./readings";
 
@@ -14,33 +15,40 @@ export interface Painting {
   counts: number[];
 }
 
+/** Whether a person may set these: 0 is in the middle of errors, and at the low end of all but depths. */
+export function isRange(layer: LayerKey, low: number, high: number): boolean {
+  if (!(low < high && high > 0)) return false;
+  if (layer === "depth_error") return low === -high;
+  return layer === "depth" || low === 0;
+}
+
 /** Colour of a value; NaN isn't given one. */
-export function mappedColor(map: Reading["map"], value: number, [low, high]: Range): Packed {
+export function mappedColor(colors: Colors, map: Reading["map"], value: number, [low, high]: Range): Packed {
   switch (map) {
     case "picture":
       return value;
     case "diverging":
-      return divergingColor(value / high);
+      return colors.diverging(value / high);
     case "sequential":
-      return sequentialColor((value - low) / (high - low));
+      return colors.sequential((value - low) / (high - low));
     case "grey":
-      return greyColor((value - low) / (high - low));
+      return colors.grey((value - low) / (high - low));
     case "none":
-      return palette.invalid;
+      return colors.palette.invalid;
   }
 }
 
-export function paintLayer(reading: Reading, range: Range, pixelCount: number): Painting {
+export function paintLayer(colors: Colors, reading: Reading, range: Range, pixelCount: number): Painting {
   const pixels = new Uint32Array(pixelCount);
   const counts = reading.categories.map(() => 0);
-  const colors = reading.categories.map((category) => category.color);
+  const categoryColors = reading.categories.map((category) => category.color);
   for (let pixel = 0; pixel < pixelCount; ++pixel) {
     const category = reading.categoryAt(pixel);
     if (category >= 0) {
-      pixels[pixel] = colors[category];
+      pixels[pixel] = categoryColors[category];
       ++counts[category];
     } else {
-      pixels[pixel] = mappedColor(reading.map, reading.valueAt(pixel), range);
+      pixels[pixel] = mappedColor(colors, reading.map, reading.valueAt(pixel), range);
     }
   }
   return { pixels, counts };

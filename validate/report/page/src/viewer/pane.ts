@@ -1,7 +1,10 @@
 // One pane: a menu of frames and of layers, the picture under the shared zoom with its crosshair, and a legend.
-import type { FrameData, FrameStore, ReportData } from "../data";
+import type { ReportData } from "../data";
+import type { FrameData, FrameStore } from "../frame_store";
+import { frameById, frameLabel, referenceOf } from "../frames";
+import { colorsOf, type Colors } from "./colormaps";
 import { make, setOptions, setText } from "./dom";
-import { frameLabel, layersOf, reasonAgainst, referenceOf } from "./layers";
+import { layersOf, reasonAgainst } from "./layers";
 import { Legend } from "./legend";
 import { paintLayer, type Range } from "./paint";
 import { readLayer, type DepthUnit, type Reading } from "./readings";
@@ -38,6 +41,9 @@ export class Pane {
   private readonly status = make("p", { class: "pane-status" });
   private readonly crosshair = make("div", { class: "crosshair", hidden: true }, make("i"), make("i"), make("i"), make("i"));
   private readonly legend: Legend;
+  private readonly colors: Colors;
+  /** Ids of the frames that what is shown was read of. */
+  private shownFrames: string[] = [];
 
   constructor(
     private readonly report: ReportData,
@@ -49,7 +55,8 @@ export class Pane {
     this.layerMenu = make("select", { "aria-label": `Pane ${index + 1}: layer`, change: () => this.chosen() });
     this.picture = make("div", { class: "pane-picture" }, this.canvas);
     this.view = make("div", { class: "pane-view", tabindex: 0, role: "application" }, this.picture, this.crosshair, this.status);
-    this.legend = new Legend(index, (range) => this.reading && events.setRange(this.reading.layer, range));
+    this.colors = colorsOf(report);
+    this.legend = new Legend(this.colors, index, (range) => this.reading && events.setRange(this.reading.layer, range));
     this.element = make(
       "div",
       { class: "pane", role: "group" },
@@ -77,22 +84,36 @@ export class Pane {
       if (!isCurrent()) return;
       this.reading = readLayer(this.report, choice.layer, frame, reference, unit);
       this.frame = frame;
+      this.shownFrames = this.framesFor(choice);
       this.paintedWith = "";
       this.setStatus("ready", "");
     } catch (error) {
       if (!isCurrent()) return;
       this.reading = this.frame = null;
+      this.shownFrames = [];
       this.setStatus("error", error instanceof Error ? error.message : String(error));
     }
+  }
+
+  /** Ids of the frames that are shown and of those that are about to be. */
+  framesInUse(): string[] {
+    return [...this.shownFrames, ...this.framesFor(this.choice)];
+  }
+
+  /** The frame, then the reference where the layer needs it. */
+  private framesFor({ frame, layer }: PaneChoice): string[] {
+    const info = layersOf(this.report).find(({ key }) => key === layer);
+    const reference = info && info.ofReference.length > 0 ? referenceOf(this.report) : undefined;
+    return reference ? [frame, reference.id] : [frame];
   }
 
   private async loadFrames(choice: PaneChoice): Promise<[FrameData, FrameData]> {
     const layer = layersOf(this.report).find(({ key }) => key === choice.layer);
     if (!layer) throw new Error(`there is no layer '${choice.layer}'`);
-    const frame = this.store.load(choice.frame, [...layer.ofFrame, ...kReadPlanes]);
-    if (layer.ofReference.length === 0) return [await frame, await frame]; // it doesn't wait for the reference, nor fail with it
-    const reference = this.store.load(referenceOf(this.report).name, [...layer.ofReference, ...(layer.uncertain ? [layer.uncertain] : [])]);
-    return Promise.all([frame, reference]);
+    const [frameId, referenceId] = this.framesFor(choice);
+    const frame = this.store.load(frameId, [...layer.ofFrame, ...kReadPlanes]);
+    if (referenceId === undefined) return [await frame, await frame]; // it doesn't wait for the reference, nor fail with it
+    return Promise.all([frame, this.store.load(referenceId, [...layer.ofReference, ...(layer.uncertain ?? [])])]);
   }
 
   /** Only where the reading or the range isn't what was painted last. */
@@ -100,12 +121,14 @@ export class Pane {
     const { reading } = this;
     if (!reading) {
       this.legend.clear();
+      this.canvas.getContext("2d")?.clearRect(0, 0, this.canvas.width, this.canvas.height);
+      this.paintedWith = "";
       return;
     }
     const key = range.join(",");
     if (this.paintedWith === key) return;
     this.paintedWith = key;
-    const painting = paintLayer(reading, range, this.report.width * this.report.height);
+    const painting = paintLayer(this.colors, reading, range, this.report.width * this.report.height);
     const image = new ImageData(new Uint8ClampedArray(painting.pixels.buffer), this.report.width, this.report.height);
     this.canvas.getContext("2d")?.putImageData(image, 0, 0);
     this.legend.show(reading, range, usual, painting.counts);
@@ -144,18 +167,18 @@ export class Pane {
   }
 
   private showChoice(name: string): void {
-    const { frame: frameName, layer } = this.choice;
-    const frames = this.report.frames;
-    setOptions(this.frameMenu, frames.map((frame) => ({ value: frame.name, label: frameLabel(frame) })), frameName);
-    const entry = frames.find((frame) => frame.name === frameName);
-    if (!entry) throw new Error(`there is no frame '${frameName}'`);
+    const { frame: frameId, layer } = this.choice;
+    const { frames } = this.report;
+    setOptions(this.frameMenu, frames.map((frame) => ({ value: frame.id, label: frameLabel(frame) })), frameId);
+    const entry = frameById(this.report, frameId);
+    if (!entry) throw new Error(`there is no frame '${frameId}'`);
     const layers = layersOf(this.report);
     setOptions(
       this.layerMenu,
       layers.map((info) => ({ value: info.key, label: info.label, reason: reasonAgainst(this.report, info, entry) })),
       layer,
     );
-    this.element.dataset.frame = frameName;
+    this.element.dataset.frame = frameId;
     this.element.dataset.layer = layer;
     const title = `${frameLabel(entry)}, ${layers.find(({ key }) => key === layer)?.label ?? layer}`;
     this.element.setAttribute("aria-label", `Pane ${name}`);

@@ -1,7 +1,8 @@
 // A layer of a frame read pixel by pixel: each pixel has a value, or belongs to a category that says why it has none (of layers that
 // are categories altogether, every pixel does). Painting, legend, ranges and the read-out all go by this.
-import type { FrameData, LayerName, ReportData } from "../data";
-import { packColor, palette, type Packed } from "./colormaps";
+import { saysUncertain, type LayerName, type ReportData } from "../data";
+import type { FrameData, Layer } from "../frame_store";
+import { colorsOf, packColor, type Colors, type Packed } from "./colormaps";
 import type { LayerKey } from "./layers";
 
 export type DepthUnit = "world" | "relief";
@@ -28,74 +29,105 @@ export interface Reading {
   valueAt(pixel: number): number;
 }
 
-const kNothing: Category = { label: "nothing there", color: palette.nothing };
-const kInvalid: Category = { label: "not a finite number", color: palette.invalid };
-const kUnshared: Category = { label: "not the same object in both", color: palette.unshared };
-
 /** Throws where a plane it needs is missing. */
 export function readLayer(report: ReportData, layer: LayerKey, frame: FrameData, reference: FrameData, unit: DepthUnit): Reading {
+  const { palette } = colorsOf(report);
   switch (layer) {
     case "color":
-      return readColor(frame);
+      return readColor(frame, report.width * report.height);
     case "silhouette":
-      return readSilhouette(frame, reference);
+      return readSilhouette(palette, frame, reference);
     case "depth_error":
-      return readDepthError(report, frame, reference, unit);
+      return readDepthError(report, palette, frame, reference, unit);
     case "normal_angle":
-      return readCovered(layer, "degrees", frame, "sequential");
+      return readNormalAngle(palette, frame, reference);
     case "fetches":
-      return readCovered(layer, "look-ups", frame, "sequential");
+      return readCovered(palette, layer, "look-ups", frame, "sequential");
     case "iterations":
-      return readCovered(layer, "iterations", frame, "sequential");
+      return readCovered(palette, layer, "iterations", frame, "sequential");
     case "depth":
-      return readCovered(layer, "world units", frame, "grey");
+      return readCovered(palette, layer, "world units", frame, "grey");
     case "failing":
-      return readFailing(report, frame);
+      return readFailing(report, palette, frame);
     default:
-      return readShadow(layer, frame, reference);
+      return readShadow(report, palette, layer, frame, reference);
   }
 }
 
-export function plane(frame: FrameData, name: LayerName): Float32Array {
+type Palette = Colors["palette"];
+const nothing = ({ nothing: color }: Palette): Category => ({ label: "nothing there", color });
+const invalid = ({ invalid: color }: Palette): Category => ({ label: "not a finite number", color });
+const unshared = ({ unshared: color }: Palette): Category => ({ label: "not the same object in both", color });
+
+function plane(frame: FrameData, name: LayerName): Layer {
   const layer = frame.get(name);
-  if (!layer) throw new Error(`${frame.name} has no plane '${name}'`);
-  return layer.values;
+  if (!layer) throw new Error(`${frame.label} has no plane '${name}'`);
+  return layer;
 }
 
-function readColor(frame: FrameData): Reading {
+function readColor(frame: FrameData, pixels: number): Reading {
   const codes = plane(frame, "color");
-  const pixels = codes.length / 3;
-  const colorAt = (pixel: number) => packColor(codes[pixel], codes[pixels + pixel], codes[2 * pixels + pixel]);
+  const colorAt = (pixel: number) => packColor(codes.at(pixel), codes.at(pixels + pixel), codes.at(2 * pixels + pixel));
   return { layer: "color", map: "picture", unit: "", categories: [], categoryAt: () => -1, valueAt: colorAt };
 }
 
-function readSilhouette(frame: FrameData, reference: FrameData): Reading {
+/** Says why a legend's counts aren't the table's. */
+function countsNote(uncertain: readonly Layer[], uncertainInTable: string, more = ""): string {
+  const apart = uncertain.length > 0 ? ", pixels that the reference isn't sure of apart" : "";
+  const inTable = uncertain.length > 0 ? `, ${uncertainInTable}` : "";
+  return `Counted over all objects${apart}. The table counts the objects that have a relief alone${inTable}${more}.`;
+}
+
+function uncertainPlanes(reference: FrameData, ...names: LayerName[]): Layer[] {
+  return names.flatMap((name) => reference.get(name) ?? []);
+}
+
+/** Whether any of the planes says so. */
+function isUncertain(planes: readonly Layer[], pixel: number): boolean {
+  for (const each of planes) if (saysUncertain(each.at(pixel))) return true;
+  return false;
+}
+
+function uncertainCategories(palette: Palette, planes: readonly Layer[]): Category[] {
+  const always = planes.length > 0;
+  return [
+    { label: "agree, reference uncertain", color: palette.uncertainAgrees, always },
+    { label: "differ, reference uncertain", color: palette.uncertainDiffers, always },
+  ];
+}
+
+function readSilhouette(palette: Palette, frame: FrameData, reference: FrameData): Reading {
   const test = plane(frame, "id");
   const truth = plane(reference, "id");
-  const uncertain = reference.get("uncertain")?.values;
+  const uncertain = uncertainPlanes(reference, "uncertain");
   const categories: Category[] = [
-    { ...kNothing, label: "nothing in both" },
+    { ...nothing(palette), label: "nothing in both" },
     { label: "agree", color: palette.agree, always: true },
     { label: "missing", color: palette.missing, always: true },
     { label: "extra", color: palette.extra, always: true },
     { label: "another object", color: palette.other, always: true },
-    { label: "agree, reference uncertain", color: palette.uncertainAgrees, always: uncertain !== undefined },
-    { label: "differ, reference uncertain", color: palette.uncertainDiffers, always: uncertain !== undefined },
+    ...uncertainCategories(palette, uncertain),
   ];
   const categoryAt = (pixel: number) => {
-    const agrees = test[pixel] === truth[pixel];
-    if (uncertain?.[pixel]) return agrees ? 5 : 6;
-    if (agrees) return truth[pixel] === 0 ? 0 : 1;
-    if (test[pixel] === 0) return 2;
-    return truth[pixel] === 0 ? 3 : 4;
+    const [shown, wanted] = [test.at(pixel), truth.at(pixel)];
+    if (isUncertain(uncertain, pixel)) return shown === wanted ? 5 : 6;
+    if (shown === wanted) return wanted === 0 ? 0 : 1;
+    if (shown === 0) return 2;
+    return wanted === 0 ? 3 : 4;
   };
-  return { layer: "silhouette", map: "none", unit: "", categories, categoryAt, valueAt: () => NaN };
+  const note = countsNote(
+    uncertain,
+    "these pixels as missing or extra like all others",
+    ", and another object as missing of the one and extra of the other",
+  );
+  return { layer: "silhouette", map: "none", unit: "", note, categories, categoryAt, valueAt: () => NaN };
 }
 
-/** Index into [kNothing, kUnshared] of pixels that the two don't share; -1 of those they do. */
-function unsharedAt(test: Float32Array, truth: Float32Array, pixel: number): number {
-  if (test[pixel] !== truth[pixel]) return 1;
-  return truth[pixel] === 0 ? 0 : -1;
+/** Index into [nothing, unshared] of pixels that the two don't share; -1 of those they do. */
+function unsharedAt(test: Layer, truth: Layer, pixel: number): number {
+  const wanted = truth.at(pixel);
+  if (test.at(pixel) !== wanted) return 1;
+  return wanted === 0 ? 0 : -1;
 }
 
 /** The error's divisor by object number; NaN where the relief's depth isn't known. */
@@ -105,20 +137,26 @@ function errorUnits(report: ReportData, unit: DepthUnit): number[] {
   return units;
 }
 
-function readDepthError(report: ReportData, frame: FrameData, reference: FrameData, unit: DepthUnit): Reading {
+function readDepthError(
+  report: ReportData,
+  palette: Palette,
+  frame: FrameData,
+  reference: FrameData,
+  unit: DepthUnit,
+): Reading {
   const test = plane(frame, "id");
   const truth = plane(reference, "id");
   const depth = plane(frame, "depth");
   const trueDepth = plane(reference, "depth");
   const units = errorUnits(report, unit);
-  const errorAt = (pixel: number) => depth[pixel] - trueDepth[pixel];
-  const divisorAt = (pixel: number) => units[truth[pixel]] ?? (unit === "world" ? 1 : NaN);
+  const errorAt = (pixel: number) => depth.at(pixel) - trueDepth.at(pixel);
+  const divisorAt = (pixel: number) => units[truth.at(pixel)] ?? (unit === "world" ? 1 : NaN);
   return {
     layer: "depth_error",
     map: "diverging",
     unit: unit === "world" ? "world units" : "relief depths",
     note: `The usual range: ${report.depth_range.note}`,
-    categories: [kNothing, kUnshared, kInvalid, { label: "no relief", color: palette.bothDark }],
+    categories: [nothing(palette), unshared(palette), invalid(palette), { label: "no relief", color: palette.dark }],
     categoryAt: (pixel) => {
       const unshared = unsharedAt(test, truth, pixel);
       if (unshared >= 0) return unshared;
@@ -129,66 +167,90 @@ function readDepthError(report: ReportData, frame: FrameData, reference: FrameDa
   };
 }
 
-function readShadow(layer: `shadow.${string}`, frame: FrameData, reference: FrameData): Reading {
+function readShadow(
+  report: ReportData,
+  palette: Palette,
+  layer: `shadow.${string}`,
+  frame: FrameData,
+  reference: FrameData,
+): Reading {
   const test = plane(frame, "id");
   const truth = plane(reference, "id");
   const shadow = plane(frame, layer);
   const trueShadow = plane(reference, layer);
-  const uncertain = reference.get(`uncertain.${layer}`)?.values;
+  const uncertain = uncertainPlanes(reference, "uncertain", `uncertain.${layer}`);
   const categories: Category[] = [
-    kNothing,
-    kUnshared,
-    kInvalid,
+    nothing(palette),
+    unshared(palette),
+    invalid(palette),
     { label: "lit in both", color: palette.agree, always: true },
-    { label: "dark in both", color: palette.bothDark, always: true },
+    { label: "dark in both", color: palette.dark, always: true },
     { label: "false light", color: palette.missing, always: true },
     { label: "false shadow", color: palette.extra, always: true },
-    { label: "agree, reference uncertain", color: palette.uncertainAgrees, always: uncertain !== undefined },
-    { label: "differ, reference uncertain", color: palette.uncertainDiffers, always: uncertain !== undefined },
+    ...uncertainCategories(palette, uncertain),
   ];
   const categoryAt = (pixel: number) => {
-    const unshared = unsharedAt(test, truth, pixel);
-    if (unshared >= 0) return unshared;
-    if (!Number.isFinite(shadow[pixel]) || !Number.isFinite(trueShadow[pixel])) return 2;
-    const dark = shadow[pixel] >= 0.5;
-    const agrees = dark === trueShadow[pixel] >= 0.5;
-    if (uncertain?.[pixel]) return agrees ? 7 : 8;
+    const notShared = unsharedAt(test, truth, pixel);
+    if (notShared >= 0) return notShared;
+    const [shown, wanted] = [shadow.at(pixel), trueShadow.at(pixel)];
+    if (!Number.isFinite(shown) || !Number.isFinite(wanted)) return 2;
+    const dark = shown >= report.shadow_threshold;
+    const agrees = dark === wanted >= report.shadow_threshold;
+    if (isUncertain(uncertain, pixel)) return agrees ? 7 : 8;
     if (agrees) return dark ? 4 : 3;
     return dark ? 6 : 5;
   };
-  return { layer, map: "none", unit: "", categories, categoryAt, valueAt: () => NaN };
+  const note = countsNote(uncertain, "these pixels as right or wrong like all others");
+  return { layer, map: "none", unit: "", note, categories, categoryAt, valueAt: () => NaN };
+}
+
+function readNormalAngle(palette: Palette, frame: FrameData, reference: FrameData): Reading {
+  const test = plane(frame, "id");
+  const truth = plane(reference, "id");
+  const angles = plane(frame, "normal_angle");
+  return {
+    layer: "normal_angle",
+    map: "sequential",
+    unit: "degrees",
+    categories: [nothing(palette), unshared(palette), { ...invalid(palette), label: "no normal" }],
+    categoryAt: (pixel) => {
+      const notShared = unsharedAt(test, truth, pixel);
+      if (notShared >= 0) return notShared;
+      return Number.isFinite(angles.at(pixel)) ? -1 : 2;
+    },
+    valueAt: (pixel) => (unsharedAt(test, truth, pixel) < 0 ? angles.at(pixel) : NaN),
+  };
 }
 
 /** A plane over the pixels the frame covers. */
 function readCovered(
-  layer: "normal_angle" | "fetches" | "iterations" | "depth",
+  palette: Palette,
+  layer: "fetches" | "iterations" | "depth",
   unit: string,
   frame: FrameData,
   map: "sequential" | "grey",
 ): Reading {
   const id = plane(frame, "id");
   const values = plane(frame, layer);
-  // Angles are there only where both show the same object.
-  const none = layer === "normal_angle" ? kUnshared : kInvalid;
   return {
     layer,
     map,
     unit,
-    categories: [kNothing, none],
-    categoryAt: (pixel) => (id[pixel] === 0 ? 0 : Number.isFinite(values[pixel]) ? -1 : 1),
-    valueAt: (pixel) => (id[pixel] === 0 ? NaN : values[pixel]),
+    categories: [nothing(palette), invalid(palette)],
+    categoryAt: (pixel) => (id.at(pixel) === 0 ? 0 : Number.isFinite(values.at(pixel)) ? -1 : 1),
+    valueAt: (pixel) => (id.at(pixel) === 0 ? NaN : values.at(pixel)),
   };
 }
 
-function readFailing(report: ReportData, frame: FrameData): Reading {
+function readFailing(report: ReportData, palette: Palette, frame: FrameData): Reading {
   const counts = plane(frame, "failing");
   return {
     layer: "failing",
     map: "sequential",
     unit: `of ${report.failing.of} techniques`,
     note: `Failing: ${report.failing.meaning}`,
-    categories: [{ ...kNothing, label: "none fails" }],
-    categoryAt: (pixel) => (counts[pixel] > 0 ? -1 : 0),
-    valueAt: (pixel) => counts[pixel],
+    categories: [{ ...nothing(palette), label: "none fails" }],
+    categoryAt: (pixel) => (counts.at(pixel) > 0 ? -1 : 0),
+    valueAt: (pixel) => counts.at(pixel),
   };
 }

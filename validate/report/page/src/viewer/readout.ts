@@ -1,5 +1,6 @@
 // The values of one pixel in every pane.
-import type { FrameData, ReportData } from "../data";
+import type { ReportData } from "../data";
+import type { FrameData } from "../frame_store";
 import { channelsOf, cssColor } from "./colormaps";
 import { make, setText } from "./dom";
 import { shortestFloat, significant } from "./numbers";
@@ -60,14 +61,14 @@ export class Readout {
 }
 
 function objectText(report: ReportData, frame: FrameData, at: number): string {
-  const id = frame.get("id")?.values[at];
+  const id = frame.get("id")?.at(at);
   if (id === undefined) return "";
   if (id === 0) return "none";
   return report.objects.find((object) => object.id === id)?.name ?? `object ${id}`;
 }
 
 function depthText(frame: FrameData, at: number): string {
-  const depth = frame.get("depth")?.values[at];
+  const depth = frame.get("depth")?.at(at);
   return depth !== undefined && Number.isFinite(depth) ? shortestFloat(depth) : "";
 }
 
@@ -93,7 +94,7 @@ function valueText(report: ReportData, reading: Reading, frame: FrameData | null
 
 /** In both units where the object has a relief. */
 function depthErrorText(report: ReportData, reading: Reading, frame: FrameData | null, at: number, value: number): string {
-  const id = frame?.get("id")?.values[at];
+  const id = frame?.get("id")?.at(at);
   const relief = report.objects.find((object) => object.id === id)?.relief_depth ?? NaN;
   const world = reading.unit === "world units" ? value : value * relief;
   const inWorld = `${significant(world, 6)} world units`;

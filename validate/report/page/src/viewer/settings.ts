@@ -1,8 +1,9 @@
 // What the viewer shows, and its way into the page's state (state.ts) and back.
 import type { FrameEntry, ReportData } from "../data";
+import { frameById, referenceOf, techniqueFrames } from "../frames";
 import { getState, updateState } from "../state";
-import { layersOf, reasonAgainst, referenceOf, type LayerKey } from "./layers";
-import type { Range } from "./paint";
+import { layersOf, reasonAgainst, type LayerKey } from "./layers";
+import { isRange, type Range } from "./paint";
 import type { DepthUnit } from "./readings";
 import type { Camera } from "./zoom";
 
@@ -10,14 +11,15 @@ export const arrangements = ["side", "wipe", "flicker", "blend"] as const;
 export type Arrangement = (typeof arrangements)[number];
 
 export interface PaneChoice {
+  /** Its id. */
   frame: string;
   layer: LayerKey;
 }
 
 export interface Settings {
-  /** The technique the standard panes show; "" in a report without. */
+  /** The technique's frame that the standard panes show, its id; "" in a report without. */
   technique: string;
-  /** The technique it is held against in them; "": none. */
+  /** That of the technique it is held against in them; "": none. */
   against: string;
   arrangement: Arrangement;
   /** Panes side by side. Wipe, flicker and blend take the first two. */
@@ -40,9 +42,24 @@ export const kMostPanes = 4;
 /** CSS pixels of width below which panes stand one below the other, as viewer.css has it. */
 const kNarrowPx = 700;
 
-function usualPaneCount(): "2" | "4" {
+/** Nothing but the reference there is is looked at once. */
+function usualPaneCount(report: ReportData): "1" | "2" | "4" {
+  if (techniqueFrames(report).length === 0) return "1";
   return window.innerWidth < kNarrowPx ? "2" : "4";
 }
+
+/** Whether any object's relief depth is known: without, errors can't be told in it. */
+export function hasRelief(report: ReportData): boolean {
+  return report.objects.some(({ relief_depth }) => relief_depth !== null);
+}
+
+/** Whether the key of the page's state is one of those that writeSettings() writes. */
+export function isViewerKey(key: string): boolean {
+  return kKeys.has(key) || key.startsWith(kRangePrefix);
+}
+const kKeys = new Set(["t", "vs", "view", "n", "zoom", "unit", "pixel", "side", "wipe", "opacity"]);
+for (let pane = 1; pane <= kMostPanes; ++pane) kKeys.add(`f${pane}`).add(`l${pane}`);
+const kRangePrefix = "range.";
 
 export function rangeKey(layer: LayerKey, unit: DepthUnit): string {
   return layer === "depth_error" && unit === "relief" ? "depth_error.relief" : layer;
@@ -50,8 +67,8 @@ export function rangeKey(layer: LayerKey, unit: DepthUnit): string {
 
 /** What is looked at first of a technique: itself beside the truth, then where the silhouette and the depth differ; of two, in turn. */
 export function standardPanes(report: ReportData, technique: string, against: string): PaneChoice[] {
-  const reference = referenceOf(report).name;
-  if (!technique) return Array.from({ length: kMostPanes }, () => ({ frame: reference, layer: "color" }));
+  const reference = referenceOf(report)?.id ?? "";
+  if (!technique) return Array.from({ length: kMostPanes }, () => possiblePane(report, { frame: reference, layer: "color" }));
   const panes: PaneChoice[] = against
     ? [
         { frame: technique, layer: "color" },
@@ -70,7 +87,7 @@ export function standardPanes(report: ReportData, technique: string, against: st
 
 /** The same frame with a layer that it has: the one asked for if it can be, else the first in the order of the menu. */
 export function possiblePane(report: ReportData, { frame, layer }: PaneChoice): PaneChoice {
-  const entry = report.frames.find(({ name }) => name === frame) as FrameEntry;
+  const entry = frameById(report, frame) as FrameEntry;
   const possible = layersOf(report).filter((info) => reasonAgainst(report, info, entry) === undefined);
   return { frame, layer: (possible.find(({ key }) => key === layer) ?? possible[0])?.key ?? layer };
 }
@@ -78,7 +95,7 @@ export function possiblePane(report: ReportData, { frame, layer }: PaneChoice): 
 /** As the page's state has it. What can't be is left at its default and told in `refused`. */
 export function readSettings(report: ReportData): Settings & { refused: string[] } {
   const refused: string[] = [];
-  const techniques = report.frames.filter(({ kind }) => kind === "technique").map(({ name }) => name);
+  const techniques = techniqueFrames(report).map(({ id }) => id);
   const oneOf = <Value extends string>(key: string, values: readonly Value[], otherwise: Value): Value => {
     const text = getState(key);
     if (text === undefined) return otherwise;
@@ -89,7 +106,7 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
   const numbers = (key: string, count: number, areGood: (...values: number[]) => boolean): number[] | undefined => {
     const text = getState(key);
     if (text === undefined) return undefined;
-    const read = text.split(",").map(Number);
+    const read = text.split(",").map((part) => (part.trim() === "" ? NaN : Number(part)));
     if (read.length === count && read.every(Number.isFinite) && areGood(...read)) return read;
     refused.push(`${key}=${text}`);
     return undefined;
@@ -100,7 +117,7 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
   const against = oneOf("vs", techniques, "");
   const panes = standardPanes(report, technique, against).map((standard, index) => {
     const wanted = {
-      frame: oneOf(`f${index + 1}`, report.frames.map(({ name }) => name), standard.frame),
+      frame: oneOf(`f${index + 1}`, report.frames.map(({ id }) => id), standard.frame),
       layer: oneOf(`l${index + 1}`, layersOf(report).map(({ key }) => key), standard.layer),
     };
     const possible = possiblePane(report, wanted);
@@ -114,8 +131,8 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
   const ranges: { [key: string]: Range } = {};
   for (const { key } of layersOf(report)) {
     for (const unit of ["world", "relief"] as const) {
-      const areEnds = (low: number, high: number) => low < high && (key !== "depth_error" || low === -high);
-      const ends = unit === "world" || key === "depth_error" ? numbers(`range.${rangeKey(key, unit)}`, 2, areEnds) : undefined;
+      const areEnds = (low: number, high: number) => isRange(key, low, high);
+      const ends = unit === "world" || key === "depth_error" ? numbers(kRangePrefix + rangeKey(key, unit), 2, areEnds) : undefined;
       if (ends) ranges[rangeKey(key, unit)] = [ends[0], ends[1]];
     }
   }
@@ -123,10 +140,10 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
     technique,
     against,
     arrangement: oneOf("view", arrangements, "side"),
-    paneCount: Number(oneOf("n", ["1", "2", "3", "4"], usualPaneCount())),
+    paneCount: Number(oneOf("n", ["1", "2", "3", "4"], usualPaneCount(report))),
     panes,
     camera: { scale, x, y },
-    unit: oneOf("unit", ["world", "relief"], "world"),
+    unit: oneOf("unit", hasRelief(report) ? ["world", "relief"] : ["world"], "world"),
     ranges,
     held: held ? { x: held[0], y: held[1] } : null,
     second: oneOf("side", ["1", "2"], "1") === "2",
@@ -141,10 +158,10 @@ export function writeSettings(report: ReportData, settings: Settings): void {
   const unless = (usual: boolean, text: string | number) => (usual ? undefined : String(text));
   const { camera, held } = settings;
   const changes: { [key: string]: string | undefined } = {
-    t: unless(settings.technique === (report.frames.find(({ kind }) => kind === "technique")?.name ?? ""), settings.technique),
+    t: unless(settings.technique === (techniqueFrames(report)[0]?.id ?? ""), settings.technique),
     vs: unless(settings.against === "", settings.against),
     view: unless(settings.arrangement === "side", settings.arrangement),
-    n: unless(String(settings.paneCount) === usualPaneCount(), settings.paneCount),
+    n: unless(String(settings.paneCount) === usualPaneCount(report), settings.paneCount),
     zoom: unless(
       camera.scale === 1 && camera.x === report.width / 2 && camera.y === report.height / 2,
       `${camera.scale},${camera.x},${camera.y}`,
@@ -163,7 +180,7 @@ export function writeSettings(report: ReportData, settings: Settings): void {
   for (const { key } of layersOf(report)) {
     for (const unit of ["world", "relief"] as const) {
       const ends = settings.ranges[rangeKey(key, unit)];
-      changes[`range.${rangeKey(key, unit)}`] = ends && ends.join(",");
+      changes[kRangePrefix + rangeKey(key, unit)] = ends && ends.join(",");
     }
   }
   updateState(changes);

@@ -1,7 +1,8 @@
 // The controls above the panes.
 import type { ReportData } from "../data";
+import { techniqueFrames } from "../frames";
 import { make, setOptions, setText } from "./dom";
-import { arrangements, kMostPanes, type Arrangement, type Settings } from "./settings";
+import { arrangements, hasRelief, kMostPanes, type Arrangement, type Settings } from "./settings";
 
 export interface ToolbarEvents {
   chooseTechniques(technique: string, against: string): void;
@@ -87,15 +88,15 @@ export class Toolbar {
   }
 
   show(settings: Settings): void {
-    const techniques = this.report.frames.filter(({ kind }) => kind === "technique").map(({ name }) => ({ value: name, label: name }));
+    const techniques = techniqueFrames(this.report).map(({ id, name }) => ({ value: id, label: name }));
+    this.technique.disabled = this.against.disabled = techniques.length === 0;
     setOptions(this.technique, techniques, settings.technique);
     setOptions(this.against, [{ value: "", label: "the reference" }, ...techniques], settings.against);
-    const withoutRelief = !this.report.objects.some(({ relief_depth }) => relief_depth !== null);
     setOptions(
       this.unit,
       [
         { value: "world", label: "world units" },
-        { value: "relief", label: "relief depths", ...(withoutRelief ? { reason: "no relief's depth is known" } : {}) },
+        { value: "relief", label: "relief depths", ...(hasRelief(this.report) ? {} : { reason: "no relief's depth is known" }) },
       ],
       settings.unit,
     );

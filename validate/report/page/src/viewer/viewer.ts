@@ -1,16 +1,19 @@
 // Frames and their differences in panes with one zoom: side by side, or two of them in one place (wipe, flicker, blend).
 import "../viewer.css";
-import type { FrameStore, ReportData } from "../data";
+import type { ReportData } from "../data";
+import type { FrameStore } from "../frame_store";
+import { frameById, frameLabel, referenceOf, techniqueFrames } from "../frames";
 import { onStateChange } from "../state";
 import { make, setText } from "./dom";
 import { listenToKeys, makeKeyHelp } from "./keys";
-import { frameLabel, layersOf } from "./layers";
+import { layersOf } from "./layers";
 import { Pane } from "./pane";
 import { usualRange, type Range } from "./paint";
 import type { Reading } from "./readings";
 import { Readout, type ReadPane } from "./readout";
 import {
   kMostPanes,
+  isViewerKey,
   possiblePane,
   rangeKey,
   readSettings,
@@ -26,7 +29,15 @@ interface Pixel {
   y: number;
 }
 
+/** Says so where there is nothing to view. */
 export function startViewer(report: ReportData, store: FrameStore, root: HTMLElement): void {
+  root.append(make("h2", {}, "Frames"));
+  root.classList.add("viewer");
+  if (!referenceOf(report)) {
+    root.append(make("p", {}, "There are no frames to view."));
+    return;
+  }
+  if (techniqueFrames(report).length === 0) root.append(make("p", {}, "No technique drew a frame: there is the reference alone."));
   new Viewer(report, store, root);
 }
 
@@ -78,8 +89,7 @@ class Viewer {
     });
     this.panes = Array.from({ length: kMostPanes }, (_, index) => this.makePane(index));
     this.grid.append(...this.panes.map((pane) => pane.element), this.divider);
-    root.append(make("h2", {}, "Frames"), this.toolbar.element, this.note, this.grid, this.readout.element, makeKeyHelp());
-    root.classList.add("viewer");
+    root.append(this.toolbar.element, this.note, this.grid, this.readout.element, makeKeyHelp());
     listenToKeys(root, {
       arrange: (arrangement, paneCount) => this.change({ arrangement, paneCount: paneCount ?? this.settings.paneCount }),
       flicker: () => this.flicker(),
@@ -116,9 +126,10 @@ class Viewer {
 
   /** From outside: another module, or an address. */
   private stateChanged(changed: ReadonlySet<string>): void {
-    if (this.isWriting) return;
+    const keys = [...changed].filter(isViewerKey);
+    if (this.isWriting || keys.length === 0) return;
     const settings = this.readState();
-    if (changed.size === 1 && changed.has("t")) {
+    if (keys.length === 1 && keys[0] === "t") {
       this.chooseTechniques(settings.technique, this.settings.against);
       return;
     }
@@ -145,6 +156,7 @@ class Viewer {
 
   private change(changes: Partial<Settings>): void {
     Object.assign(this.settings, changes);
+    setText(this.note, "");
     const isPixelOnly = Object.keys(changes).every((key) => key === "held");
     if (isPixelOnly) this.scheduleDraw();
     else void this.showAll();
@@ -175,6 +187,7 @@ class Viewer {
     const show = async (pane: Pane, index: number) => {
       const { panes, unit } = this.settings; // of now: they may have changed while the first was loading
       await pane.show(panes[index], unit, this.paneName(index));
+      this.store.forgetOthers(new Set(this.panes.flatMap((each) => each.framesInUse())));
       this.paintAll();
     };
     await show(this.panes[0], 0); // alone, so that there is a picture soon
@@ -278,7 +291,7 @@ class Viewer {
   private readPanes(): ReadPane[] {
     return this.shownPanes.map((pane, index) => {
       const { frame, layer } = this.settings.panes[index];
-      const entry = this.report.frames.find(({ name }) => name === frame);
+      const entry = frameById(this.report, frame);
       const words = layersOf(this.report).find(({ key }) => key === layer)?.label ?? layer;
       return { name: this.paneName(index), title: `${entry ? frameLabel(entry) : frame}, ${words}`, frame: pane.frame, reading: pane.reading };
     });

@@ -34,7 +34,7 @@ export class SharedZoom {
   private readonly behavior = zoom<HTMLElement, unknown>();
   private readonly resizes = new ResizeObserver((entries) => {
     for (const entry of entries) this.resize(entry.target as HTMLElement, entry.contentRect);
-    this.onChange();
+    this.set(this.camera); // how close is closest depends on the panes' sizes
   });
 
   constructor(
@@ -62,14 +62,8 @@ export class SharedZoom {
     return this.camera;
   }
 
-  /** Held to what can be looked at. */
   set(camera: Camera): void {
-    const clamp = (value: number, low: number, high: number) => Math.min(Math.max(value, low), high);
-    this.camera = {
-      scale: round(clamp(camera.scale, 1, this.closest())),
-      x: round(clamp(camera.x, 0, this.frame.width)),
-      y: round(clamp(camera.y, 0, this.frame.height)),
-    };
+    this.camera = this.held(camera);
     for (const view of this.sizes.keys()) this.tellBehavior(view);
     this.onChange();
   }
@@ -102,6 +96,16 @@ export class SharedZoom {
     return this.sizes.get(view) ?? { width: 0, height: 0 };
   }
 
+  /** To what can be looked at. */
+  private held(camera: Camera): Camera {
+    const clamp = (value: number, low: number, high: number) => Math.min(Math.max(value, low), high);
+    return {
+      scale: round(clamp(camera.scale, 1, this.closest())),
+      x: round(clamp(camera.x, 0, this.frame.width)),
+      y: round(clamp(camera.y, 0, this.frame.height)),
+    };
+  }
+
   private fitting(): Camera {
     return { scale: 1, x: this.frame.width / 2, y: this.frame.height / 2 };
   }
@@ -120,7 +124,6 @@ export class SharedZoom {
     if (width > 0 && height > 0) this.sizes.set(view, { width, height });
     else this.sizes.delete(view); // not shown
     this.behavior.scaleExtent([1, this.closest()]);
-    this.tellBehavior(view);
   }
 
   /** d3's transform moves the frame from where it fits the pane. */

@@ -1,0 +1,33 @@
+// Frames of a report, by what they are. Names are anybody's and need not differ from "reference"; ids do.
+import type { FrameEntry, ReportData } from "./data";
+
+export function frameById(report: ReportData, id: string): FrameEntry | undefined {
+  return report.frames.find((frame) => frame.id === id);
+}
+
+/** undefined in a report without any frame. */
+export function referenceOf(report: ReportData): FrameEntry | undefined {
+  return report.frames.find(({ kind }) => kind === "reference");
+}
+
+export function techniqueFrames(report: ReportData): FrameEntry[] {
+  return report.frames.filter(({ kind }) => kind === "technique");
+}
+
+/** `name`: in the results; undefined of a technique that drew no frame. */
+export function frameOfTechnique(report: ReportData, name: string): FrameEntry | undefined {
+  return techniqueFrames(report).find((frame) => frame.name === name);
+}
+
+export function frameLabel(frame: FrameEntry): string {
+  switch (frame.kind) {
+    case "reference":
+      return "Reference";
+    case "proxy":
+      return "Reference on the proxy";
+    case "summary":
+      return "All techniques";
+    case "technique":
+      return frame.name;
+  }
+}
