@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { openReport, panesSettled, reportFile } from "./browser.mjs";
+import { frameId, openReport, panesSettled, reportFile } from "./browser.mjs";
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -20,7 +20,7 @@ for (const [what, options] of Object.entries({
   dark: { colorScheme: "dark" },
   "on a phone": { width: 390, height: 844 },
   "with everything in use": {
-    hash: "#view=blend&plot.b=linear_binary&plot.histogram=1&plot.badpix=1&sort=silhouette.iou:desc&pixel=90,60",
+    hash: `#view=blend&plot.b=${frameId("torus", "linear_binary")}&plot.histogram=1&plot.badpix=1&sort=silhouette.iou:desc&pixel=90,60`,
   },
 }))
   test(`no serious finding, ${what}`, async (t) => {

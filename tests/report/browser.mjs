@@ -2,6 +2,7 @@
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { after } from "node:test";
+import { dirname } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
@@ -39,8 +40,10 @@ export async function openReport(t, file, { hash = "", width = 1280, height = 90
     account.dialogs.push(dialog.message());
     dialog.dismiss();
   });
+  const folder = `${pathToFileURL(dirname(file))}/`;
   page.on("request", (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) account.requests.push(request.url());
+    const url = request.url();
+    if (!/^(data|blob):/.test(url) && !url.startsWith(folder)) account.requests.push(url);
   });
   await page.goto(pathToFileURL(file) + hash);
   return { page, account };
@@ -65,6 +68,13 @@ export async function addressHolds(page, text) {
 export function framePixels(frameFile, channel, pixels) {
   const out = execFileSync(FRAME_PIXEL, [frameFile, channel, ...pixels.flat().map(String)], { encoding: "utf8" });
   return out.trim().split("\n").map((text) => (text === "inf" ? Infinity : Math.fround(Number(text))));
+}
+
+/** Of a technique's frame, as panes and the address name it. */
+export function frameId(report, technique) {
+  const page = readFileSync(reportFile(report), "utf8");
+  const [, json] = page.match(/<script type="application\/json" id="report-data">([^]*?)<\/script>/);
+  return JSON.parse(json).frames.find(({ kind, name }) => kind === "technique" && name === technique).id;
 }
 
 export function resultsOf(name) {

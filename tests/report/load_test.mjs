@@ -4,7 +4,8 @@ import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { openReport, panesSettled, reportFile, resultsOf } from "./browser.mjs";
+import { pathToFileURL } from "node:url";
+import { frameId, openReport, panesSettled, reportFile, resultsOf } from "./browser.mjs";
 
 function temporaryFolder(t) {
   const folder = mkdtempSync(join(tmpdir(), "plumbline-report-"));
@@ -30,12 +31,12 @@ test("opens from disk without an error and without a request beyond its folder",
 
 test("an account of a page that does misbehave isn't empty", async (t) => {
   const file = join(temporaryFolder(t), "index.html");
-  writeFileSync(file, "<img src='http://127.0.0.1:9/x'><script>alert(1); console.error(2); fail()</script>");
+  writeFileSync(file, "<img src='http://127.0.0.1:9/x'><img src='../beside.png'><script>alert(1); console.error(2); fail()</script>");
   const { page, account } = await openReport(t, file);
   await page.waitForTimeout(100);
   assert.ok(account.errors.length >= 2);
   assert.deepEqual(account.dialogs, ["1"]);
-  assert.deepEqual(account.requests, ["http://127.0.0.1:9/x"]);
+  assert.deepEqual(account.requests, ["http://127.0.0.1:9/x", pathToFileURL(join(file, "../../beside.png")).href]);
 });
 
 test("a single file opens anywhere", async (t) => {
@@ -60,7 +61,7 @@ test("text that looks like markup is shown and never run", async (t) => {
   const row = page.locator("tbody tr").filter({ has: page.getByRole("button", { name: `View ${hostile}` }) });
   assert.equal(await row.count(), 1);
   await row.getByRole("button").click();
-  await page.locator("#plots select").first().selectOption(hostile);
+  await page.locator("#plots select").first().selectOption({ label: hostile });
   await panesSettled(page);
   const made = await page.evaluate(() => ({
     images: document.querySelectorAll("img[src=x], [onerror], [onload]").length,
@@ -84,7 +85,7 @@ test("a missing or damaged frame is told of in its pane, the rest works", async 
     await panesSettled(page);
     const panes = page.locator(".pane:not([hidden])");
     assert.equal(await panes.first().getAttribute("data-state"), "ready"); // the reference
-    const failed = page.locator(".pane:not([hidden])[data-frame='linear_binary'][data-state=error]");
+    const failed = page.locator(`.pane:not([hidden])[data-frame='${frameId("torus", "linear_binary")}'][data-state=error]`);
     assert.ok((await failed.count()) > 0);
     assert.ok((await failed.first().innerText()).includes(technique));
     assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);

@@ -4,7 +4,7 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:f
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
-import { addressHolds, openReport, reportFile, resultsOf } from "./browser.mjs";
+import { addressHolds, frameId, openReport, reportFile, resultsOf } from "./browser.mjs";
 
 const frontShown = (page) => page.locator("#plots .front button").allInnerTexts();
 const notOnFront = async (page) => ((await page.locator("#plots .left-out").count()) ? page.locator("#plots .left-out").innerText() : "");
@@ -164,8 +164,8 @@ test("choices are kept in the address", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   await page.getByLabel("Quality", { exact: true }).selectOption("depth.rmse_relief");
   await page.getByLabel("Cost", { exact: true }).selectOption("cost.ms_median");
-  await page.getByLabel("A stands out").selectOption("parallax_slope");
-  await page.getByLabel("against B").selectOption("linear_binary");
+  await page.getByLabel("A stands out").selectOption(frameId("torus", "parallax_slope"));
+  await page.getByLabel("against B").selectOption(frameId("torus", "linear_binary"));
   await page.getByLabel("Logarithmic share").first().check();
   await addressHolds(page, "plot.badpix=1");
   const shown = () => page.locator("#plots").evaluate((element) => [...element.querySelectorAll("select, svg, .front")].map((each) => each.value ?? each.outerHTML));
@@ -185,7 +185,7 @@ test("a pan in the viewer doesn't draw the plots again", async (t) => {
 });
 
 test("saved plots stand alone: no styles, properties or fonts of the page's, white below, also from the dark", async (t) => {
-  const { page } = await openReport(t, reportFile("torus"), { colorScheme: "dark", hash: "#plot.b=linear_binary" });
+  const { page } = await openReport(t, reportFile("torus"), { colorScheme: "dark", hash: `#plot.b=${frameId("torus", "linear_binary")}` });
   const buttons = await page.getByRole("button", { name: /^Save SVG/ }).all();
   assert.equal(buttons.length, 3);
   for (const button of buttons) {

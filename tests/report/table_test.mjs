@@ -1,7 +1,7 @@
 // The table of metrics sorts, keeps the choice in the address, and leads to the viewer.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addressHolds, openReport, panesSettled, reportFile } from "./browser.mjs";
+import { addressHolds, frameId, openReport, panesSettled, reportFile } from "./browser.mjs";
 
 const table = (page) => page.locator("#techniques table");
 const names = (page) => table(page).locator("tbody tr").evaluateAll((rows) => rows.map((row) => row.dataset.technique));
@@ -100,9 +100,9 @@ test("'view' brings the technique into the viewer and lets it stand out in the p
   const { page } = await openReport(t, reportFile("torus"));
   await page.getByRole("button", { name: "View parallax_slope" }).click();
   await panesSettled(page);
-  assert.ok((await page.locator('.pane:not([hidden])[data-frame="parallax_slope"]').count()) > 0);
-  assert.equal(await page.getByLabel("A stands out").inputValue(), "parallax_slope");
+  assert.ok((await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "parallax_slope")}"]`).count()) > 0);
+  assert.equal(await page.getByLabel("A stands out").inputValue(), frameId("torus", "parallax_slope"));
   await page.getByRole("button", { name: "View linear_binary", exact: true }).click();
   await panesSettled(page);
-  assert.ok((await page.locator('.pane:not([hidden])[data-frame="linear_binary"]').count()) > 0);
+  assert.ok((await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "linear_binary")}"]`).count()) > 0);
 });

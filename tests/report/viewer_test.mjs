@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { test } from "node:test";
-import { addressHolds, framePixels, openReport, panesSettled, reportFile, reportsFolder } from "./browser.mjs";
+import { addressHolds, frameId, framePixels, openReport, panesSettled, reportFile, reportsFolder } from "./browser.mjs";
 
 const panes = (page) => page.locator(".pane:not([hidden])");
 const arrangement = (page, name) => page.locator(`button[data-view="${name}"]`);
@@ -37,6 +37,10 @@ async function seen(page, from = 0.2, to = 0.8) {
   }
   return now;
 }
+
+const kSlope = frameId("torus", "parallax_slope");
+/** The reference's colour as A, a technique's depth error as B. */
+const kTwo = `f1=r&l1=color&f2=${kSlope}&l2=depth_error`;
 
 test("wheel, drag and keys zoom and pan every pane alike", async (t) => {
   const { page } = await openPanes(t);
@@ -79,7 +83,7 @@ test("the pixel under the pointer stays under it while the wheel zooms", async (
 });
 
 test("the wipe shows A left of the divider and B right of it", async (t) => {
-  const { page } = await openPanes(t, "#view=wipe&f1=reference&l1=color&f2=parallax_slope&l2=depth_error");
+  const { page } = await openPanes(t, `#view=wipe&${kTwo}`);
   const divider = page.locator("input.divider");
   const halves = async (wipe) => {
     await divider.fill(wipe);
@@ -95,7 +99,7 @@ test("the wipe shows A left of the divider and B right of it", async (t) => {
 });
 
 test("one key flickers between A and B", async (t) => {
-  const { page } = await openPanes(t, "#view=flicker&f1=reference&l1=color&f2=parallax_slope&l2=depth_error");
+  const { page } = await openPanes(t, `#view=flicker&${kTwo}`);
   await page.locator(".pane-view:visible:not([inert])").first().focus();
   const pictures = [];
   for (let press = 0; press < 4; ++press) {
@@ -114,20 +118,38 @@ test("no key is taken from a menu", async (t) => {
   assert.equal(await arrangement(page, "side").getAttribute("aria-pressed"), "true");
 });
 
-test("the blend goes from A to B", async (t) => {
-  const { page } = await openPanes(t, "#view=blend&f1=reference&l1=color&f2=parallax_slope&l2=depth_error&opacity=0");
+test("the blend goes from A alone to B alone", async (t) => {
+  const alone = async (frame, layer) => seen((await openPanes(t, `#n=1&f1=${frame}&l1=${layer}`)).page);
+  const [a, b] = [await alone("r", "color"), await alone(kSlope, "depth_error")];
+  const { page } = await openPanes(t, `#view=blend&${kTwo}&opacity=0`);
   const slider = page.getByLabel("B over A");
   const pictures = [];
   for (const opacity of ["0", "0.5", "1"]) {
     await slider.fill(opacity);
     pictures.push(await seen(page));
   }
-  assert.equal(new Set(pictures).size, 3);
+  assert.equal(pictures[0], a);
+  assert.notEqual(pictures[1], a);
+  assert.notEqual(pictures[1], b);
+  assert.equal(pictures[2], b);
+});
+
+test("a key held down doesn't flicker", async (t) => {
+  const { page } = await openPanes(t, `#view=flicker&${kTwo}`);
+  await page.locator(".pane-view:visible:not([inert])").first().focus();
+  const shown = () => page.locator(".toolbar output").first().innerText();
+  await page.keyboard.down("f");
+  assert.equal(await shown(), "B");
+  await page.keyboard.down("f"); // down already: a repetition
+  assert.equal(await shown(), "B");
+  await page.keyboard.up("f");
+  await page.keyboard.press("f");
+  assert.equal(await shown(), "A");
 });
 
 test("the read-out is the frames' own values, float by float", async (t) => {
   const technique = "linear_binary";
-  const { page } = await openPanes(t, `#n=2&f1=reference&l1=depth&f2=${technique}&l2=depth_error`);
+  const { page } = await openPanes(t, `#n=2&f1=r&l1=depth&f2=${frameId("torus", technique)}&l2=depth_error`);
   const pixels = [];
   for (let y = 3; y < 150; y += 21) for (let x = 5; x < 200; x += 29) pixels.push([x, y]);
   const frame = (name) => `${reportsFolder}/torus/frames/${name}.exr`;

@@ -5,6 +5,7 @@ import { FrameStore } from "./frame_store";
 import { frameOfTechnique } from "./frames";
 import { kStateA } from "./plots/highlight";
 import { drawPlots } from "./plots/plots";
+import { listReasons } from "./reasons";
 import { updateState } from "./state";
 import { enhanceTable } from "./table";
 import { startViewer } from "./viewer/viewer";
@@ -36,3 +37,4 @@ enhanceTable(section("techniques"), (technique) => {
   return frame && (() => showTechnique(frame));
 });
 drawPlots(report, section("plots"), summary && (() => showFailing(summary)));
+listReasons();

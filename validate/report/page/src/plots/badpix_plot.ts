@@ -6,11 +6,13 @@ import type { ReportData } from "../data";
 import { getState, setState } from "../state";
 import { formatFigure, formatPercent, kPlotStyle, kUnspoken, logScale } from "./axes";
 import { toggle } from "./controls";
-import { type Highlight, highlightOf, kColorOf, kStateA, roleOf } from "./highlight";
+import { curveLabel, type Highlight, highlightedLabels, highlightOf, kColorOf, kStateA, roleOf } from "./highlight";
 import { plotFigure } from "./plot_figure";
 
 interface Sample {
-  name: string;
+  /** Of its frame. */
+  id: string;
+  label: string;
   threshold: number;
   share: number;
 }
@@ -18,8 +20,6 @@ interface Sample {
 const kTitle = "Pixels off by more than a threshold";
 const kLogKey = "plot.badpix";
 const kOthers = "others";
-/** Those of the metrics badpix_1pct, badpix_5pct and badpix_25pct. */
-const kNamedThresholds = [0.01, 0.05, 0.25];
 
 export function addBadpixPlot(report: ReportData, root: HTMLElement, showFailing?: () => void): () => void {
   const samples = samplesOf(report);
@@ -32,8 +32,13 @@ export function addBadpixPlot(report: ReportData, root: HTMLElement, showFailing
 }
 
 function samplesOf(report: ReportData): Sample[] {
-  return report.frames.flatMap(({ name, badpix }) =>
-    (badpix ?? []).map((share, index) => ({ name, threshold: report.curves.thresholds[index], share })),
+  return report.frames.flatMap((frame) =>
+    (frame.badpix ?? []).map((share, index) => ({
+      id: frame.id,
+      label: curveLabel(frame),
+      threshold: report.curves.thresholds[index],
+      share,
+    })),
   );
 }
 
@@ -52,12 +57,12 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
   const shown = logarithmic ? samples.filter(({ share }) => share > 0) : samples;
   const { thresholds } = report.curves;
   const lowest = Math.min(1, ...shown.map(({ share }) => share));
-  const of = (role: string) => shown.filter(({ name }) => roleOf(name, highlight) === role);
+  const of = (role: string) => shown.filter(({ id }) => roleOf(id, highlight) === role);
   const curve = (role: "a" | "b" | "other", strokeWidth: number, strokeDasharray?: string, className?: string) =>
     Plot.line(of(role), {
       x: "threshold",
       y: "share",
-      z: "name",
+      z: "id",
       stroke: kColorOf[role],
       strokeWidth,
       strokeDasharray,
@@ -70,7 +75,7 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
     marginLeft: 58,
     marginBottom: 40,
     style: kPlotStyle,
-    ariaLabel: `${kTitle}: share of pixels over thresholds of depth error, ${highlight.a}${highlight.b && ` and ${highlight.b}`} standing out.`,
+    ariaLabel: `${kTitle}: share of pixels over thresholds of depth error, ${highlightedLabels(report, highlight).join(" and ")} standing out.`,
     x: {
       ...logScale(thresholds[0], thresholds[thresholds.length - 1]),
       label: "threshold of |depth error| (relief depths)",
@@ -80,7 +85,7 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
       ? { ...logScale(lowest, 1), tickFormat: formatPercent, label: "share of pixels, low is good", grid: true }
       : { domain: [0, 1], tickFormat: formatPercent, label: "share of pixels, low is good", grid: true },
     marks: [
-      Plot.ruleX(kNamedThresholds, { stroke: "var(--quiet)", strokeDasharray: "2,3", ...kUnspoken }),
+      Plot.ruleX(report.curves.named, { stroke: "var(--quiet)", strokeDasharray: "2,3", ...kUnspoken }),
       curve("other", 1, undefined, kOthers),
       curve("b", 2.25, "6,3"),
       curve("a", 2.25),
@@ -92,8 +97,8 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
           className: "transient",
           ...kUnspoken,
           fill: "var(--card)",
-          title: ({ name, threshold, share }: Sample) =>
-            `${name}\n${formatPercent(share)} off by more than ${formatFigure(threshold)}`,
+          title: ({ label, threshold, share }: Sample) =>
+            `${label}\n${formatPercent(share)} off by more than ${formatFigure(threshold)}`,
         }),
       ),
     ],
@@ -103,11 +108,11 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
     // Plot binds to each path the indices of its samples.
     selectAll<SVGPathElement, number[]>(svg.querySelectorAll<SVGPathElement>(`.${kOthers} path`)).classed(
       "hovered",
-      (indices) => others[indices[0]].name === svg.value?.name,
+      (indices) => others[indices[0]].id === svg.value?.id,
     );
   });
   svg.addEventListener("click", () => {
-    if (svg.value) setState(kStateA, svg.value.name);
+    if (svg.value) setState(kStateA, svg.value.id);
   });
   return svg;
 }

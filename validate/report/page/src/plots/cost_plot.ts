@@ -2,6 +2,7 @@
 // but don't compete.
 import * as Plot from "@observablehq/plot";
 import type { ReportData, TechniqueResult } from "../data";
+import { frameOfTechnique } from "../frames";
 import { setState } from "../state";
 import { formatFigure, kPlotStyle, kUnspoken, scaleFor, withUnit } from "./axes";
 import { chosen, chooser, type Option } from "./controls";
@@ -13,8 +14,12 @@ import { merit, metricsWithValues, type PooledMetric, pooledMetrics, withoutInte
 
 interface Point {
   name: string;
+  /** Of its frame; undefined if it drew none. */
+  id: string | undefined;
   cost: number;
   quality: number;
+  /** The quality where it is drawn: of what is better near nothing its size. */
+  drawn: number;
   merit: number;
   control: boolean;
 }
@@ -41,7 +46,7 @@ export function addCostPlot(report: ReportData, root: HTMLElement): () => void {
 
   const figure = plotFigure(root, kTitle, "quality-against-cost.svg", (width) => {
     const { quality, cost } = selected();
-    const points = pointsOf(report.results.techniques, quality, cost);
+    const points = pointsOf(report, quality, cost);
     return points.length === 0 ? undefined : draw(points, quality, cost, highlightOf(report), width);
   });
   figure.controls.append(
@@ -51,7 +56,7 @@ export function addCostPlot(report: ReportData, root: HTMLElement): () => void {
   return () => {
     figure.redraw();
     const { quality, cost } = selected();
-    figure.notes.replaceChildren(...notesOf(report.results.techniques, quality, cost));
+    figure.notes.replaceChildren(...notesOf(report, quality, cost));
   };
 }
 
@@ -67,11 +72,13 @@ function byKey(metrics: PooledMetric[], key: string): PooledMetric {
   return metrics.find((metric) => metric.key === key) ?? metrics[0];
 }
 
-function pointsOf(techniques: TechniqueResult[], quality: PooledMetric, cost: PooledMetric): Point[] {
-  return techniques.flatMap((technique) => {
+function pointsOf(report: ReportData, quality: PooledMetric, cost: PooledMetric): Point[] {
+  return report.results.techniques.flatMap((technique) => {
     const [x, y] = [cost.valueOf(technique), quality.valueOf(technique)];
     if (x === undefined || y === undefined) return [];
-    return [{ name: technique.name, cost: x, quality: y, merit: merit(quality, y), control: technique.control ?? false }];
+    const { name, control = false } = technique;
+    const id = frameOfTechnique(report, name)?.id;
+    return [{ name, id, cost: x, quality: y, drawn: quality.better === "low" ? Math.abs(y) : y, merit: merit(quality, y), control }];
   });
 }
 
@@ -79,15 +86,20 @@ function frontOf(points: Point[]): Point[] {
   return paretoFront(points.filter(({ control }) => !control));
 }
 
+/** Whether a sign is lost on the way: of a bias too near and too far are equally bad. */
+function isDrawnBySize(points: Point[]): boolean {
+  return points.some(({ quality, drawn }) => quality !== drawn);
+}
+
 function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highlight: Highlight, width: number): SVGSVGElement {
   const front = frontOf(points);
-  const named = points.filter((point) => front.includes(point) || roleOf(point.name, highlight) !== "other");
+  const named = points.filter((point) => front.includes(point) || roleOf(point.id, highlight) !== "other");
   const color = (point: Point) => {
-    const role = roleOf(point.name, highlight);
+    const role = roleOf(point.id, highlight);
     return role === "other" && front.includes(point) ? "var(--text)" : kColorOf[role];
   };
-  const labelColor = ({ name }: Point) =>
-    roleOf(name, highlight) === "other" ? "var(--text)" : kColorOf[roleOf(name, highlight)];
+  const labelColor = ({ id }: Point) => (roleOf(id, highlight) === "other" ? "var(--text)" : kColorOf[roleOf(id, highlight)]);
+  const label = isDrawnBySize(points) ? `|${quality.label}|` : quality.label;
   const svg = Plot.plot({
     width,
     height: Math.round(Math.min(460, Math.max(320, 0.62 * width))),
@@ -98,35 +110,35 @@ function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highli
     insetLeft: 12,
     insetRight: 12,
     style: kPlotStyle,
-    ariaLabel: `${kTitle}: ${quality.label} against ${cost.label} of ${points.length} techniques; the front is listed below.`,
+    ariaLabel: `${kTitle}: ${label} against ${cost.label} of ${points.length} techniques; the front is listed below.`,
     x: { ...scaleFor(points.map((point) => point.cost)), label: withUnit(cost.label, cost.unit), grid: true },
     y: {
-      ...scaleFor(points.map((point) => point.quality)),
-      label: `${withUnit(quality.label, quality.unit)}, ${quality.better} is good`,
+      ...scaleFor(points.map((point) => point.drawn)),
+      label: `${withUnit(label, quality.unit)}, ${quality.better} is good`,
       grid: true,
     },
     marks: [
-      Plot.line(front, { x: "cost", y: "quality", curve: "step-after", ...kUnspoken, stroke: "var(--quiet)", strokeWidth: 1.25 }),
+      Plot.line(front, { x: "cost", y: "drawn", curve: "step-after", ...kUnspoken, stroke: "var(--quiet)", strokeWidth: 1.25 }),
       Plot.dot(points, {
         x: "cost",
-        y: "quality",
+        y: "drawn",
         r: 4,
         ...kUnspoken,
-        symbol: ({ name, control }: Point) => (control ? "triangle" : roleOf(name, highlight) === "b" ? "square" : "circle"),
+        symbol: ({ id, control }: Point) => (control ? "triangle" : roleOf(id, highlight) === "b" ? "square" : "circle"),
         stroke: color,
         strokeWidth: 1.5,
         fill: (point: Point) =>
-          front.includes(point) || roleOf(point.name, highlight) !== "other" ? color(point) : "var(--card)",
+          front.includes(point) || roleOf(point.id, highlight) !== "other" ? color(point) : "var(--card)",
       }),
       pointLabels(
-        named.map((point) => ({ x: point.cost, y: point.quality, text: point.name, color: labelColor(point) })),
-        points.map((point) => ({ x: point.cost, y: point.quality })),
+        named.map((point) => ({ x: point.cost, y: point.drawn, text: point.name, color: labelColor(point) })),
+        points.map((point) => ({ x: point.cost, y: point.drawn })),
       ),
       Plot.tip(
         points,
         Plot.pointer({
           x: "cost",
-          y: "quality",
+          y: "drawn",
           className: "transient",
           ...kUnspoken,
           fill: "var(--card)",
@@ -138,34 +150,41 @@ function draw(points: Point[], quality: PooledMetric, cost: PooledMetric, highli
     symbol: { type: "identity" },
   }) as SVGSVGElement & { value: Point | null };
   svg.addEventListener("click", () => {
-    if (svg.value) setState(kStateA, svg.value.name);
+    if (svg.value?.id !== undefined) setState(kStateA, svg.value.id);
   });
   return svg;
 }
 
 /** The front as text, then those that can't be on it and why. */
-function notesOf(techniques: TechniqueResult[], quality: PooledMetric, cost: PooledMetric): HTMLElement[] {
-  const front = frontOf(pointsOf(techniques, quality, cost));
+function notesOf(report: ReportData, quality: PooledMetric, cost: PooledMetric): HTMLElement[] {
+  const points = pointsOf(report, quality, cost);
   const title = document.createElement("p");
   title.textContent = "Pareto front, no technique is as good in both and better in one:";
   const list = document.createElement("ol");
   list.className = "front";
-  for (const { name, cost: x, quality: y } of front) {
+  for (const { name, id, cost: x, quality: y } of frontOf(points)) {
     const entry = document.createElement("li");
     const button = document.createElement("button");
     button.type = "button";
     button.textContent = name;
     button.title = "Let it stand out in the plots";
-    button.addEventListener("click", () => setState(kStateA, name));
+    button.disabled = id === undefined;
+    button.addEventListener("click", () => setState(kStateA, id));
     entry.append(button, ` ${quality.label} ${formatFigure(y)} at ${formatFigure(x)} ${cost.unit}`.trimEnd());
     list.append(entry);
   }
-  const absent = leftOut(techniques, quality, cost);
-  if (absent.length === 0) return [title, list];
+  const notes: HTMLElement[] = [title, list];
+  if (isDrawnBySize(points)) notes.push(noteOf("by-size", `${quality.label} is drawn by its size, without its sign.`));
+  const absent = leftOut(report.results.techniques, quality, cost);
+  if (absent.length > 0) notes.push(noteOf("left-out", `Not on the front: ${absent.join("; ")}.`));
+  return notes;
+}
+
+function noteOf(className: string, text: string): HTMLElement {
   const note = document.createElement("p");
-  note.className = "left-out";
-  note.textContent = `Not on the front: ${absent.join("; ")}.`;
-  return [title, list, note];
+  note.className = className;
+  note.textContent = text;
+  return note;
 }
 
 function leftOut(techniques: TechniqueResult[], quality: PooledMetric, cost: PooledMetric): string[] {

@@ -1,10 +1,11 @@
 // The techniques that stand out in every plot: A, and B to hold it against; all others are grey.
-import type { ReportData } from "../data";
+import type { FrameEntry, ReportData } from "../data";
+import { frameById, frameLabel, frameOfTechnique } from "../frames";
 import { chosen, type Option } from "./controls";
 
+/** Ids of frames; "" for none. */
 export interface Highlight {
   a: string;
-  /** "" for none. */
   b: string;
 }
 export const kStateA = "plot.a";
@@ -14,7 +15,17 @@ export const kStateB = "plot.b";
 export function highlightOptions(report: ReportData): Option[] {
   return report.frames
     .filter(({ kind }) => kind === "technique" || kind === "proxy")
-    .map(({ name, kind }) => ({ value: name, text: kind === "proxy" ? `${name} (base gap)` : name }));
+    .map((frame) => ({ value: frame.id, text: curveLabel(frame) }));
+}
+
+/** What a curve or a bar of the frame is called. */
+export function curveLabel(frame: FrameEntry): string {
+  return frame.kind === "proxy" ? `${frameLabel(frame)} (base gap)` : frameLabel(frame);
+}
+
+/** Those that stand out, A first. */
+export function highlightedLabels(report: ReportData, { a, b }: Highlight): string[] {
+  return [a, b].flatMap((id) => frameById(report, id) ?? []).map(curveLabel);
 }
 
 export function highlightOf(report: ReportData): Highlight {
@@ -26,18 +37,20 @@ export function highlightOf(report: ReportData): Highlight {
 
 /** The technique whose depth is best. */
 export function defaultA(report: ReportData, options: Option[]): string {
-  let best: { name: string; rmse: number } | undefined;
+  let best: { id: string; rmse: number } | undefined;
   for (const { name, depth, control } of report.results.techniques) {
     const rmse = depth?.rmse_relief;
-    if (!control && typeof rmse === "number" && (!best || rmse < best.rmse)) best = { name, rmse };
+    const id = frameOfTechnique(report, name)?.id;
+    if (!control && id !== undefined && typeof rmse === "number" && (!best || rmse < best.rmse)) best = { id, rmse };
   }
-  return best?.name ?? options[0]?.value ?? "";
+  return best?.id ?? options[0]?.value ?? "";
 }
 
 export type Role = "a" | "b" | "other";
 
-export function roleOf(name: string, highlight: Highlight): Role {
-  return name === highlight.a ? "a" : name === highlight.b ? "b" : "other";
+/** `id`: undefined of a technique that drew no frame. */
+export function roleOf(id: string | undefined, highlight: Highlight): Role {
+  return id === undefined ? "other" : id === highlight.a ? "a" : id === highlight.b ? "b" : "other";
 }
 
 /** Okabe and Ito's blue and vermilion (2008), lighter on dark; B is dashed or square as well. plots.css gives the values. */

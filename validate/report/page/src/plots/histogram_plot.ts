@@ -1,10 +1,11 @@
 // Signed depth errors of one technique, or of two held against each other, in relief depths.
 import * as Plot from "@observablehq/plot";
 import type { FrameEntry, ReportData } from "../data";
+import { frameById } from "../frames";
 import { getState } from "../state";
 import { formatFigure, formatPercent, kPlotStyle, kUnspoken, logScale } from "./axes";
 import { toggle } from "./controls";
-import { highlightOf, kColorOf } from "./highlight";
+import { curveLabel, highlightOf, kColorOf } from "./highlight";
 import { plotFigure } from "./plot_figure";
 
 interface Outline {
@@ -33,7 +34,7 @@ export function addHistogramPlot(report: ReportData, root: HTMLElement): () => v
 function outlinesOf(report: ReportData): Outline[] {
   const highlight = highlightOf(report);
   return (["a", "b"] as const).flatMap((role) => {
-    const frame = report.frames.find(({ name }) => name === highlight[role]);
+    const frame = frameById(report, highlight[role]);
     return frame?.histogram ? [{ role, frame, steps: stepsOf(report, frame.histogram) }] : [];
   });
 }
@@ -74,7 +75,7 @@ function draw(report: ReportData, outlines: Outline[], width: number): SVGSVGEle
     marginLeft: 58,
     marginBottom: 40,
     style: kPlotStyle,
-    ariaLabel: `${kTitle} of ${outlines.map(({ frame }) => frame.name).join(" and ")}.`,
+    ariaLabel: `${kTitle} of ${outlines.map(({ frame }) => curveLabel(frame)).join(" and ")}.`,
     x: {
       domain: [edges[0], edges[edges.length - 1]],
       label: "depth error (relief depths): too near < 0 < too far",
@@ -115,6 +116,6 @@ function noteOf(report: ReportData, role: "a" | "b", frame: FrameEntry): HTMLEle
   const histogram = frame.histogram as NonNullable<FrameEntry["histogram"]>;
   const all = pixelsOf(histogram);
   const beyond = `${formatPercent(histogram.below / all)} nearer than ${formatFigure(edges[0])} and ${formatPercent(histogram.above / all)} farther than ${formatFigure(edges[edges.length - 1])}`;
-  note.textContent = `${role.toUpperCase()}, ${frame.name}: ${all} pixels, ${beyond} beyond the ends.`;
+  note.textContent = `${role.toUpperCase()}, ${curveLabel(frame)}: ${all} pixels, ${beyond} beyond the ends.`;
   return note;
 }

@@ -17,7 +17,7 @@ export function drawPlots(report: ReportData, root: HTMLElement, showFailing?: (
   heading.textContent = "Plots";
   const grid = document.createElement("div");
   grid.className = "plots";
-  root.append(heading, highlightBar(report), grid);
+  root.append(heading, ...highlightBar(report), grid);
   const redraws = [addCostPlot(report, grid), addBadpixPlot(report, grid, showFailing), addHistogramPlot(report, grid)];
   if (!grid.hasChildNodes()) {
     root.replaceChildren(heading, "There are no figures to plot.");
@@ -33,8 +33,10 @@ export function drawPlots(report: ReportData, root: HTMLElement, showFailing?: (
   redraw();
 }
 
-function highlightBar(report: ReportData): HTMLElement {
+/** Nothing where nothing was drawn that could stand out. */
+function highlightBar(report: ReportData): HTMLElement[] {
   const options = highlightOptions(report);
+  if (options.length === 0) return [];
   const bar = document.createElement("div");
   bar.className = "plot-controls";
   const a = chooser("A stands out", kStateA, options, () => defaultA(report, options));
@@ -42,5 +44,5 @@ function highlightBar(report: ReportData): HTMLElement {
   a.classList.add("is-a");
   b.classList.add("is-b");
   bar.append(a, b);
-  return bar;
+  return [bar];
 }

@@ -1,0 +1,22 @@
+// Why a figure is absent, for those who can't hover: numbered beside the dash, listed below its table.
+import "./reasons.css";
+import { make } from "./viewer/dom";
+
+/** Of every table whose cells tell a reason as their title. */
+export function listReasons(): void {
+  for (const [index, table] of [...document.querySelectorAll(".wide > table")].entries()) {
+    const cells = [...table.querySelectorAll<HTMLTableCellElement>("td[title]")];
+    if (cells.length > 0) table.parentElement?.after(reasonList(cells, `reasons-${index + 1}`));
+  }
+}
+
+/** One entry a reason; numbers its cells. */
+function reasonList(cells: HTMLTableCellElement[], id: string): HTMLElement {
+  const reasons = [...new Set(cells.map((cell) => cell.title))];
+  for (const cell of cells) {
+    const number = reasons.indexOf(cell.title) + 1;
+    cell.setAttribute("aria-describedby", `${id}-${number}`);
+    cell.append(make("sup", { "aria-hidden": "true" }, String(number)));
+  }
+  return make("ol", { class: "reasons" }, ...reasons.map((reason, i) => make("li", { id: `${id}-${i + 1}` }, reason)));
+}
