@@ -202,8 +202,8 @@ TEST_F(Validate, SettingsReachTheTechniqueAndItsName) {
 // What `compare` says of the frames written is what the run says: of the gap, and of a technique against each
 // base.
 TEST_F(Validate, BothBases) {
-    const Outcome made =
-        run({"validate", "small_torus", "--base", "both", "--technique", "linear_binary", "-o", "out"});
+    const Outcome made = run({"validate", "small_torus", "--base", "both", "--technique", "linear_binary",
+                              "--plain-report", "-o", "out"});
     ASSERT_EQ(made.exitCode, 0) << made.err;
     EXPECT_EQ(std::count(made.err.begin(), made.err.end(), '\n'), 2) << made.err;
     EXPECT_THAT(made.err, HasSubstr("certificate of the reference on the proxy: "));
