@@ -21,6 +21,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <sstream>
 
 namespace plumbline {
 namespace {
@@ -29,6 +30,22 @@ constexpr size_t kMostLights = 16;
 constexpr size_t kMostObjects = 4096;
 constexpr double kLargestTile = 1e6;
 constexpr double kSmallestTile = 1e-6;
+
+/// Without the lines of the table [require]: what must be reached is no part of what is drawn.
+std::string withoutRequirements(const std::string& text) {
+    constexpr std::string_view kTable = "[require]";
+    std::istringstream lines(text);
+    std::string kept, line;
+    bool inside = false, found = false;
+    while (std::getline(lines, line)) {
+        const size_t begin = line.find_first_not_of(" \t");
+        if (begin != std::string::npos && line[begin] == '[')
+            inside = std::string_view(line).substr(begin).starts_with(kTable);
+        found |= inside;
+        if (!inside) kept += line + "\n";
+    }
+    return found ? kept : text; // other scenes keep their hashes
+}
 
 class SceneReader {
   public:
@@ -50,7 +67,7 @@ class SceneReader {
         scene_.name = file_.stem().string();
         scene_.files = {file_};
         scene_.purpose = readPurpose();
-        hash_.add(text_);
+        hash_.add(withoutRequirements(text_));
         scene_.background = root_.vector3("background", 0, 1, Vec3(0));
         scene_.camera = readCamera(root_.table("camera"));
         readLights();
@@ -269,9 +286,12 @@ class SceneReader {
     void readRequirements() {
         if (!root_.has("require")) return;
         const TomlTable table = root_.table("require");
-        for (const std::string& metric : table.keys())
-            for (const std::string& bound : table.textOrTexts(metric))
+        for (const std::string& metric : table.keys()) {
+            const std::vector<std::string> bounds = table.textOrTexts(metric);
+            if (bounds.empty()) table.fail(metric, "has no bound", "one or more, for example \">= 0.99\"");
+            for (const std::string& bound : bounds)
                 scene_.requirements.push_back({metric + " " + bound, table.where(metric)});
+        }
     }
 
     std::filesystem::path file_;

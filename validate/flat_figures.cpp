@@ -16,7 +16,7 @@ void add(const nlohmann::json& value, const std::string& prefix, int depth,
          std::map<std::string, double>& figures) {
     for (const auto& [key, element] : value.items()) {
         const std::string name = prefix.empty() ? key : prefix + "." + key;
-        if (kSkipped.contains(key)) continue;
+        if (depth == 0 && kSkipped.contains(key)) continue;
         if (element.is_number())
             figures[name] = element.get<double>();
         else if (element.is_object() && depth < kDeepest)

@@ -106,12 +106,14 @@ class FrameSettler {
         const auto plane = frame_.channel(frame_.has("id") ? "id" : "A");
         for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
             covered_[pixel] = plane[pixel] >= 0.5f;
-        if (!frame_.has("Z")) return;
+        if (!frame_.has("Z") || isOwn()) return;
         size_t unnumbered = 0;
         const auto depth = frame_.channel("Z");
-        for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
+        for (size_t pixel = 0; pixel < covered_.size(); ++pixel) {
             unnumbered += !covered_[pixel] && isDepth(depth[pixel]);
-        if (unnumbered > 0 && !isOwn())
+            if (!isDepth(depth[pixel])) depth[pixel] = kInfinityF;
+        }
+        if (unnumbered > 0)
             say(fmt::format("{} pixels have a depth but no object's number: they count as nothing",
                             unnumbered));
     }

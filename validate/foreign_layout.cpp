@@ -112,9 +112,9 @@ ChannelsByOurs planKnown(FrameLayout layout, std::span<const std::string> names,
             if (layout == FrameLayout::Mitsuba && ours == "Z") mapping.distanceFrom = kMitsubaNearClip;
             const auto [entry, isNew] = channels.emplace(ours, mapping);
             if (!isNew)
-                throw InputError(where,
-                                 fmt::format("both {} and {} could be {}", entry->second.theirs, name, ours),
-                                 "one of them", fmt::format("choose with --map \"{}={}\"", name, ours));
+                throw InputError(
+                    where, fmt::format("both {} and {} could be {}", entry->second.theirs, name, ours),
+                    "one of them", fmt::format("of the test frame choose with --map \"{}={}\"", name, ours));
         }
     return channels;
 }

@@ -109,6 +109,12 @@ std::vector<ObjectInfo> objectsOf(const Scene& scene) {
     return objects;
 }
 
+/// Written by this program; headers of others may use the same words for other things.
+static bool isOwn(const Frame& frame) {
+    const auto program = frame.metadata.find("program");
+    return program != frame.metadata.end() && program->second.starts_with("plumbline");
+}
+
 std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string& where) {
     constexpr std::string_view kPrefix = "object.";
     std::map<int, ObjectInfo> byId;
@@ -119,7 +125,7 @@ std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string&
         int id = 0;
         const char* end = key.data() + dot;
         const auto [stopped, error] = std::from_chars(key.data() + kPrefix.size(), end, id);
-        if (error != std::errc() || stopped != end || id < 1) continue;
+        if (error != std::errc() || stopped != end || id < 1 || id > kLargestId) continue;
         const auto [entry, isNew] = byId.try_emplace(id);
         if (isNew) {
             entry->second.id = id;
@@ -154,7 +160,12 @@ std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& wh
     words.literal("size");
     words.count(kLargestMapSide);
     words.count(kLargestMapSide);
-    if (!words.ok() || (!perspective && projection != "orthographic"))
+    const Vec3 view = camera.targetWorld - camera.positionWorld;
+    const double lens = perspective ? camera.fovYDegrees : camera.viewHeight;
+    const bool usable = words.ok() && (perspective || projection == "orthographic") && lens > 0 &&
+                        (!perspective || lens < 180) && glm::length(glm::cross(view, camera.upWorld)) > 0;
+    if (!usable && !isOwn(frame)) return std::nullopt; // somebody else's attribute
+    if (!usable)
         refuse(where, "camera", found->second,
                "'perspective position x y z target x y z up x y z fov_y_degrees F size W H', or "
                "'orthographic' with "
@@ -174,8 +185,10 @@ std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where
         const std::string kind = words.word();
         const Vec3 vector = words.vector();
         const bool point = kind == "position";
-        if (!words.ok() || (!point && (kind != "to_light" || !(glm::length(vector) > 0))))
+        if (!words.ok() || (!point && (kind != "to_light" || !(glm::length(vector) > 0)))) {
+            if (!isOwn(frame)) continue; // somebody else's attribute
             refuse(where, key, value, "'to_light x y z', not zero, or 'position x y z'");
+        }
         Light light;
         light.name = key.substr(kPrefix.size());
         light.kind = point ? Light::Kind::Point : Light::Kind::Directional;

@@ -9,9 +9,6 @@
 namespace plumbline {
 namespace {
 
-constexpr int kLargestId =
-    65535; // more than any scene has; above it a plane is a hash, not a number of an object
-
 ObjectInfo unknownObject(int id, std::string name) {
     ObjectInfo object;
     object.id = id;

@@ -15,6 +15,9 @@
 
 namespace plumbline {
 
+/// More than any scene has; above it a plane is a hash, not the number of an object.
+inline constexpr int kLargestId = 65535;
+
 /// What a metric must know about an object beyond its pixels.
 struct ObjectInfo {
     int id = 0; // value of the `id` channel

@@ -38,8 +38,9 @@ class Source {
     void requireSchema(int schema) const {
         const json& found = field(json_, "schema", "");
         if (!found.is_number_integer() || found != schema)
-            throw InputError(where_, fmt::format("schema is {}", found.dump()), fmt::format("{}", schema),
-                             "another version of the program wrote it");
+            throw InputError(
+                where_, fmt::format("schema is {}", found.is_number() ? found.dump() : found.type_name()),
+                fmt::format("{}", schema), "another version of the program wrote it");
     }
 
     const json& field(const json& object, const char* key, const std::string& path) const {

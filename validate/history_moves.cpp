@@ -29,6 +29,12 @@ bool isCost(const std::string& figure) {
     return metricKey(figure).starts_with("cost.");
 }
 
+/// Numerators and the like: the ratio made of them has an interval, they have none.
+bool isCount(const std::string& figure) {
+    return figure.ends_with("_px") && !figure.ends_with("contour_mean_px") &&
+           !figure.ends_with("hausdorff95_px");
+}
+
 Goal goalOf(const std::string& figure) {
     const std::string key = metricKey(figure);
     const auto metrics = metricTable();
@@ -73,7 +79,7 @@ void judge(FigureMove& move, const HistoryTechnique& before, const Tolerances& t
     const Goal goal = goalOf(move.figure);
     if (goal == Goal::None || !move.before) return;
     const std::optional<double> asked = tolerances.of(move.figure, *move.before);
-    if (isCost(move.figure) && !asked) return;
+    if ((isCost(move.figure) || isCount(move.figure)) && !asked) return;
     if (!move.after) {
         move.verdict = Verdict::Regression;
         return;
@@ -235,14 +241,15 @@ bool SceneMoves::hasRegression() const {
     });
 }
 
-std::vector<SceneMoves> latestMoves(const std::vector<HistoryRecord>& records, size_t firstNew,
-                                    const Tolerances& tolerances) {
-    std::vector<std::string> scenes;
-    for (size_t i = firstNew < records.size() ? firstNew : 0; i < records.size(); ++i)
-        if (std::find(scenes.begin(), scenes.end(), records[i].scene) == scenes.end())
-            scenes.push_back(records[i].scene);
+std::vector<SceneMoves> latestMoves(const std::vector<HistoryRecord>& records,
+                                    const std::vector<std::string>& scenes, const Tolerances& tolerances) {
+    std::vector<std::string> judged;
+    for (const HistoryRecord& record : records)
+        if ((scenes.empty() || std::find(scenes.begin(), scenes.end(), record.scene) != scenes.end()) &&
+            std::find(judged.begin(), judged.end(), record.scene) == judged.end())
+            judged.push_back(record.scene);
     std::vector<SceneMoves> result;
-    for (const std::string& scene : scenes)
+    for (const std::string& scene : judged)
         for (size_t i = records.size(); i-- > 0;)
             if (records[i].scene == scene) {
                 result.push_back(movesOf(records, i, tolerances));

@@ -44,15 +44,16 @@ struct SceneMoves {
     bool hasRegression() const;
 };
 
-/// The scenes with records from `firstNew` on, or all of them if there are none so new; by their first record.
+/// The latest record of each of `scenes` (all there are, if none is named) held against the one before it; by their first record.
 ///
 /// Records compare if they have the scene's hash and base in common. A technique is held against the latest such record in which
 /// it worked. A figure is worse if it is farther from its best value (metric_table.h). Unless a tolerance says otherwise,
 /// - one with an interval (…_low to …_high) may be anywhere in the interval it had: the reference can't tell there;
+/// - counts of pixels aren't judged: the ratio made of them is;
 /// - cost is never a regression: times are noise, and what look-ups are worth is the user's to say;
 /// - any other may not become worse at all: equal inputs give equal figures (on llvmpipe, to the last bit).
 /// A figure with a best value that has no value any more is a regression.
-std::vector<SceneMoves> latestMoves(const std::vector<HistoryRecord>& records, size_t firstNew,
-                                    const Tolerances& tolerances);
+std::vector<SceneMoves> latestMoves(const std::vector<HistoryRecord>& records,
+                                    const std::vector<std::string>& scenes, const Tolerances& tolerances);
 
 } // namespace plumbline

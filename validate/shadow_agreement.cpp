@@ -65,8 +65,7 @@ void computeRanges(const FramePair& pair, ObjectSelection selection, const std::
             if (pair.testIds()[pixel] != id || !std::isfinite(test[pixel])) continue; // never in the domain
             const bool known = pair.referenceIds()[pixel] == id && std::isfinite(reference[pixel]);
             const bool uncertain = pair.isUncertain(pixel);
-            const bool dark = isShadow(reference[pixel]),
-                       darkInTest = isShadow(test[pixel]);
+            const bool dark = isShadow(reference[pixel]), darkInTest = isShadow(test[pixel]);
             PixelOutcomes outcomes;
             if (!known || uncertain) outcomes.allowOutside();
             if (known) outcomes.allow(dark, darkInTest);

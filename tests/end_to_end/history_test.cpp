@@ -62,12 +62,15 @@ TEST_F(History, ADryRunComparesAndKeepsNothing) {
     EXPECT_EQ(file(), before);
 }
 
-TEST_F(History, TheSameResultsAreKeptOnce) {
-    EXPECT_EQ(history({"base.json", "worse.json", "base.json"}).exitCode, 1);
+TEST_F(History, TheLatestResultsAreKeptOnceAndARevertIsARun) {
+    EXPECT_EQ(history({"base.json", "worse.json"}).exitCode, 1);
+    EXPECT_EQ(history({"worse.json"}).exitCode, 1); // nothing new, and still worse
     EXPECT_EQ(lines(), 2);
+    EXPECT_EQ(history({"base.json"}).exitCode, 0); // mended, though FILE has held it before
+    EXPECT_EQ(lines(), 3);
     const Outcome again = history({"base.json", "--label", "other"});
-    EXPECT_THAT(again.out, HasSubstr("base.json: nothing new, it is record 1 ('plumbline 0.1.0')\n"));
-    EXPECT_EQ(lines(), 2);
+    EXPECT_THAT(again.out, HasSubstr("base.json: nothing new, it is record 3 ('plumbline 0.1.0')\n"));
+    EXPECT_EQ(lines(), 3);
 }
 
 TEST_F(History, DamagedFilesStayAsTheyAre) {

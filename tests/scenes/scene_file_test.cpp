@@ -117,6 +117,8 @@ TEST_F(SceneFile, RequirementsArriveWithTheirPlace) {
     // Without quotes TOML makes a table of it.
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\nsilhouette.iou = \">= 0.99\"\n"),
                 HasSubstr("require.silhouette: is a table; expected a text or an array of texts"));
+    EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = []\n"),
+                HasSubstr("has no bound"));
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = 0.99\n"),
                 HasSubstr("is 0.99; expected a text or an array of texts"));
 }
@@ -275,6 +277,12 @@ TEST_F(SceneFile, HashFollowsEveryByteThatMatters) {
     EXPECT_EQ(hash.size(), 32u);
     EXPECT_EQ(read(kWholeScene).hash, hash);
     EXPECT_NE(read(with("A test", "B test")).hash, hash);
+    // What must be reached changes no picture: results before and after stay comparable.
+    const std::string bounds = "[require]\n\"silhouette.iou\" = \">= ";
+    const std::string withBound = std::string(kWholeScene) + "\n" + bounds + "0.99\"\n";
+    const std::string tightened = std::string(kWholeScene) + "\n" + bounds + "0.995\"\n";
+    EXPECT_EQ(read(withBound).hash, read(tightened).hash);
+
     writePng(folder_ / "maps/stone.png", 2, 1, {0, 0, 0, 52, 52, 52});
     const std::string otherMap = read(kWholeScene).hash;
     EXPECT_NE(otherMap, hash);

@@ -181,6 +181,16 @@ TEST_F(ForeignFrames, OfBlenderWithSomeNumbersSayWhatIsLost) {
     EXPECT_THAT(notes_, Contains(HasSubstr("1 pixels have a depth but no object's number")));
 }
 
+TEST_F(ForeignFrames, ADepthOfNothingUnderANumberIsNoDepth) {
+    Planes planes = blenderPlanes();
+    const auto& id = planes["ViewLayer.IndexOB.X"];
+    const auto covered = static_cast<size_t>(std::find(id.begin(), id.end(), 1.0f) - id.begin());
+    planes["ViewLayer.Depth.Z"][covered] = 1e10f;
+    const Frame frame = settled(planes);
+    EXPECT_EQ(frame.channel("id")[covered], 1.0f);
+    EXPECT_TRUE(std::isinf(frame.channel("Z")[covered])); // counted as invalid, no error of 1e10
+}
+
 TEST_F(ForeignFrames, TheSpaceOfPositionsIsMeasured) {
     Planes planes = blenderPlanes();
     addVector(planes, "ViewLayer.Position", [](const Hit& hit) { return zUp(hit.position); });

@@ -76,6 +76,8 @@ TEST(FrameMetadata, LightsComeBackAsTheyWere) {
          {"", "to_light 1 2", "to_light 0 0 0", "up 1 2 3", "position 1 2 nan", "position 1 2 3 4"}) {
         Frame frame(2, 1);
         frame.metadata["light.sun"] = broken;
+        EXPECT_THAT(lightsFromHeader(frame, "a.exr"), IsEmpty()); // somebody else's word
+        frame.metadata["program"] = "plumbline 0.1.0";
         try {
             lightsFromHeader(frame, "a.exr");
             ADD_FAILURE() << broken;
@@ -103,6 +105,8 @@ TEST(FrameMetadata, ForeignFramesSayNothing) {
     Frame frame(1, 1);
     frame.metadata["object.color"] = "red";
     frame.metadata["object.x.relief_depth"] = "0.1";
+    frame.metadata["object.2147483647.name"] = "a hash";
+    frame.metadata["camera"] = "Cam01";
     EXPECT_THAT(objectsFromHeader(frame, "a.exr"), IsEmpty());
     EXPECT_FALSE(cameraFromHeader(frame, "a.exr"));
 }
@@ -110,6 +114,7 @@ TEST(FrameMetadata, ForeignFramesSayNothing) {
 TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
     const auto message = [](const std::string& key, const std::string& value) -> std::string {
         Frame frame(1, 1);
+        frame.metadata["program"] = "plumbline 0.1.0";
         frame.metadata[key] = value;
         try {
             (void)objectsFromHeader(frame, "a.exr");
@@ -130,6 +135,13 @@ TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
     EXPECT_THAT(
         message("camera", "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees nan size 1 1"),
         HasSubstr("can't be read"));
+    // Numbers that are no view: no direction, up along it, no opening, all there is.
+    for (const char* bad : {"perspective position 0 0 1 target 0 0 1 up 0 1 0 fov_y_degrees 40 size 1 1",
+                            "perspective position 0 0 0 target 0 2 0 up 0 1 0 fov_y_degrees 40 size 1 1",
+                            "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees 0 size 1 1",
+                            "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees 180 size 1 1",
+                            "orthographic position 0 0 0 target 0 0 1 up 0 1 0 view_height 0 size 1 1"})
+        EXPECT_THAT(message("camera", bad), HasSubstr("can't be read")) << bad;
 }
 
 } // namespace

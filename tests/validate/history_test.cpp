@@ -32,8 +32,7 @@ HistoryRecord failing(const std::string& label) {
 
 SceneMoves movesOf(const std::vector<HistoryRecord>& records,
                    const std::vector<std::string>& tolerances = {}) {
-    const std::vector<SceneMoves> scenes =
-        latestMoves(records, records.size(), Tolerances::parse(tolerances));
+    const std::vector<SceneMoves> scenes = latestMoves(records, {}, Tolerances::parse(tolerances));
     EXPECT_EQ(scenes.size(), 1u);
     return scenes.at(0);
 }
@@ -125,6 +124,8 @@ TEST(HistoryMoves, WorseIsFartherFromTheBestValue) {
     EXPECT_EQ(verdictOf("shadow.my.sun.agreement", 0.9, 0.8), Verdict::Regression);
     EXPECT_EQ(verdictOf("against_proxy.shadow.sun.ber", 0.1, 0.2), Verdict::Regression);
     EXPECT_EQ(verdictOf("depth.domain_px", 900, 100), Verdict::Neutral);
+    EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2), Verdict::Neutral); // the IoU is judged, in its interval
+    EXPECT_EQ(verdictOf("silhouette.hausdorff95_px", 1, 2), Verdict::Regression); // no count
     EXPECT_EQ(verdictOf("of.another.version", 1, 2), Verdict::Neutral);
 }
 
@@ -214,9 +215,9 @@ TEST(HistoryMoves, OtherScenesAreNotCompared) {
     EXPECT_THAT(movesOf({first}).notes, ElementsAre("the first record of this scene"));
     // Back to the scene as it was: that record is the one to compare with.
     EXPECT_EQ(movesOf({first, changed, record("c", {{"silhouette.iou", 0.9}})}).before, "a");
-    const auto both = latestMoves({first, other, first}, 3, {});
+    const auto both = latestMoves({first, other, first}, {}, {});
     ASSERT_EQ(both.size(), 2u);
-    EXPECT_EQ(latestMoves({first, other, first}, 2, {}).size(), 1u); // of the new record alone
+    EXPECT_EQ(latestMoves({first, other, first}, {first.scene}, {}).size(), 1u); // of that scene alone
 }
 
 TEST(HistoryMoves, TechniquesThatComeAndGoAreNotes) {

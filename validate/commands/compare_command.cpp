@@ -38,6 +38,12 @@ std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& tes
         return {}; // the camera isn't that of both; compareFrames refuses them
     const std::optional<Camera> camera = cameraOf(reference, test);
     std::vector<std::string> notes = settleFrame(reference, camera);
+    const std::string inReference = metadataOf(reference.frame, "camera", ""),
+                      inTest = metadataOf(test.frame, "camera", "");
+    if (!inReference.empty() && !inTest.empty() && inReference != inTest)
+        notes.push_back(
+            fmt::format("the two headers name different cameras ({}; {}): the first is used for both",
+                        inReference, inTest));
     for (std::string& note : settleFrame(test, camera))
         notes.push_back(std::move(note));
     return notes;
@@ -85,6 +91,11 @@ void writeComparison(const CompareArguments& arguments, const Results& results, 
 } // namespace
 
 int runCompare(const CompareArguments& arguments) {
+    if (!arguments.output && (arguments.report.singleFile || arguments.report.plain))
+        throw InputError(
+            "compare",
+            "--single-file and --plain-report say what the report is to be like, and none is written",
+            "-o DIR, the folder for it");
     const auto requirements = readRequirements(arguments.require);
     ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
     ForeignFrame testFile = readForeignFrame(arguments.test, parseChannelMap(arguments.channelMap));

@@ -47,22 +47,26 @@ bool sameRun(HistoryRecord a, const HistoryRecord& b) {
     return a == b;
 }
 
-/// Adds the results that aren't in it yet.
-void append(History& history, const HistoryArguments& arguments) {
+/// Adds the results but those that are the latest of their scene already; returns their scenes.
+std::vector<std::string> append(History& history, const HistoryArguments& arguments) {
     if (!history.text.empty() && !history.text.ends_with('\n')) history.text += '\n';
+    std::vector<std::string> scenes;
     for (const std::filesystem::path& file : arguments.results) {
         const HistoryRecord record =
             recordOf(file.string(), readWholeFile(file), checkedLabel(arguments.label));
-        const auto same = std::find_if(history.records.begin(), history.records.end(),
-                                       [&](const HistoryRecord& other) { return sameRun(other, record); });
-        if (same != history.records.end()) {
+        scenes.push_back(record.scene);
+        const auto latest =
+            std::find_if(history.records.rbegin(), history.records.rend(),
+                         [&](const HistoryRecord& other) { return other.scene == record.scene; });
+        if (latest != history.records.rend() && sameRun(*latest, record)) {
             fmt::print("{}: nothing new, it is record {} ('{}')\n", file.string(),
-                       same - history.records.begin() + 1, same->label);
+                       history.records.rend() - latest, latest->label);
             continue;
         }
         history.text += toLine(record);
         history.records.push_back(record);
     }
+    return scenes;
 }
 
 std::string shown(const std::optional<double>& value) {
@@ -113,13 +117,13 @@ int runHistory(const HistoryArguments& arguments) {
     const Tolerances tolerances = Tolerances::parse(arguments.tolerances);
     History history = readOrBegin(arguments);
     const size_t known = history.records.size();
-    append(history, arguments);
+    const std::vector<std::string> scenes = append(history, arguments);
     if (history.records.size() > known && !arguments.dryRun) {
         requireWritableFile(arguments.file, {arguments.results.begin(), arguments.results.end()});
         replaceFile(arguments.file, history.text);
     }
     bool regression = false;
-    for (const SceneMoves& scene : latestMoves(history.records, known, tolerances)) {
+    for (const SceneMoves& scene : latestMoves(history.records, scenes, tolerances)) {
         print(scene);
         regression |= scene.hasRegression();
     }
