@@ -31,3 +31,10 @@ export function frameLabel(frame: FrameEntry): string {
       return frame.name;
   }
 }
+
+/** What is looked at first: no control, which shows little, where there is anything else. */
+export function usualTechnique(report: ReportData): FrameEntry | undefined {
+  const controls = new Set(report.results.techniques.filter(({ control }) => control).map(({ name }) => name));
+  const frames = techniqueFrames(report);
+  return frames.find(({ name }) => !controls.has(name)) ?? frames[0];
+}

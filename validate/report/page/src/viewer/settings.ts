@@ -1,6 +1,6 @@
 // What the viewer shows, and its way into the page's state (state.ts) and back.
 import type { FrameEntry, ReportData } from "../data";
-import { frameById, referenceOf, techniqueFrames } from "../frames";
+import { frameById, referenceOf, techniqueFrames, usualTechnique } from "../frames";
 import { getState, updateState } from "../state";
 import { layersOf, reasonAgainst, type LayerKey } from "./layers";
 import { isRange, type Range } from "./paint";
@@ -113,7 +113,7 @@ export function readSettings(report: ReportData): Settings & { refused: string[]
   };
   const share = (key: string) => numbers(key, 1, (value) => value >= 0 && value <= 1)?.[0] ?? 0.5;
 
-  const technique = oneOf("t", techniques, techniques[0] ?? "");
+  const technique = oneOf("t", techniques, usualTechnique(report)?.id ?? "");
   const against = oneOf("vs", techniques, "");
   const panes = standardPanes(report, technique, against).map((standard, index) => {
     const wanted = {
@@ -158,7 +158,7 @@ export function writeSettings(report: ReportData, settings: Settings): void {
   const unless = (usual: boolean, text: string | number) => (usual ? undefined : String(text));
   const { camera, held } = settings;
   const changes: { [key: string]: string | undefined } = {
-    t: unless(settings.technique === (techniqueFrames(report)[0]?.id ?? ""), settings.technique),
+    t: unless(settings.technique === (usualTechnique(report)?.id ?? ""), settings.technique),
     vs: unless(settings.against === "", settings.against),
     view: unless(settings.arrangement === "side", settings.arrangement),
     n: unless(String(settings.paneCount) === usualPaneCount(report), settings.paneCount),
