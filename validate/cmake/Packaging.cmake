@@ -26,6 +26,7 @@ foreach(folder scenes reference realtime realtime/inputs validate validate/repor
     install(FILES ${folder}/README.md DESTINATION ${doc}/${folder})
 endforeach()
 install(DIRECTORY scenes/library/pictures DESTINATION ${doc}/scenes/library)
+install(DIRECTORY validate/report/pictures DESTINATION ${doc}/validate/report)
 install(DIRECTORY validate/studies/ DESTINATION ${doc}/validate/studies FILES_MATCHING
     PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg" PATTERN quadric EXCLUDE)
 
