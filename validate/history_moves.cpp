@@ -227,7 +227,7 @@ Tolerances Tolerances::parse(const std::vector<std::string>& texts) {
 
 std::optional<double> Tolerances::of(const std::string& figure, double before) const {
     for (const std::string& key : {figure, metricKey(figure), std::string(kAll)}) {
-        if (key == kAll && isCost(figure)) continue;
+        if (key == kAll && (isCost(figure) || isCount(figure))) continue;
         const auto found = amounts_.find(key);
         if (found != amounts_.end())
             return found->second.value * (found->second.relative ? std::abs(before) : 1.0);

@@ -125,6 +125,8 @@ TEST(HistoryMoves, WorseIsFartherFromTheBestValue) {
     EXPECT_EQ(verdictOf("against_proxy.shadow.sun.ber", 0.1, 0.2), Verdict::Regression);
     EXPECT_EQ(verdictOf("depth.domain_px", 900, 100), Verdict::Neutral);
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2), Verdict::Neutral); // the IoU is judged, in its interval
+    EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"all=1%"}), Verdict::Neutral);
+    EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"silhouette.missing_px=0.5"}), Verdict::Regression);
     EXPECT_EQ(verdictOf("silhouette.hausdorff95_px", 1, 2), Verdict::Regression); // no count
     EXPECT_EQ(verdictOf("of.another.version", 1, 2), Verdict::Neutral);
 }

@@ -38,12 +38,11 @@ std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& tes
         return {}; // the camera isn't that of both; compareFrames refuses them
     const std::optional<Camera> camera = cameraOf(reference, test);
     std::vector<std::string> notes = settleFrame(reference, camera);
-    const std::string inReference = metadataOf(reference.frame, "camera", ""),
-                      inTest = metadataOf(test.frame, "camera", "");
-    if (!inReference.empty() && !inTest.empty() && inReference != inTest)
-        notes.push_back(
-            fmt::format("the two headers name different cameras ({}; {}): the first is used for both",
-                        inReference, inTest));
+    const auto inReference = cameraFromHeader(reference.frame, reference.file),
+               inTest = cameraFromHeader(test.frame, test.file);
+    if (inReference && inTest && reference.frame.metadata.at("camera") != test.frame.metadata.at("camera"))
+        notes.emplace_back(
+            "the headers of the two frames name different cameras: the reference's is used for both");
     for (std::string& note : settleFrame(test, camera))
         notes.push_back(std::move(note));
     return notes;
