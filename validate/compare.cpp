@@ -127,20 +127,22 @@ Comparison compareFrames(const Frame& reference, const Frame& test, const std::v
                          const std::optional<Camera>& camera) {
     const FramePair pair(reference, test, objects);
     Comparison comparison;
-    PlanarDepth referenceDepth = planarDepth(reference, "reference", camera);
-    PlanarDepth testDepth = planarDepth(test, "test", camera);
+    PlanarDepth referenceDepth, testDepth;
+    std::vector<BoundaryRims> rims;
+    tbb::parallel_invoke([&] { rims = findBoundaryRims(pair); },
+                         [&] { comparison.image = computeImageError(pair); },
+                         [&] { referenceDepth = planarDepth(reference, "reference", camera); },
+                         [&] { testDepth = planarDepth(test, "test", camera); });
     comparison.referenceDepth = std::move(referenceDepth.depth);
     comparison.testDepth = std::move(testDepth.depth);
 
     View view{comparison.referenceDepth,
               comparison.testDepth,
               referenceDepth.reason.empty() ? testDepth.reason : referenceDepth.reason,
-              {},
+              std::move(rims),
               lightsFromHeader(reference, "reference"),
               camera};
     if (view.lights.empty()) view.lights = lightsFromHeader(test, "test");
-    tbb::parallel_invoke([&] { view.rims = findBoundaryRims(pair); },
-                         [&] { comparison.image = computeImageError(pair); });
 
     const std::vector<size_t> relief = pair.reliefObjects();
     const bool several = relief.size() != 1; // pooled over one, figures are that one's

@@ -35,13 +35,15 @@ std::vector<int> readIds(const Frame& frame, bool toldApart, const char* which) 
     for (size_t pixel = 0; pixel < ids.size(); ++pixel) {
         const float value = plane[pixel];
         if (std::isnan(value)) continue; // nothing there
-        if (!(value >= 0 && value <= kLargestId) || value != std::floor(value))
+        const bool inRange = value >= 0 && value <= kLargestId;
+        const int id = inRange ? static_cast<int>(value) : 0;
+        if (!inRange || static_cast<float>(id) != value)
             throw InputError(fmt::format("{}: channel id", which),
                              fmt::format("the value {} at pixel ({}, {}) is not the number of an object",
                                          value, pixel % static_cast<size_t>(frame.width()),
                                          pixel / static_cast<size_t>(frame.width())),
                              fmt::format("whole numbers from 0 (nothing) to {}", kLargestId));
-        ids[pixel] = toldApart ? static_cast<int>(value) : static_cast<int>(value > 0);
+        ids[pixel] = toldApart ? id : static_cast<int>(id > 0);
     }
     return ids;
 }
