@@ -81,7 +81,8 @@ struct Scene {
     std::vector<std::string>
         warnings; // a line each: what a user should know of meshes and maps before trusting figures
     std::vector<std::filesystem::path> files; // read: the scene file, meshes and maps
-    std::string hash; // of the scene file, every file it names and the changes; hexadecimal
+    std::string
+        hash; // of what the scene file says (changes made, [require] left out) and every file it names; hexadecimal
     std::vector<std::string>
         changes; // fields that were given other values than the file's: "camera.width=400"
 };

@@ -21,7 +21,6 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <sstream>
 
 namespace plumbline {
 namespace {
@@ -30,28 +29,13 @@ constexpr size_t kMostLights = 16;
 constexpr size_t kMostObjects = 4096;
 constexpr double kLargestTile = 1e6;
 constexpr double kSmallestTile = 1e-6;
-
-/// Without the lines of the table [require]: what must be reached is no part of what is drawn.
-std::string withoutRequirements(const std::string& text) {
-    constexpr std::string_view kTable = "[require]";
-    std::istringstream lines(text);
-    std::string kept, line;
-    bool inside = false, found = false;
-    while (std::getline(lines, line)) {
-        const size_t begin = line.find_first_not_of(" \t");
-        if (begin != std::string::npos && line[begin] == '[')
-            inside = std::string_view(line).substr(begin).starts_with(kTable);
-        found |= inside;
-        if (!inside) kept += line + "\n";
-    }
-    return found ? kept : text; // other scenes keep their hashes
-}
+constexpr std::string_view kRequire = "require";
 
 class SceneReader {
   public:
     explicit SceneReader(const std::filesystem::path& file) : SceneReader(file, readWholeFile(file)) {}
     SceneReader(const std::filesystem::path& file, const std::string& text)
-        : file_(file), text_(text), root_(TomlTable::parse(file.string(), text_)) {}
+        : file_(file), root_(TomlTable::parse(file.string(), text)) {}
 
     void change(const std::string& text) {
         const std::string where = "--scene-set " + text;
@@ -59,7 +43,6 @@ class SceneReader {
         if (equals == std::string::npos)
             throw InputError(where, "has no '='", "PATH=VALUE, for example camera.width=400");
         root_.change(where, text.substr(0, equals), text.substr(equals + 1));
-        hash_.add(text);
         scene_.changes.push_back(text);
     }
 
@@ -67,7 +50,7 @@ class SceneReader {
         scene_.name = file_.stem().string();
         scene_.files = {file_};
         scene_.purpose = readPurpose();
-        hash_.add(withoutRequirements(text_));
+        root_.addTo(hash_, kRequire); // what must be reached is no part of what is drawn
         scene_.background = root_.vector3("background", 0, 1, Vec3(0));
         scene_.camera = readCamera(root_.table("camera"));
         readLights();
@@ -284,8 +267,8 @@ class SceneReader {
 
     /// [require]: "METRIC" = "OPERATOR NUMBER", or an array of such bounds.
     void readRequirements() {
-        if (!root_.has("require")) return;
-        const TomlTable table = root_.table("require");
+        if (!root_.has(kRequire)) return;
+        const TomlTable table = root_.table(kRequire);
         for (const std::string& metric : table.keys()) {
             const std::vector<std::string> bounds = table.textOrTexts(metric);
             if (bounds.empty()) table.fail(metric, "has no bound", "one or more, for example \">= 0.99\"");
@@ -295,7 +278,6 @@ class SceneReader {
     }
 
     std::filesystem::path file_;
-    std::string text_;
     TomlTable root_;
     Scene scene_;
     ContentHash hash_;

@@ -21,6 +21,7 @@
 
 namespace plumbline {
 
+class ContentHash;
 struct TomlNode; // of toml_file.cpp
 struct TomlValue;
 
@@ -34,6 +35,10 @@ class TomlTable {
     /// An element of [[tables]] goes by its `name` or its number from 0; the tables on the way must be there. Messages about
     /// what was put there begin with `where`. Throws InputError that begins so.
     void change(const std::string& where, const std::string& path, const std::string& value);
+
+    /// Adds what the table says, all but the field `except`: neither the order of fields matters nor what is no value (comments,
+    /// blanks, how a table is written).
+    void addTo(ContentHash& hash, std::string_view except) const;
 
     bool has(std::string_view key) const;
     std::vector<std::string> keys() const;

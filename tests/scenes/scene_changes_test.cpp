@@ -39,6 +39,8 @@ TEST_F(ChangedScene, TheHashTellsChangesApart) {
     EXPECT_NE(narrow, plain);
     EXPECT_NE(narrow, readChanged({"camera.width=301"}).hash);
     EXPECT_EQ(narrow, readChanged({"camera.width=300"}).hash);
+    EXPECT_EQ(narrow, read(with("width = 64", "width = 300")).hash); // the same scene
+    EXPECT_EQ(plain, readChanged({R"(require={"silhouette.iou" = ">= 0.99"})"}).hash);
 }
 
 TEST_F(ChangedScene, MistakesAreToldByTheirChange) {
