@@ -183,6 +183,13 @@ TEST(ReportPage, MarksTheBestAndTheMissed) {
                 HasSubstr("Not reached: silhouette.iou: required silhouette.iou &gt;= 0.9, found 0.5."));
     EXPECT_THAT(page, HasSubstr("isn't reached is"));
 
+    results.techniques[0].requirements = {
+        {"silhouette.iou@object 1 >= 0.9", "silhouette.iou@object 1", 0.25, false}};
+    const std::string ofObject = reportPage(results, {}, {});
+    EXPECT_THAT(ofObject, HasSubstr("<tr><th scope=\"row\">object 1</th><td class=\"fail\">"));
+    EXPECT_THAT(ofObject, Not(HasSubstr("<td class=\"fail\" data-value=\"0.5\">"))); // the pooled one
+    EXPECT_THAT(ofObject, HasSubstr("<tr><th scope=\"row\">object 2</th><td>"));
+
     results.techniques.back().control = true; // then there is nobody to be better than
     EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("class=\"best\" data-value")));
 }

@@ -156,10 +156,22 @@ data headOf(const Column& column) {
     return head;
 }
 
-/// Whether the pooled figure of the column was required to be another one.
-bool isMissed(const Column& column, const TechniqueOutcome& technique) {
+/// Whether the figure of that key was required to be another one.
+bool isMissed(const std::string& key, const TechniqueOutcome& technique) {
     return std::any_of(technique.requirements.begin(), technique.requirements.end(),
-                       [&](const RequirementResult& each) { return !each.passed && each.key == column.key; });
+                       [&](const RequirementResult& each) { return !each.passed && each.key == key; });
+}
+
+/// As requirements name the figure of an object.
+std::string keyOf(const Column& column, const ObjectComparison& object) {
+    return column.key + "@" + object.object.name;
+}
+
+/// The row of the technique shows a lone object's figures too: there is no other.
+bool isMissedInRow(const Column& column, const TechniqueOutcome& technique) {
+    const std::vector<ObjectComparison>& objects = technique.comparison.objects;
+    return isMissed(column.key, technique) ||
+           (objects.size() == 1 && isMissed(keyOf(column, objects[0]), technique));
 }
 
 /// Who looks up nothing is cheapest; that is no achievement.
@@ -202,13 +214,24 @@ std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, co
     return best;
 }
 
+data objectCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
+                 const ObjectComparison& object) {
+    data cells{data::type::list};
+    for (const Column& column : columns) {
+        data entry = cellOf(column, column.value({object.metrics}));
+        if (isMissed(keyOf(column, object), technique)) entry.set("mark", "fail");
+        cells << entry;
+    }
+    return cells;
+}
+
 data techniqueCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
                     const std::vector<std::optional<double>>& best) {
     data cells{data::type::list};
     for (size_t i = 0; i < columns.size(); ++i) {
         const ColumnValue value = columns[i].value(rowOf(technique));
         data entry = cellOf(columns[i], value);
-        if (isMissed(columns[i], technique))
+        if (isMissedInRow(columns[i], technique))
             entry.set("mark", "fail");
         else if (!technique.control && value.figure && best[i] && *value.figure == *best[i])
             entry.set("mark", "best");

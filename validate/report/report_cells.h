@@ -53,7 +53,10 @@ data cellsOf(const std::vector<Column>& columns, const RowFigures& row);
 
 /// The best figure of each column among techniques; of a control, of a single technique and where neither end is better there is none.
 std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, const Results& results);
-/// Pooled figures; those that are the best are marked.
+/// Of an object; those that were required to be others are marked.
+data objectCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
+                 const ObjectComparison& object);
+/// Pooled figures; those that are the best, and those that were required to be others, are marked.
 data techniqueCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
                     const std::vector<std::optional<double>>& best);
 

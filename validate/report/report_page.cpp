@@ -133,12 +133,12 @@ data pictureList(const std::vector<ReportPicture>& entries) {
     return pictures;
 }
 
-data objectRows(const Comparison& comparison, const std::vector<Column>& columns) {
+data objectRows(const TechniqueOutcome& technique, const std::vector<Column>& columns) {
     data objects{data::type::list};
-    for (const ObjectComparison& object : comparison.objects) {
+    for (const ObjectComparison& object : technique.comparison.objects) {
         data row{data::type::object};
         row.set("object", object.object.name);
-        row.set("object_cells", cellsOf(columns, {object.metrics}));
+        row.set("object_cells", objectCells(columns, technique, object));
         objects << row;
     }
     return objects;
@@ -180,7 +180,7 @@ data techniqueSection(size_t number, const TechniqueOutcome& technique, const st
     }
     const Comparison& comparison = technique.comparison;
     section.set("cells", techniqueCells(columns, technique, best));
-    section.set("objects", objectRows(comparison, columns));
+    section.set("objects", objectRows(technique, columns));
     section.set("several_objects", comparison.objects.size() > 1);
     section.set("notes", listOfTexts(comparison.notes));
     section.set("pictures", pictureList(pictures));
