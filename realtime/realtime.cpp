@@ -88,8 +88,8 @@ void drawMicroTriangles(const GpuState& gpu, MicroTriangleDrawer& drawer,
 } // namespace
 
 struct RealtimeRenderer::Impl {
-    Impl(const Scene& sceneToDraw, const GlOptions& options)
-        : scene(sceneToDraw), timingBudgetMs(options.timingBudgetMs), context(createGlContext(options)) {
+    Impl(const Scene& sceneToDraw, const GlOptions& options, std::unique_ptr<GlContext> opened)
+        : scene(sceneToDraw), timingBudgetMs(options.timingBudgetMs), context(std::move(opened)) {
         const CurrentContext current(*context);
         gpu = std::make_unique<GpuState>(scene, *context);
     }
@@ -137,7 +137,11 @@ struct RealtimeRenderer::Impl {
 };
 
 RealtimeRenderer::RealtimeRenderer(const Scene& scene, const GlOptions& options)
-    : impl_(std::make_unique<Impl>(scene, options)) {}
+    : RealtimeRenderer(scene, options, createGlContext(options)) {}
+
+RealtimeRenderer::RealtimeRenderer(const Scene& scene, const GlOptions& options,
+                                   std::unique_ptr<GlContext> context)
+    : impl_(std::make_unique<Impl>(scene, options, std::move(context))) {}
 
 RealtimeRenderer::~RealtimeRenderer() = default;
 

@@ -87,11 +87,15 @@ struct TechniqueResult {
 using PhaseCallback = std::function<void(std::string_view phase)>;
 inline constexpr std::string_view kPhaseDrawing = "drawing"; // the author's shader compiles, then runs
 
+class GlContext;
+
 /// Owns a GL context and what techniques share: proxy meshes, height maps.
 class RealtimeRenderer {
   public:
     /// Throws MachineError if there is no GL as asked for. The scene must outlive the renderer.
     RealtimeRenderer(const Scene& scene, const GlOptions& options);
+    /// In a context opened before (gl_context.h), as `options` ask for.
+    RealtimeRenderer(const Scene& scene, const GlOptions& options, std::unique_ptr<GlContext> context);
     ~RealtimeRenderer();
 
     /// `shared`: settings for every technique (`--set`); keys a technique doesn't know are ignored here, and

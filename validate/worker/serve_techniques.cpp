@@ -1,4 +1,5 @@
 // The side of the process that draws; technique_worker.h has the other.
+#include "../../realtime/gl_context.h"
 #include "../../scenes/error.h"
 #include "../../scenes/scene_file.h"
 #include "serve_parent.h"
@@ -30,8 +31,11 @@ void drawTechnique(const MessageSocket& socket, RealtimeRenderer& renderer, cons
 
 void drawTechniques(const MessageSocket& socket) {
     const WorkerSetup setup = workerSetup(socket.receive());
+    // Before the scene, whose maps load the libraries for pictures: those bring copies of libraries (libdrm, libxcb) that drivers
+    // link too, and a driver must have its own.
+    std::unique_ptr<GlContext> context = createGlContext(setup.gl);
     const Scene scene = readSameScene(setup);
-    RealtimeRenderer renderer(scene, setup.gl);
+    RealtimeRenderer renderer(scene, setup.gl, std::move(context));
     socket.send(phaseReply(kPhaseReady));
     for (;;)
         drawTechnique(socket, renderer, drawRequest(socket.receive()));
