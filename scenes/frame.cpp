@@ -72,13 +72,13 @@ std::span<const ChannelInfo> channelTable() {
     return kChannels;
 }
 
-const ChannelInfo& channelInfo(std::string_view channelName) {
+const ChannelInfo& channelInfo(std::string_view channelName, std::string_view where) {
     if (const ChannelInfo* info = findRow(channelName)) return *info;
     std::vector<std::string> names;
     names.reserve(kChannels.size());
     for (const ChannelInfo& info : kChannels)
         names.emplace_back(info.name);
-    throw InputError("frame", fmt::format("no channel is called '{}'", channelName), listOf(names),
+    throw InputError(where, fmt::format("no channel is called '{}'", channelName), listOf(names),
                      didYouMean(channelName, names));
 }
 

@@ -24,7 +24,7 @@ struct ChannelInfo {
 std::span<const ChannelInfo> channelTable();
 
 /// Row of the table for a concrete name such as "shadow.sun"; throws InputError for a name the table lacks.
-const ChannelInfo& channelInfo(std::string_view channelName);
+const ChannelInfo& channelInfo(std::string_view channelName, std::string_view where = "frame");
 
 /// Whether the table has a row for it.
 bool isFrameChannel(std::string_view channelName);

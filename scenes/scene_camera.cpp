@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 
 namespace plumbline {
 namespace {
@@ -15,6 +16,7 @@ constexpr int kLargestSide = 32768; // pixels
 constexpr int64_t kMostPixels = int64_t(1) << 28;
 // Below this sine of the angle between view direction and up, the picture's roll is rounding noise.
 constexpr double kSmallestUpSine = 1e-6;
+constexpr double kSmallestFovYDegrees = 1e-3, kLargestFovYDegrees = 179.9;
 
 /// `orbit = { distance, polar_degrees, azimuth_degrees }`: around the target, seen from `polar_degrees` off world +Y, towards +Z
 /// at azimuth 0 and +X at 90. The picture's up is where the polar angle falls, so that straight from above is a view
@@ -46,7 +48,8 @@ void readPlace(const TomlTable& table, Camera& camera) {
 void readProjection(const TomlTable& table, Camera& camera) {
     const std::string projection = table.choice("projection", {"perspective", "orthographic"}, "perspective");
     if (projection == "perspective") {
-        camera.fovYDegrees = table.number("fov_y_degrees", 1e-3, 179.9, camera.fovYDegrees);
+        camera.fovYDegrees =
+            table.number("fov_y_degrees", kSmallestFovYDegrees, kLargestFovYDegrees, camera.fovYDegrees);
         if (table.has("view_height")) table.fail("view_height", "belongs to projection \"orthographic\"");
     } else {
         camera.projection = Camera::Projection::Orthographic;
@@ -63,15 +66,27 @@ void readSize(const TomlTable& table, Camera& camera) {
                    "at most 2^28");
 }
 
-void checkAxes(const TomlTable& table, const Camera& camera) {
+std::optional<CameraFault> findAxesFault(const Camera& camera) {
     const Vec3 view = camera.targetWorld - camera.positionWorld;
     const double magnitude = std::max(glm::length(camera.positionWorld), glm::length(camera.targetWorld));
     // Closer than that, the direction is made of the coordinates' last digits.
     if (glm::length(view) <= 1e-12 * magnitude || !(glm::length(view) > 0))
-        table.fail("target", "is where the camera is", "another place than position");
-    if (!(glm::length(camera.upWorld) > 0)) table.fail("up", "is zero", "a direction");
+        return CameraFault{"target", "is where the camera is", "another place than position"};
+    if (!(glm::length(camera.upWorld) > 0)) return CameraFault{"up", "is zero", "a direction"};
     if (glm::length(glm::cross(glm::normalize(view), glm::normalize(camera.upWorld))) < kSmallestUpSine)
-        table.fail("up", "is parallel to the view direction", "a direction that points elsewhere");
+        return CameraFault{"up", "is parallel to the view direction", "a direction that points elsewhere"};
+    return std::nullopt;
+}
+
+std::optional<CameraFault> findRangeFault(const char* field, double value, double low, double high) {
+    if (value >= low && value <= high) return std::nullopt;
+    return CameraFault{field, fmt::format("is {}", value), fmt::format("{} to {}", low, high)};
+}
+
+std::optional<CameraFault> findPlaceFault(const char* field, const Vec3& place) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (auto fault = findRangeFault(field, place[axis], -kLargestLength, kLargestLength)) return fault;
+    return std::nullopt;
 }
 
 } // namespace
@@ -81,9 +96,23 @@ Camera readCamera(const TomlTable& table) {
     readPlace(table, camera);
     readProjection(table, camera);
     readSize(table, camera);
-    checkAxes(table, camera);
+    if (const auto fault = findAxesFault(camera)) table.fail(fault->field, fault->found, fault->expected);
     table.finish();
     return camera;
+}
+
+std::optional<CameraFault> findFault(const Camera& camera) {
+    for (const auto& [field, place] : {std::pair("position", camera.positionWorld),
+                                       {"target", camera.targetWorld},
+                                       {"up", camera.upWorld}})
+        if (auto fault = findPlaceFault(field, place)) return fault;
+    const bool perspective = camera.projection == Camera::Projection::Perspective;
+    if (auto fault = perspective
+                         ? findRangeFault("fov_y_degrees", camera.fovYDegrees, kSmallestFovYDegrees,
+                                          kLargestFovYDegrees)
+                         : findRangeFault("view_height", camera.viewHeight, kSmallestLength, kLargestLength))
+        return fault;
+    return findAxesFault(camera);
 }
 
 } // namespace plumbline

@@ -2,6 +2,8 @@
 
 #include "../scenes/error.h"
 #include "../scenes/exr_file.h"
+#include "frame_metadata.h"
+#include "position_space.h"
 
 #include <fmt/format.h>
 
@@ -16,8 +18,6 @@ namespace {
 constexpr float kNothingDepth = 1e10f, kNothingDepthHalf = 65504;
 /// A renderer may sample anywhere within a pixel and filter a few pixels wide; another camera is off by far more.
 constexpr double kSameCameraPx = 2;
-constexpr double kBehindPx = 1e9;    // stands for a position behind the camera, or none
-constexpr size_t kMostProbes = 4096; // pixels looked at for the space of positions
 
 const std::array<std::string, 3> kPosition{"P.X", "P.Y", "P.Z"}, kNormal{"N.X", "N.Y", "N.Z"};
 
@@ -66,6 +66,7 @@ class FrameSettler {
     }
 
   private:
+    /// The names are ours, whoever wrote the file.
     bool isOwn() const {
         return plan_.layout == FrameLayout::Own &&
                std::none_of(plan_.channels.begin(), plan_.channels.end(),
@@ -106,13 +107,21 @@ class FrameSettler {
         const auto plane = frame_.channel(frame_.has("id") ? "id" : "A");
         for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
             covered_[pixel] = plane[pixel] >= 0.5f;
-        if (!frame_.has("Z") || isOwn()) return;
-        size_t unnumbered = 0;
+        if (!frame_.has("Z") || (isOwn() && isPlumblines(frame_))) return;
         const auto depth = frame_.channel("Z");
+        size_t unnumbered = 0, depthless = 0;
         for (size_t pixel = 0; pixel < covered_.size(); ++pixel) {
-            unnumbered += !covered_[pixel] && isDepth(depth[pixel]);
-            if (!isDepth(depth[pixel])) depth[pixel] = kInfinityF;
+            if (isDepth(depth[pixel])) {
+                unnumbered += !covered_[pixel];
+                continue;
+            }
+            depthless += covered_[pixel];
+            depth[pixel] = kInfinityF;
         }
+        if (depthless > 0)
+            say(fmt::format(
+                "{} covered pixels have no depth: none that is finite, > 0 and neither 1e10 nor 65504",
+                depthless));
         if (unnumbered > 0)
             say(fmt::format("{} pixels have a depth but no object's number: they count as nothing",
                             unnumbered));
@@ -168,11 +177,12 @@ class FrameSettler {
         }
         const double near = *source->second.distanceFrom;
         if (!camera_)
-            throw InputError(file_,
-                             fmt::format("{} is a distance along the ray, and the camera is not known",
-                                         source->second.theirs),
-                             "a header field camera in one of the two files, as plumbline writes it",
-                             fmt::format("--map \"{}=Z\" if it is planar depth", source->second.theirs));
+            throw InputError(
+                file_,
+                fmt::format("{} is a distance along the ray, and the camera is not known",
+                            source->second.theirs),
+                "a header field camera in one of the two files, as plumbline writes it",
+                fmt::format("of the test frame --map \"{}=Z\" if it is planar depth", source->second.theirs));
         const CameraRays rays(*camera_);
         const Vec3 forward = glm::normalize(camera_->targetWorld - camera_->positionWorld);
         const auto depth = frame_.channel("Z");
@@ -188,19 +198,6 @@ class FrameSettler {
                         source->second.byUser ? "" : ", Mitsuba's near_clip if not set"));
     }
 
-    struct Space {
-        const char* name;
-        Mat4 worldFromTheirs;
-    };
-    std::vector<Space> spaces() const {
-        const Mat4 zUp(Vec4(1, 0, 0, 0), Vec4(0, 0, -1, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 0, 1));
-        Mat4 flipped(1.0); // pbrt's camera looks along +z
-        flipped[2][2] = -1;
-        return {{"the world, Y up", Mat4(1.0)},
-                {"a world with Z up, as Blender's importers turn a mesh: (x, z, -y) in ours", zUp},
-                {"pbrt's camera space", glm::inverse(viewFromWorld(*camera_)) * flipped}};
-    }
-
     void settleSpace() {
         const bool positions = hasAll(frame_, kPosition), normals = hasAll(frame_, kNormal);
         if (isOwn() || (!positions && !normals)) return;
@@ -210,53 +207,21 @@ class FrameSettler {
                             positions ? "a camera" : "positions to tell by"));
             return;
         }
-        const std::vector<Space> all = spaces();
-        std::vector<double> offsets;
-        for (const Space& space : all)
-            offsets.push_back(medianOffset(space.worldFromTheirs));
-        const auto best = std::min_element(offsets.begin(), offsets.end());
-        if (*best == kInfinity) return; // nothing in sight
-        if (!(*best <= kSameCameraPx))
+        const auto planes = planesOf(frame_, kPosition);
+        const std::optional<PositionSpace> space =
+            findPositionSpace({planes[0], planes[1], planes[2]}, covered_, *camera_);
+        if (!space) return; // nothing in sight
+        if (!(space->medianOffsetPx <= kSameCameraPx))
             throw InputError(
-                file_, fmt::format("its positions are {:.1f} pixels beside their own in the median", *best),
+                file_,
+                fmt::format("its positions are {:.1f} pixels beside their own in the median",
+                            space->medianOffsetPx),
                 "the reference's camera, and positions in the world, in one with Z up or in pbrt's "
                 "camera space");
-        const Space& space = all[static_cast<size_t>(best - offsets.begin())];
-        turn(space.worldFromTheirs, normals);
+        turn(space->worldFromTheirs, normals);
         say(fmt::format("positions{} are in {}: there they lie on their pixels' rays, {:.2f} pixels beside "
                         "in the median",
-                        normals ? " and normals" : "", space.name, *best));
-    }
-
-    /// Pixels between where a position is seen and its own pixel's centre, median over covered ones; infinite if there are none.
-    double medianOffset(const Mat4& worldFromTheirs) {
-        const auto planes = planesOf(frame_, kPosition);
-        const auto width = static_cast<size_t>(frame_.width());
-        std::vector<double> offsets;
-        for (const size_t pixel : probes()) {
-            const Vec3 position(worldFromTheirs * Vec4(vectorAt(planes, pixel), 1));
-            const Vec3 seen = pixelFromWorld(*camera_, position);
-            const Vec2 centre(static_cast<double>(pixel % width) + 0.5,
-                              static_cast<double>(pixel / width) + 0.5);
-            const double offset = glm::length(Vec2(seen) - centre);
-            offsets.push_back(seen.z > 0 && std::isfinite(offset) ? offset : kBehindPx);
-        }
-        if (offsets.empty()) return kInfinity;
-        const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
-        std::nth_element(offsets.begin(), middle, offsets.end());
-        return *middle;
-    }
-
-    /// Covered pixels, spread over all of them.
-    std::vector<size_t> probes() const {
-        std::vector<size_t> covered;
-        for (size_t pixel = 0; pixel < covered_.size(); ++pixel)
-            if (covered_[pixel]) covered.push_back(pixel);
-        const size_t step = covered.size() / kMostProbes + 1;
-        std::vector<size_t> chosen;
-        for (size_t k = 0; k < covered.size(); k += step)
-            chosen.push_back(covered[k]);
-        return chosen;
+                        normals ? " and normals" : "", space->name, space->medianOffsetPx));
     }
 
     void turn(const Mat4& worldFromTheirs, bool normals) {

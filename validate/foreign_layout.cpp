@@ -150,7 +150,7 @@ ChannelMapping parseMapping(const std::string& text) {
     }
     mapping.negated = mapping.ours.starts_with('-');
     if (mapping.negated) mapping.ours.erase(0, 1);
-    channelInfo(mapping.ours); // throws for one there is not
+    channelInfo(mapping.ours, where); // throws for one there is not
     return mapping;
 }
 
@@ -198,7 +198,7 @@ ChannelPlan planChannels(std::span<const std::string> names, std::span<const Cha
     if (plan.channels.empty())
         throw InputError(where, "has no channel of a frame; its channels are " + listOf(names),
                          "Z or P.X P.Y P.Z, A or id, and the rest of the channel table",
-                         "--map THEIRS=OURS names them");
+                         "of the test frame --map THEIRS=OURS names them");
     return plan;
 }
 

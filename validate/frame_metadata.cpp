@@ -1,9 +1,11 @@
 #include "frame_metadata.h"
 
 #include "../scenes/error.h"
+#include "../scenes/scene_camera.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
@@ -65,6 +67,8 @@ class Words {
 };
 
 constexpr int kLargestMapSide = 1 << 24;
+const std::string kLightPrefix = "light.";
+constexpr int kLargestFrameSide = 1 << 24;
 
 void readObjectField(const std::string& field, const std::string& value, const std::string& where,
                      const std::string& key, ObjectInfo& object) {
@@ -109,8 +113,7 @@ std::vector<ObjectInfo> objectsOf(const Scene& scene) {
     return objects;
 }
 
-/// Written by this program; headers of others may use the same words for other things.
-static bool isOwn(const Frame& frame) {
+bool isPlumblines(const Frame& frame) {
     const auto program = frame.metadata.find("program");
     return program != frame.metadata.end() && program->second.starts_with("plumbline");
 }
@@ -149,6 +152,7 @@ std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& wh
     Camera camera;
     const std::string projection = words.word();
     const bool perspective = projection == "perspective";
+    camera.projection = perspective ? Camera::Projection::Perspective : Camera::Projection::Orthographic;
     words.literal("position");
     camera.positionWorld = words.vector();
     words.literal("target");
@@ -158,39 +162,39 @@ std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& wh
     words.literal(perspective ? "fov_y_degrees" : "view_height");
     (perspective ? camera.fovYDegrees : camera.viewHeight) = words.number();
     words.literal("size");
-    words.count(kLargestMapSide);
-    words.count(kLargestMapSide);
-    const Vec3 view = camera.targetWorld - camera.positionWorld;
-    const double lens = perspective ? camera.fovYDegrees : camera.viewHeight;
-    const bool usable = words.ok() && (perspective || projection == "orthographic") && lens > 0 &&
-                        (!perspective || lens < 180) && glm::length(glm::cross(view, camera.upWorld)) > 0;
-    if (!usable && !isOwn(frame)) return std::nullopt; // somebody else's attribute
-    if (!usable)
+    camera.width = words.count(kLargestFrameSide);
+    camera.height = words.count(kLargestFrameSide);
+    if (!words.ok() || (!perspective && projection != "orthographic")) {
+        if (!isPlumblines(frame)) return std::nullopt; // somebody else's attribute
         refuse(where, "camera", found->second,
                "'perspective position x y z target x y z up x y z fov_y_degrees F size W H', or "
-               "'orthographic' with "
-               "'view_height'");
-    camera.projection = perspective ? Camera::Projection::Perspective : Camera::Projection::Orthographic;
-    camera.width = frame.width();
-    camera.height = frame.height();
+               "'orthographic' with 'view_height'");
+    }
+    const std::string field = fmt::format("{}: header field 'camera'", where);
+    if (const auto fault = findFault(camera))
+        throw InputError(field, fmt::format("{} {}", fault->field, fault->found), fault->expected);
+    if (camera.width != frame.width() || camera.height != frame.height())
+        throw InputError(field,
+                         fmt::format("is of a picture of {} x {} pixels, the frame has {} x {}", camera.width,
+                                     camera.height, frame.width(), frame.height()),
+                         "the frame as it was rendered, neither cropped nor scaled");
     return camera;
 }
 
 std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where) {
-    constexpr std::string_view kPrefix = "light.";
     std::vector<Light> lights;
     for (const auto& [key, value] : frame.metadata) {
-        if (!key.starts_with(kPrefix)) continue;
+        if (!key.starts_with(kLightPrefix)) continue;
         Words words(value);
         const std::string kind = words.word();
         const Vec3 vector = words.vector();
         const bool point = kind == "position";
         if (!words.ok() || (!point && (kind != "to_light" || !(glm::length(vector) > 0)))) {
-            if (!isOwn(frame)) continue; // somebody else's attribute
+            if (!isPlumblines(frame)) continue; // somebody else's attribute
             refuse(where, key, value, "'to_light x y z', not zero, or 'position x y z'");
         }
         Light light;
-        light.name = key.substr(kPrefix.size());
+        light.name = key.substr(kLightPrefix.size());
         light.kind = point ? Light::Kind::Point : Light::Kind::Directional;
         if (point)
             light.positionWorld = vector;
@@ -199,6 +203,18 @@ std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where
         lights.push_back(std::move(light));
     }
     return lights;
+}
+
+std::vector<std::string> leftOutFields(const Frame& frame, const std::string& where) {
+    std::vector<std::string> fields;
+    if (frame.metadata.contains("camera") && !cameraFromHeader(frame, where)) fields.emplace_back("camera");
+    const std::vector<Light> lights = lightsFromHeader(frame, where);
+    for (const std::string& name : frame.lightNames())
+        if (frame.metadata.contains(kLightPrefix + name) &&
+            std::none_of(lights.begin(), lights.end(),
+                         [&](const Light& light) { return light.name == name; }))
+            fields.push_back(kLightPrefix + name);
+    return fields;
 }
 
 CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where) {

@@ -16,11 +16,20 @@ std::vector<ObjectInfo> objectsOf(const Scene& scene);
 /// `where` in front, for a value that can't be read.
 std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string& where);
 
-/// The camera of a frame's header, with the frame's own size; nullopt if it has none. Throws likewise.
+/// Whether this program wrote the frame; headers of others may use the same words for other things.
+bool isPlumblines(const Frame& frame);
+
+/// The camera of a frame's header; nullopt if it has none, or another program's word that isn't as this one writes it. Throws likewise,
+/// also for numbers no scene file could have and for one of a picture of another size.
 std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& where);
 
-/// The lights of a frame's header, by its keys `light.<name>`; empty if it has none. Throws likewise.
+/// The lights of a frame's header, by its keys `light.<name>`; those of another program that aren't as this one writes them are left
+/// out. Throws likewise.
 std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where);
+
+/// The camera, and the lights the frame has shadows of, that are another program's word and left out: names of header fields. Throws
+/// likewise.
+std::vector<std::string> leftOutFields(const Frame& frame, const std::string& where);
 
 /// What a reference's frame says of its own error: the header fields certificate.error_px_p99 and its like (see
 /// certificate.h), numbers >= 0, and the counts of its channels. What isn't there is absent. Throws likewise.

@@ -202,6 +202,38 @@ TEST_F(EndToEnd, RequirementsDecideTheExitCodeOfCompare) {
     expectRefusal(compare({"--require", "shadow.sum.iou >= 1"}), 2, "did you mean 'sun'");
 }
 
+TEST_F(EndToEnd, CompareTellsWhereTwoHeadersDiffer) {
+    const std::string view = "perspective position 0 0 3 target 0 0 0 up 0 1 0 fov_y_degrees 40 size 8 6";
+    Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
+    const auto compared = [&] {
+        writeFrame(reference, folder_ / "reference.exr");
+        writeFrame(test, folder_ / "test.exr");
+        return run({"compare", "reference.exr", "test.exr"});
+    };
+    reference.metadata = test.metadata = {{"camera", view}, {"scene_hash", "one"}};
+    EXPECT_THAT(compared().out, Not(HasSubstr("headers of the two frames")));
+    test.metadata = {{"camera", "perspective position 0 0 4" + view.substr(view.find(" target"))},
+                     {"scene_hash", "other"}};
+    const Outcome different = compared();
+    EXPECT_EQ(different.exitCode, 0) << different.err;
+    EXPECT_THAT(different.out, HasSubstr("name different cameras: the reference's is used for both"));
+    EXPECT_THAT(different.out, HasSubstr("name different scenes"));
+    test.metadata = {{"camera", "Cam01"}, {"light.sun", "bright"}};
+    const Outcome strange = compared();
+    EXPECT_THAT(strange.out,
+                HasSubstr("note: test.exr: the header field 'camera' isn't as plumbline writes it"));
+    EXPECT_THAT(strange.out, HasSubstr("note: test.exr: the header field 'light.sun' isn't"));
+    reference.metadata["light.sun"] = "bright";
+    reference.metadata["program"] = "plumbline 0.1.0";
+    expectRefusal(compared(), 2, "reference.exr: header field 'light.sun': 'bright' can't be read");
+}
+
+TEST_F(EndToEnd, CompareWritesNoReportWithoutAFolderForIt) {
+    writeFrame(emptyFrame(8, 6), folder_ / "a.exr");
+    for (const char* option : {"--single-file", "--plain-report"})
+        expectRefusal(run({"compare", "a.exr", "a.exr", option}), 2, "none is written; expected -o DIR");
+}
+
 // Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain:
 // 12/15 at best, and so is a pixel outside: 12/17 at worst.
 TEST_F(EndToEnd, AReferenceThatSaysHowSureItIs) {

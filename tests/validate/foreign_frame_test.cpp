@@ -16,6 +16,7 @@ namespace plumbline {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -181,6 +182,22 @@ TEST_F(ForeignFrames, OfBlenderWithSomeNumbersSayWhatIsLost) {
     EXPECT_THAT(notes_, Contains(HasSubstr("1 pixels have a depth but no object's number")));
 }
 
+// Whoever writes our names may still write 1e10 for nothing; this program doesn't.
+TEST_F(ForeignFrames, OfStrangersWithOurNamesHaveNoDepthOfNothing) {
+    Planes planes{{"Z", plane(1e10, [](const Hit& hit) { return hit.depth; })},
+                  {"id", plane(1, [](const Hit&) { return 1; })}};
+    ForeignFrame foreign = read(planes);
+    const auto misses = std::count(planes["Z"].begin(), planes["Z"].end(), 1e10f);
+    ForeignFrame own = foreign;
+    const auto notes = settleFrame(foreign, {});
+    EXPECT_EQ(std::count(foreign.frame.channel("Z").begin(), foreign.frame.channel("Z").end(), kInfinityF),
+              misses);
+    EXPECT_THAT(notes, ElementsAre(HasSubstr(std::to_string(misses) + " covered pixels have no depth")));
+    own.frame.metadata["program"] = "plumbline 0.1.0";
+    EXPECT_THAT(settleFrame(own, {}), IsEmpty());
+    EXPECT_EQ(own.frame.channel("Z")[0], 1e10f);
+}
+
 TEST_F(ForeignFrames, ADepthOfNothingUnderANumberIsNoDepth) {
     Planes planes = blenderPlanes();
     const auto& id = planes["ViewLayer.IndexOB.X"];
@@ -314,7 +331,7 @@ TEST_F(ForeignFrames, MapsThatCanNotBeMeant) {
     };
     for (const char* text : {"Z", "=Z", "depth=", ""})
         EXPECT_THAT(error(text), HasSubstr("names no pair of channels")) << text;
-    EXPECT_THAT(error("depth=z"), HasSubstr("no channel is called 'z'"));
+    EXPECT_THAT(error("depth=z"), HasSubstr("--map \"depth=z\": no channel is called 'z'"));
     for (const char* text : {"d=distances", "d=distance-1", "d=distance+", "d=distance+1x", "d=distance+inf"})
         EXPECT_THAT(error(text), HasSubstr("can't be read")) << text;
     EXPECT_THAT(inputErrorOf([] {

@@ -10,6 +10,8 @@
 namespace plumbline {
 namespace {
 
+using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
@@ -135,13 +137,34 @@ TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
     EXPECT_THAT(
         message("camera", "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees nan size 1 1"),
         HasSubstr("can't be read"));
-    // Numbers that are no view: no direction, up along it, no opening, all there is.
-    for (const char* bad : {"perspective position 0 0 1 target 0 0 1 up 0 1 0 fov_y_degrees 40 size 1 1",
-                            "perspective position 0 0 0 target 0 2 0 up 0 1 0 fov_y_degrees 40 size 1 1",
-                            "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees 0 size 1 1",
-                            "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees 180 size 1 1",
-                            "orthographic position 0 0 0 target 0 0 1 up 0 1 0 view_height 0 size 1 1"})
-        EXPECT_THAT(message("camera", bad), HasSubstr("can't be read")) << bad;
+    // Numbers that no scene file could have: no direction, up along it, no opening, all there is, out of range.
+    for (const auto& [bad, field] :
+         {std::pair("perspective position 0 0 1 target 0 0 1 up 0 1 0 fov_y_degrees 40 size 1 1",
+                    "target is"),
+          {"perspective position 0 0 0 target 0 2 0 up 0 1 0 fov_y_degrees 40 size 1 1", "up is parallel"},
+          {"perspective position 0 0 0 target 0 0 1 up 0 0 0 fov_y_degrees 40 size 1 1", "up is zero"},
+          {"perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees 0 size 1 1", "fov_y_degrees is 0"},
+          {"perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees 180 size 1 1", "is 180"},
+          {"perspective position 0 2e9 0 target 0 0 1 up 0 1 0 fov_y_degrees 40 size 1 1",
+           "position is 2000000000"},
+          {"orthographic position 0 0 0 target 0 0 1 up 0 1 0 view_height 0 size 1 1", "view_height is 0"},
+          {"orthographic position 0 0 0 target 0 0 1 up 0 1 0 view_height 1e10 size 1 1",
+           "view_height is 1"}})
+        EXPECT_THAT(message("camera", bad),
+                    AllOf(HasSubstr("a.exr: header field 'camera': "), HasSubstr(field)))
+            << bad;
+    EXPECT_THAT(message("camera", "orthographic position 0 0 0 target 0 0 1 up 0 1 0 view_height 2 size 2 1"),
+                HasSubstr("is of a picture of 2 x 1 pixels, the frame has 1 x 1"));
+}
+
+TEST(FrameMetadata, StrangersWordsThatAreLeftOutAreNamed) {
+    Frame frame(1, 1);
+    frame.add("shadow.sun");
+    frame.metadata = {{"camera", "Cam01"}, {"light.sun", "bright"}, {"light.fill", "no shadow of it"}};
+    EXPECT_THAT(leftOutFields(frame, "a.exr"), ElementsAre("camera", "light.sun"));
+    frame.metadata = {{"camera", "orthographic position 0 0 0 target 0 0 1 up 0 1 0 view_height 2 size 1 1"},
+                      {"light.sun", "to_light 0 1 0"}};
+    EXPECT_THAT(leftOutFields(frame, "a.exr"), IsEmpty());
 }
 
 } // namespace

@@ -67,6 +67,18 @@ TEST(HistoryFile, KeepsWhatResultsSayOfTheWholePicture) {
                     .figures.contains("against_proxy.shadow.sun.iou"));
 }
 
+// A light may be called as a part of the results that holds no figures.
+TEST(HistoryFile, KeepsTheFiguresOfALightOfAnyName) {
+    Results results = sampleResults();
+    auto& shadow = results.techniques[0].comparison.pooled.shadow;
+    for (const char* name : {"notes", "objects", "absent"})
+        shadow[name] = shadow.at("sun");
+    const auto figures = recordOf("r", toJson(results), {}).techniques.at(0).figures;
+    for (const char* name : {"notes", "objects", "absent"})
+        EXPECT_EQ(figures.at(std::string("shadow.") + name + ".agreement"),
+                  figures.at("shadow.sun.agreement"));
+}
+
 TEST(HistoryFile, LinesComeBackAsTheyWere) {
     HistoryRecord first = recordOf("r", toJson(sampleResults("<b>\"x\"</b>")), "caf\xc3\xa9");
     const HistoryRecord second =
@@ -92,6 +104,9 @@ TEST(HistoryFile, DamageIsToldWithItsLine) {
         return std::string(good).replace(at, from.size(), to);
     };
     EXPECT_THAT(errorOf(changed("\"schema\":1", "\"schema\":2")), HasSubstr("schema is 2; expected 1"));
+    const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+    EXPECT_THAT(errorOf(changed("\"schema\":1", "\"schema\":" + deep)),
+                HasSubstr("schema is array; expected 1"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":NaN")), HasSubstr("is not valid JSON"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":1e999")), HasSubstr("is not valid JSON"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":\"1\"")), HasSubstr("silhouette.iou is no number"));
@@ -124,7 +139,8 @@ TEST(HistoryMoves, WorseIsFartherFromTheBestValue) {
     EXPECT_EQ(verdictOf("shadow.my.sun.agreement", 0.9, 0.8), Verdict::Regression);
     EXPECT_EQ(verdictOf("against_proxy.shadow.sun.ber", 0.1, 0.2), Verdict::Regression);
     EXPECT_EQ(verdictOf("depth.domain_px", 900, 100), Verdict::Neutral);
-    EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2), Verdict::Neutral); // the IoU is judged, in its interval
+    EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2),
+              Verdict::Neutral); // the IoU is judged, in its interval
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"all=1%"}), Verdict::Neutral);
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"silhouette.missing_px=0.5"}), Verdict::Regression);
     EXPECT_EQ(verdictOf("silhouette.hausdorff95_px", 1, 2), Verdict::Regression); // no count

@@ -32,19 +32,35 @@ std::optional<Camera> cameraOf(const ForeignFrame& reference, const ForeignFrame
     return camera ? camera : cameraFromHeader(test.frame, test.file);
 }
 
+/// What the two headers leave open, or say differently.
+std::vector<std::string> headerNotes(const ForeignFrame& reference, const ForeignFrame& test) {
+    std::vector<std::string> notes;
+    for (const ForeignFrame* each : {&reference, &test})
+        for (const std::string& field : leftOutFields(each->frame, each->file))
+            notes.push_back(fmt::format("{}: the header field '{}' isn't as plumbline writes it: left out",
+                                        each->file, field));
+    const auto differ = [&](const char* key) {
+        const std::string a = metadataOf(reference.frame, key, ""), b = metadataOf(test.frame, key, "");
+        return !a.empty() && !b.empty() && a != b;
+    };
+    if (differ("scene_hash"))
+        notes.emplace_back("the headers of the two frames name different scenes (scene_hash)");
+    if (differ("camera") && cameraFromHeader(reference.frame, reference.file) &&
+        cameraFromHeader(test.frame, test.file))
+        notes.emplace_back(
+            "the headers of the two frames name different cameras: the reference's is used for both");
+    return notes;
+}
+
 /// Both frames as the channel table has them; returns what was assumed for that.
 std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& test) {
     if (reference.frame.width() != test.frame.width() || reference.frame.height() != test.frame.height())
         return {}; // the camera isn't that of both; compareFrames refuses them
+    std::vector<std::string> notes = headerNotes(reference, test);
     const std::optional<Camera> camera = cameraOf(reference, test);
-    std::vector<std::string> notes = settleFrame(reference, camera);
-    const auto inReference = cameraFromHeader(reference.frame, reference.file),
-               inTest = cameraFromHeader(test.frame, test.file);
-    if (inReference && inTest && reference.frame.metadata.at("camera") != test.frame.metadata.at("camera"))
-        notes.emplace_back(
-            "the headers of the two frames name different cameras: the reference's is used for both");
-    for (std::string& note : settleFrame(test, camera))
-        notes.push_back(std::move(note));
+    for (ForeignFrame* each : {&reference, &test})
+        for (std::string& note : settleFrame(*each, camera))
+            notes.push_back(std::move(note));
     return notes;
 }
 
