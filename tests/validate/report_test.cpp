@@ -179,8 +179,7 @@ TEST(ReportPage, MarksTheBestAndTheMissed) {
     const std::string page = reportPage(results, {}, {});
     EXPECT_THAT(page, HasSubstr("<td class=\"fail\" data-value=\"0.5\">0.50000"));
     EXPECT_THAT(page, HasSubstr("misses 1 of 2 required"));
-    EXPECT_THAT(page,
-                HasSubstr("Not reached: silhouette.iou: required silhouette.iou &gt;= 0.9, found 0.5."));
+    EXPECT_THAT(page, HasSubstr(">Required silhouette.iou &gt;= 0.9, found 0.5.<"));
     EXPECT_THAT(page, HasSubstr("isn't reached is"));
 
     results.techniques[0].requirements = {
@@ -189,6 +188,10 @@ TEST(ReportPage, MarksTheBestAndTheMissed) {
     EXPECT_THAT(ofObject, HasSubstr("<tr><th scope=\"row\">object 1</th><td class=\"fail\">"));
     EXPECT_THAT(ofObject, Not(HasSubstr("<td class=\"fail\" data-value=\"0.5\">"))); // the pooled one
     EXPECT_THAT(ofObject, HasSubstr("<tr><th scope=\"row\">object 2</th><td>"));
+
+    results.techniques[0].requirements = {{"shadow.agreement >= 0.9", "shadow.sun.agreement", 0.5, false}};
+    EXPECT_THAT(reportPage(results, {}, {}),
+                HasSubstr(">Required shadow.agreement &gt;= 0.9, found 0.5 in shadow.sun.agreement.<"));
 
     results.techniques.back().control = true; // then there is nobody to be better than
     EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("class=\"best\" data-value")));

@@ -147,11 +147,14 @@ data objectRows(const TechniqueOutcome& technique, const std::vector<Column>& co
 /// What it was to reach and didn't, a sentence each.
 std::vector<std::string> missedRequirements(const TechniqueOutcome& technique) {
     std::vector<std::string> missed;
-    for (const RequirementResult& each : technique.requirements)
-        if (!each.passed)
-            missed.push_back(fmt::format("{}: required {}, found {}", each.key, each.requirement,
-                                         each.value ? fmt::format("{}", *each.value)
-                                                    : "no figure (" + each.value.reason() + ")"));
+    for (const RequirementResult& each : technique.requirements) {
+        if (each.passed) continue;
+        const bool named = each.requirement.starts_with(each.key + " "); // else it is of every light
+        missed.push_back(fmt::format("Required {}, found {}{}", each.requirement,
+                                     each.value ? fmt::format("{}", *each.value)
+                                                : "no figure (" + each.value.reason() + ")",
+                                     named ? "" : " in " + each.key));
+    }
     return missed;
 }
 
