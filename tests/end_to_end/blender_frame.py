@@ -13,8 +13,12 @@ import os
 import sys
 
 import bpy
-import numpy
 from mathutils import Matrix
+
+try:
+    import numpy
+except ImportError:  # Debian's package of Blender doesn't bring it
+    sys.exit("blender_frame.py: NumPy is missing; try: apt install python3-numpy")
 
 VERTEX = numpy.dtype([("position", "<f4", 3), ("normal", "<f4", 3), ("st", "<f4", 2)])
 FACE = numpy.dtype([("count", "u1"), ("corners", "<i4", 3), ("object_id", "<i4")])

@@ -16,8 +16,7 @@ class BlenderFrame : public EndToEnd {
     void SetUp() override {
         EndToEnd::SetUp();
         if (std::system("command -v blender > /dev/null") != 0)
-            GTEST_SKIP()
-                << "no blender on this machine (Debian: apt-get install --no-install-recommends blender)";
+            GTEST_SKIP() << "no blender on this machine (Debian: apt install blender python3-numpy)";
     }
     /// blender's exit code, 124 where it takes longer than four minutes; what it says is in blender.log.
     int runBlender(const std::string& mesh, const std::string& camera, const std::string& out) const {
