@@ -15,10 +15,12 @@ struct Camera {
     Vec3 targetWorld{0, 0, 0};
     Vec3 upWorld{0, 1, 0};
     Projection projection = Projection::Perspective;
-    double fovYDegrees = 40;  // perspective: vertical field of view
-    double viewHeight = 2;    // orthographic: world units from the bottom to the top of the picture
-    int width = 800;          // pixels
+    double fovYDegrees = 40; // perspective: vertical field of view
+    double viewHeight = 2;   // orthographic: world units from the bottom to the top of the picture
+    int width = 800;         // pixels
     int height = 600;
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// World to view space: a rotation and a translation.
@@ -40,7 +42,9 @@ class CameraRays {
     /// ones in the camera's plane.
     Ray ray(double x, double y) const;
     /// Planar depth of a world point.
-    double planarDepth(const Vec3& positionWorld) const { return glm::dot(positionWorld - origin_, forward_); }
+    double planarDepth(const Vec3& positionWorld) const {
+        return glm::dot(positionWorld - origin_, forward_);
+    }
     /// Unit vector from a world point towards the camera.
     Vec3 towardsCamera(const Vec3& positionWorld) const;
 

@@ -18,6 +18,17 @@ constexpr int64_t kMostPixels = int64_t(1) << 28;
 constexpr double kSmallestUpSine = 1e-6;
 constexpr double kSmallestFovYDegrees = 1e-3, kLargestFovYDegrees = 179.9;
 
+std::optional<CameraFault> findRangeFault(const char* field, double value, double low, double high) {
+    if (value >= low && value <= high) return std::nullopt;
+    return CameraFault{field, fmt::format("is {}", value), fmt::format("{} to {}", low, high)};
+}
+
+std::optional<CameraFault> findPlaceFault(const char* field, const Vec3& place) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (auto fault = findRangeFault(field, place[axis], -kLargestLength, kLargestLength)) return fault;
+    return std::nullopt;
+}
+
 /// `orbit = { distance, polar_degrees, azimuth_degrees }`: around the target, seen from `polar_degrees` off world +Y, towards +Z
 /// at azimuth 0 and +X at 90. The picture's up is where the polar angle falls, so that straight from above is a view
 /// like any other.
@@ -31,6 +42,8 @@ void readOrbit(const TomlTable& table, Camera& camera) {
     camera.positionWorld =
         camera.targetWorld + distance * (std::cos(polar) * Vec3(0, 1, 0) + std::sin(polar) * level);
     camera.upWorld = std::sin(polar) * Vec3(0, 1, 0) - std::cos(polar) * level;
+    if (const auto fault = findPlaceFault("position", camera.positionWorld))
+        table.fail("orbit", "puts the camera outside: its position " + fault->found, fault->expected);
 }
 
 void readPlace(const TomlTable& table, Camera& camera) {
@@ -75,17 +88,6 @@ std::optional<CameraFault> findAxesFault(const Camera& camera) {
     if (!(glm::length(camera.upWorld) > 0)) return CameraFault{"up", "is zero", "a direction"};
     if (glm::length(glm::cross(glm::normalize(view), glm::normalize(camera.upWorld))) < kSmallestUpSine)
         return CameraFault{"up", "is parallel to the view direction", "a direction that points elsewhere"};
-    return std::nullopt;
-}
-
-std::optional<CameraFault> findRangeFault(const char* field, double value, double low, double high) {
-    if (value >= low && value <= high) return std::nullopt;
-    return CameraFault{field, fmt::format("is {}", value), fmt::format("{} to {}", low, high)};
-}
-
-std::optional<CameraFault> findPlaceFault(const char* field, const Vec3& place) {
-    for (int axis = 0; axis < 3; ++axis)
-        if (auto fault = findRangeFault(field, place[axis], -kLargestLength, kLargestLength)) return fault;
     return std::nullopt;
 }
 

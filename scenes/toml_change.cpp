@@ -4,12 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace plumbline {
 namespace {
 
 bool isTables(const TomlValue& value) {
     const auto* array = value.as<TomlValue::Array>();
-    return array && !array->empty() && array->front().as<std::shared_ptr<TomlNode>>();
+    return array && !array->empty() &&
+           std::all_of(array->begin(), array->end(), [](const TomlValue& element) {
+               return element.as<std::shared_ptr<TomlNode>>() != nullptr;
+           });
 }
 
 /// Keys of a table that lead to other tables.

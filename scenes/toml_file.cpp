@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace plumbline {
@@ -124,19 +123,6 @@ TomlTable::TomlTable(std::shared_ptr<TomlNode> node) : node_(std::move(node)) {}
 
 TomlTable TomlTable::readFile(const std::filesystem::path& file) {
     return parse(file.string(), readWholeFile(file));
-}
-
-void checkKeyDepth(const std::string& where, std::string_view text) {
-    // Dots with nothing but letters, blanks and quotes between: those of one key, or of a text, which has fewer.
-    constexpr int kMostParts = 1000;
-    int dots = 0;
-    for (const char c : text) {
-        const bool ofKey = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-                           std::string_view("_-. \t\"'").find(c) != std::string_view::npos;
-        dots = ofKey ? dots + (c == '.') : 0;
-        if (dots > kMostParts)
-            throw InputError(where, fmt::format("has a key of more than {} parts", kMostParts), "a few");
-    }
 }
 
 TomlTable TomlTable::parse(const std::string& fileName, const std::string& text) {

@@ -41,6 +41,11 @@ TEST_F(ChangedScene, TheHashTellsChangesApart) {
     EXPECT_EQ(narrow, readChanged({"camera.width=300"}).hash);
     EXPECT_EQ(narrow, read(with("width = 64", "width = 300")).hash); // the same scene
     EXPECT_EQ(plain, readChanged({R"(require={"silhouette.iou" = ">= 0.99"})"}).hash);
+    EXPECT_EQ(readChanged({"camera.fov_y_degrees=50"}).hash, readChanged({"camera.fov_y_degrees=50.0"}).hash);
+    EXPECT_EQ(readChanged({"camera.target=[0, 0.0, 0]"}).hash,
+              readChanged({"camera.target=[-0.0, 0, 0]"}).hash);
+    EXPECT_NE(readChanged({"camera.target=[0, 1, 0]"}).hash, readChanged({"camera.target=[1, 0, 0]"}).hash);
+    EXPECT_NE(readChanged({"purpose=\"1\""}).hash, readChanged({"purpose=\"1.0\""}).hash); // texts stay texts
 }
 
 TEST_F(ChangedScene, MistakesAreToldByTheirChange) {
@@ -59,6 +64,10 @@ TEST_F(ChangedScene, MistakesAreToldByTheirChange) {
               "you mean 'torus'?");
     EXPECT_EQ(messageOfChange("object.torus=2"),
               "--scene-set object.torus=2: 'object' is an array of 2; expected object.NAME.FIELD=VALUE");
+    EXPECT_THAT(inputErrorOf([&] {
+                    readChanged({"light=[{ name = \"a\" }, 3]", "light.b.name=\"c\""});
+                }),
+                testing::HasSubstr("'light' is an array of 2; expected"));
     EXPECT_EQ(messageOfChange("purpose.a.b=2"),
               "--scene-set purpose.a.b=2: 'purpose' is the text \"A test\"; expected a table");
     EXPECT_EQ(messageOfChange("camera.=2"),
@@ -100,6 +109,9 @@ TEST_F(SceneFile, AnOrbitPlacesTheCameraAroundItsTarget) {
 TEST_F(SceneFile, AnOrbitStandsAlone) {
     EXPECT_EQ(messageFor(with("up = [0, 1, 0.5]", "orbit = { distance = 2, polar_degrees = 10 }")),
               "scene.toml:5: camera.position: stands beside orbit; expected one of the two");
+    EXPECT_EQ(messageFor(with(kPlace, "target = [0, 1, 0]\norbit = { distance = 1e9, polar_degrees = 0 }\n")),
+              "scene.toml:6: camera.orbit: puts the camera outside: its position is 1000000001; expected "
+              "-1000000000 to 1000000000");
     EXPECT_EQ(messageFor(with(kPlace, "orbit = { distance = 2, polar_degrees = 200 }\n")),
               "scene.toml:5: camera.orbit.polar_degrees: is 200; expected a number from 0 to 180");
 }

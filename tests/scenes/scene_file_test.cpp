@@ -279,6 +279,7 @@ TEST_F(SceneFile, HashFollowsEveryByteThatMatters) {
     EXPECT_NE(read(with("A test", "B test")).hash, hash);
     EXPECT_EQ(read(std::string(kWholeScene) + "\n# a comment\n").hash, hash);
     EXPECT_EQ(read(with("0.1", "1e-1")).hash, hash);
+    EXPECT_EQ(read(with("width = 64\nheight = 48", "height = 48\nwidth = 64")).hash, hash);
     EXPECT_NE(read(with("0.1", "0.10000000000000002")).hash, hash); // the next double
 
     writePng(folder_ / "maps/stone.png", 2, 1, {0, 0, 0, 52, 52, 52});

@@ -106,10 +106,29 @@ TEST(TomlFile, KeysAreNoDeeperThanTheParserCanGo) {
     };
     EXPECT_TRUE(parse(deep(1000) + " = 1").has("a"));
     EXPECT_EQ(inputErrorOf([&] { parse(deep(100000) + " = 1"); }),
-              "a.toml: has a key of more than 1000 parts; expected a few");
+              "a.toml: has keys of more than 1000 parts within each other; expected a few");
     EXPECT_EQ(
         inputErrorOf([&] { parse("b = 1").change("--scene-set", "b", "{ " + deep(100000) + " = 1 }"); }),
-        "--scene-set: has a key of more than 1000 parts; expected a few");
+        "--scene-set: has keys of more than 1000 parts within each other; expected a few");
+    // Inline tables within each other, also one after another in an array, keys in quotes, quotes and braces in texts.
+    const auto nested = [&](int levels, const std::string& key, const std::string& before = "") {
+        std::string text = "b = ";
+        for (int i = 0; i < levels; ++i)
+            text += before + "{ " + key + " = ";
+        text += "1";
+        for (int i = 0; i < levels; ++i)
+            text += " }" + std::string(before.empty() ? "" : " ]");
+        return text + "\n";
+    };
+    const std::string quoted = deep(90) + ".'/'.\"=\\\"{\"";
+    EXPECT_TRUE(parse(nested(10, deep(90))).has("b"));
+    EXPECT_TRUE(parse(nested(10, quoted)).has("b"));
+    for (const std::string& text :
+         {nested(12, deep(90)), nested(12, quoted), nested(12, deep(90), "[ { c = 2 }, "),
+          "t = \"\"\"a \"quote\" }}\\\"\"\"\"\"\n# isn't {\n" + nested(12, deep(90)),
+          "t = '''}'it''''\n" + nested(12, deep(90))})
+        EXPECT_THAT(inputErrorOf([&] { parse(text); }), HasSubstr("parts within each other")) << text;
+    EXPECT_TRUE(parse("t = \"" + std::string(2000, '.') + "\" # " + std::string(2000, '.') + "\n").has("t"));
 }
 
 } // namespace
