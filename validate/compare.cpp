@@ -142,7 +142,8 @@ Comparison compareFrames(const Frame& reference, const Frame& test, const std::v
               std::move(rims),
               lightsFromHeader(reference, "reference"),
               camera};
-    if (view.lights.empty()) view.lights = lightsFromHeader(test, "test");
+    for (const Light& light : lightsFromHeader(test, "test")) // in either header; the reference's goes first
+        if (!view.light(light.name)) view.lights.push_back(light);
 
     const std::vector<size_t> relief = pair.reliefObjects();
     const bool several = relief.size() != 1; // pooled over one, figures are that one's

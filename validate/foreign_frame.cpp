@@ -109,10 +109,10 @@ class FrameSettler {
             covered_[pixel] = plane[pixel] >= 0.5f;
         if (!frame_.has("Z") || (isOwn() && isPlumblines(frame_))) return;
         const auto depth = frame_.channel("Z");
-        size_t unnumbered = 0, depthless = 0;
+        size_t uncovered = 0, depthless = 0;
         for (size_t pixel = 0; pixel < covered_.size(); ++pixel) {
             if (isDepth(depth[pixel])) {
-                unnumbered += !covered_[pixel];
+                uncovered += !covered_[pixel];
                 continue;
             }
             depthless += covered_[pixel];
@@ -122,9 +122,9 @@ class FrameSettler {
             say(fmt::format(
                 "{} covered pixels have no depth: none that is finite, > 0 and neither 1e10 nor 65504",
                 depthless));
-        if (unnumbered > 0)
-            say(fmt::format("{} pixels have a depth but no object's number: they count as nothing",
-                            unnumbered));
+        if (uncovered > 0)
+            say(fmt::format("{} pixels have a depth but {}: they count as nothing", uncovered,
+                            frame_.has("id") ? "no object's number" : "A < 0.5"));
     }
 
     /// Blender's A is 1 all over unless the film is transparent; its depth knows better.

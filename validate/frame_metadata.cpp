@@ -15,7 +15,7 @@ namespace plumbline {
 namespace {
 
 [[noreturn]] void refuse(const std::string& where, const std::string& key, const std::string& value,
-                         const char* expected) {
+                         const std::string& expected) {
     throw InputError(fmt::format("{}: header field '{}'", where, key),
                      fmt::format("'{}' can't be read", value), expected);
 }
@@ -70,27 +70,31 @@ constexpr int kLargestMapSide = 1 << 24;
 const std::string kLightPrefix = "light.";
 constexpr int kLargestFrameSide = 1 << 24;
 
-void readObjectField(const std::string& field, const std::string& value, const std::string& where,
-                     const std::string& key, ObjectInfo& object) {
+/// What was expected, where the field can't be read: it is unknown then.
+std::optional<std::string> readObjectField(const std::string& field, const std::string& value,
+                                           ObjectInfo& object) {
+    Words words(value);
     if (field == "name") {
         object.name = value;
-        return;
-    }
-    Words words(value);
-    if (field == "relief_depth") {
+    } else if (field == "relief_depth") {
         object.reliefDepth = words.number();
-        if (!words.ok() || *object.reliefDepth < 0) refuse(where, key, value, "a number >= 0, world units");
+        if (words.ok() && *object.reliefDepth >= 0) return std::nullopt;
+        object.reliefDepth.reset();
+        return "a number >= 0, world units";
     } else if (field == "map_texels") {
+        const int width = words.count(kLargestMapSide), height = words.count(kLargestMapSide);
+        if (!words.ok()) return "two whole numbers: width height";
         if (!object.map) object.map.emplace();
-        object.map->width = words.count(kLargestMapSide);
-        object.map->height = words.count(kLargestMapSide);
-        if (!words.ok()) refuse(where, key, value, "two whole numbers: width height");
+        object.map->width = width;
+        object.map->height = height;
     } else if (field == "map_wrap") {
+        const bool repeatS = words.repeats(), repeatT = words.repeats();
+        if (!words.ok()) return "two words of: repeat clamp";
         if (!object.map) object.map.emplace();
-        object.map->repeatS = words.repeats();
-        object.map->repeatT = words.repeats();
-        if (!words.ok()) refuse(where, key, value, "two words of: repeat clamp");
+        object.map->repeatS = repeatS;
+        object.map->repeatT = repeatT;
     }
+    return std::nullopt;
 }
 
 } // namespace
@@ -118,7 +122,9 @@ bool isPlumblines(const Frame& frame) {
     return program != frame.metadata.end() && program->second.starts_with("plumbline");
 }
 
-std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string& where) {
+/// Appends the keys of fields of another program that can't be read to `leftOut`.
+static std::vector<ObjectInfo> readObjects(const Frame& frame, const std::string& where,
+                                           std::vector<std::string>& leftOut) {
     constexpr std::string_view kPrefix = "object.";
     std::map<int, ObjectInfo> byId;
     for (const auto& [key, value] : frame.metadata) {
@@ -135,7 +141,10 @@ std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string&
             entry->second.name = fmt::format("object {}", id);
             entry->second.reliefDepth = 0; // a header that names an object says so where it has a relief
         }
-        readObjectField(key.substr(dot + 1), value, where, key, entry->second);
+        if (const auto expected = readObjectField(key.substr(dot + 1), value, entry->second)) {
+            if (isPlumblines(frame)) refuse(where, key, value, *expected);
+            leftOut.push_back(key);
+        }
     }
     std::vector<ObjectInfo> objects;
     for (auto& [id, object] : byId) {
@@ -143,6 +152,11 @@ std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string&
         objects.push_back(std::move(object));
     }
     return objects;
+}
+
+std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string& where) {
+    std::vector<std::string> leftOut;
+    return readObjects(frame, where, leftOut);
 }
 
 std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& where) {
@@ -207,6 +221,7 @@ std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where
 
 std::vector<std::string> leftOutFields(const Frame& frame, const std::string& where) {
     std::vector<std::string> fields;
+    readObjects(frame, where, fields);
     if (frame.metadata.contains("camera") && !cameraFromHeader(frame, where)) fields.emplace_back("camera");
     const std::vector<Light> lights = lightsFromHeader(frame, where);
     for (const std::string& name : frame.lightNames())

@@ -13,7 +13,7 @@ namespace plumbline {
 std::vector<ObjectInfo> objectsOf(const Scene& scene);
 
 /// The same from a frame's header, by its keys `object.<id>.…`; empty if it has none. Throws InputError, with
-/// `where` in front, for a value that can't be read.
+/// `where` in front, for a value of this program's that can't be read; another's is left out.
 std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string& where);
 
 /// Whether this program wrote the frame; headers of others may use the same words for other things.
@@ -27,7 +27,7 @@ std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& wh
 /// out. Throws likewise.
 std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where);
 
-/// The camera, and the lights the frame has shadows of, that are another program's word and left out: names of header fields. Throws
+/// The camera, the lights the frame has shadows of and what is said of objects that are another program's word and left out: names of header fields. Throws
 /// likewise.
 std::vector<std::string> leftOutFields(const Frame& frame, const std::string& where);
 

@@ -121,12 +121,13 @@ Requirement parseRequirement(const std::string& text, const std::string& where) 
     const std::string bound = trimmed(text.substr(at + length));
     requirement.bound = parseBound(bound, where);
     requirement.key = trimmed(text.substr(0, at));
-    requirement.text = fmt::format("{} {} {}", requirement.key, requirement.comparison, bound);
     if (const size_t object = requirement.key.find('@'); object != std::string::npos) {
         requirement.object = trimmed(requirement.key.substr(object + 1));
         requirement.key = trimmed(requirement.key.substr(0, object));
         if (requirement.object.empty()) throw InputError(where, "nothing follows '@'", kForm);
     }
+    requirement.text = fmt::format("{}{}{} {} {}", requirement.key, requirement.object.empty() ? "" : "@",
+                                   requirement.object, requirement.comparison, bound);
     splitLight(requirement);
     const MetricInfo* metric = findMetric(requirement.key);
     if (!metric) refuseMetric(requirement);

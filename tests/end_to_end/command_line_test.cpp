@@ -212,6 +212,9 @@ TEST_F(EndToEnd, CompareTellsWhereTwoHeadersDiffer) {
     };
     reference.metadata = test.metadata = {{"camera", view}, {"scene_hash", "one"}};
     EXPECT_THAT(compared().out, Not(HasSubstr("headers of the two frames")));
+    test.metadata["camera"] = // the same camera
+        "perspective position 0.0 0.0 3.0 target 0 0 0 up 0 1 0 fov_y_degrees 40.0 size 8 6";
+    EXPECT_THAT(compared().out, Not(HasSubstr("headers of the two frames")));
     test.metadata = {{"camera", "perspective position 0 0 4" + view.substr(view.find(" target"))},
                      {"scene_hash", "other"}};
     const Outcome different = compared();

@@ -97,6 +97,9 @@ TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
     EXPECT_EQ(castPx(lit, dark), 2);
     EXPECT_EQ(castPx(dark, lit), 0);
     EXPECT_EQ(castPx(frame, lit), 2);
+    Frame other = frame; // knows of a light that isn't asked for
+    other.metadata["light.fill"] = "to_light 0 0 -1";
+    EXPECT_EQ(castPx(other, lit), 2);
     const Comparison unknown = compareFrames(frame, frame, {}, Camera());
     EXPECT_THAT(unknown.notes, Contains(HasSubstr("no frame's header says where the light sun is")));
     EXPECT_FALSE(unknown.pooled.shadowKinds.at("sun").cast.agreement);

@@ -113,6 +113,21 @@ TEST(FrameMetadata, ForeignFramesSayNothing) {
     EXPECT_FALSE(cameraFromHeader(frame, "a.exr"));
 }
 
+TEST(FrameMetadata, UnreadableFieldsOfStrangersAreLeftOut) {
+    Frame frame(1, 1);
+    frame.metadata = {{"object.1.name", "box"},
+                      {"object.1.relief_depth", "0.1 m"},
+                      {"object.1.map_texels", "big"},
+                      {"object.2.relief_depth", "0.2"}};
+    const auto objects = objectsFromHeader(frame, "a.exr");
+    ASSERT_EQ(objects.size(), 2u);
+    EXPECT_EQ(objects[0].name, "box");
+    EXPECT_FALSE(objects[0].reliefDepth); // not 0: that would be an object without a relief
+    EXPECT_FALSE(objects[0].map);
+    EXPECT_EQ(objects[1].reliefDepth, 0.2);
+    EXPECT_THAT(leftOutFields(frame, "a.exr"), ElementsAre("object.1.map_texels", "object.1.relief_depth"));
+}
+
 TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
     const auto message = [](const std::string& key, const std::string& value) -> std::string {
         Frame frame(1, 1);

@@ -69,6 +69,11 @@ TEST(Requirement, RefusesWhatItCantRead) {
     EXPECT_THAT(refusal("image.psnr_db@torus > 3"), HasSubstr("no object has a image.psnr_db of its own"));
 }
 
+TEST(Requirement, TextIsTheSameHoweverItIsSpaced) {
+    EXPECT_EQ(parsed(" silhouette.iou @ torus>=0.9 ").text, "silhouette.iou@torus >= 0.9");
+    EXPECT_EQ(parsed("shadow.sun.iou@torus > 0").text, "shadow.sun.iou@torus > 0");
+}
+
 TEST(Requirement, NamesAreChecked) {
     const std::vector<std::string> lights{"sun"}, objects{"torus", "floor"};
     EXPECT_NO_THROW(checkNames(parsed("shadow.sun.iou@torus > 0"), lights, objects));

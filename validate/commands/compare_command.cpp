@@ -45,8 +45,9 @@ std::vector<std::string> headerNotes(const ForeignFrame& reference, const Foreig
     };
     if (differ("scene_hash"))
         notes.emplace_back("the headers of the two frames name different scenes (scene_hash)");
-    if (differ("camera") && cameraFromHeader(reference.frame, reference.file) &&
-        cameraFromHeader(test.frame, test.file))
+    const auto ofReference = cameraFromHeader(reference.frame, reference.file),
+               ofTest = cameraFromHeader(test.frame, test.file);
+    if (ofReference && ofTest && *ofReference != *ofTest)
         notes.emplace_back(
             "the headers of the two frames name different cameras: the reference's is used for both");
     return notes;
