@@ -151,6 +151,7 @@ TEST_F(BadInput, Frames) {
     writeFrame(odd, folder_ / "odd.exr");
     expectFrameRefused("odd.exr", "pixel (3, 2)");
     Frame lying = good;
+    lying.metadata["program"] = "plumbline 0.1.0";
     lying.metadata["object.1.relief_depth"] = "deep";
     writeFrame(lying, folder_ / "lying.exr");
     expectFrameRefused("lying.exr", "relief_depth");
