@@ -1,14 +1,14 @@
-#include "realtime.h"
+#include "realtime/realtime.h"
 
-#include "../scenes/error.h"
-#include "../scenes/scene_metadata.h"
-#include "frame_target.h"
-#include "frame_timer.h"
-#include "gpu_scene.h"
-#include "micro_triangles.h"
-#include "shadow_maps.h"
-#include "technique_program.h"
-#include "view.h"
+#include "scenes/core/error.h"
+#include "scenes/frame/scene_metadata.h"
+#include "realtime/draw/frame_target.h"
+#include "realtime/gl/frame_timer.h"
+#include "realtime/draw/gpu_scene.h"
+#include "realtime/draw/micro_triangles.h"
+#include "realtime/draw/shadow_maps.h"
+#include "realtime/draw/technique_program.h"
+#include "realtime/draw/view.h"
 
 #include <fmt/format.h>
 

@@ -3,9 +3,9 @@
 // World space and world units throughout. Never includes reference/.
 #pragma once
 
-#include "../scenes/frame.h"
-#include "../scenes/micro_mesh.h"
-#include "../scenes/scene.h"
+#include "scenes/frame/frame.h"
+#include "scenes/surface/micro_mesh.h"
+#include "scenes/scene/scene.h"
 
 #include <functional>
 #include <map>

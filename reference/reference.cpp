@@ -1,16 +1,16 @@
-#include "reference.h"
+#include "reference/reference.h"
 
-#include "../scenes/displaced_surface.h"
-#include "../scenes/error.h"
-#include "../scenes/free_memory.h"
-#include "../scenes/scene_metadata.h"
-#include "../scenes/seams.h"
-#include "certify.h"
-#include "embree_scene.h"
-#include "lattice.h"
-#include "rate.h"
-#include "render.h"
-#include "tessellate.h"
+#include "scenes/surface/displaced_surface.h"
+#include "scenes/core/error.h"
+#include "scenes/core/free_memory.h"
+#include "scenes/frame/scene_metadata.h"
+#include "scenes/surface/seams.h"
+#include "reference/certify/certify.h"
+#include "reference/trace/embree_scene.h"
+#include "reference/tessellate/lattice.h"
+#include "reference/rates/rate.h"
+#include "reference/trace/render.h"
+#include "reference/tessellate/tessellate.h"
 
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The keys `compare` reads back (validate/certificate.h).
+/// The keys `compare` reads back (validate/results/certificate.h).
 void addCertificate(const Certificate& certificate, std::map<std::string, std::string>& metadata) {
     const std::pair<const char*, double> figures[] = {
         {"error_px_p50", certificate.pxP50},       {"error_px_p99", certificate.pxP99},

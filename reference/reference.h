@@ -4,9 +4,9 @@
 // World space and world units throughout. Never includes realtime/.
 #pragma once
 
-#include "../scenes/frame.h"
-#include "../scenes/micro_mesh.h"
-#include "../scenes/scene.h"
+#include "scenes/frame/frame.h"
+#include "scenes/surface/micro_mesh.h"
+#include "scenes/scene/scene.h"
 
 #include <cstdint>
 #include <map>

@@ -1,5 +1,5 @@
 // Least and most depth over blocks of cells: level k has blocks of 2^k x 2^k cells, the last one of an odd row also its left-over
-// (inputs/README.md, kind max_mipmap).
+// (realtime/bake/README.md, kind max_mipmap).
 //
 // All levels lie in one picture, level 0 on the left and the others above each other on its right (baked_input.cpp), because
 // llvmpipe reads one level for all four pixels of a quad, also where a shader asks for a level by number.

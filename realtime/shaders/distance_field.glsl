@@ -1,4 +1,4 @@
-// Distances to the relief on a grid of voxels, in units of the relief's depth (inputs/README.md, kind distance_field).
+// Distances to the relief on a grid of voxels, in units of the relief's depth (realtime/bake/README.md, kind distance_field).
 
 uniform sampler2DArray uDistanceField; // layers: slices of equal depth; r: from anywhere in the voxel, g: between centres
 

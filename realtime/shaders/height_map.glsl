@@ -1,4 +1,4 @@
-// The relief depth d(s,t) in GLSL (C++ twin and conventions: scenes/height_map.h). A test holds the two together.
+// The relief depth d(s,t) in GLSL (C++ twin and conventions: scenes/maps/height_map.h). A test holds the two together.
 
 uniform sampler2D uHeightMap;   // R32F depths, row 0 = bottom
 uniform ivec2 uHeightMapClamps; // along s, t: 1 clamp, 0 repeat

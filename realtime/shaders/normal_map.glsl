@@ -1,4 +1,4 @@
-// The relief's normal and depth in one look-up (inputs/README.md, kind normal).
+// The relief's normal and depth in one look-up (realtime/bake/README.md, kind normal).
 
 uniform sampler2DArray uNormalMap; // rgb: unit normal along s, along t, outward, at the scale below; a: relief depth
 uniform vec3 uNormalMapScale;      // sx, sy, sz it was made at

@@ -1,4 +1,4 @@
-// What the harness writes for a surface point, and the one shading formula (C++ twin: kAmbient in scenes/scene.h).
+// What the harness writes for a surface point, and the one shading formula (C++ twin: kAmbient in scenes/scene/scene.h).
 
 layout(location = 0) out vec4 outColor;    // linear R G B; iterations
 layout(location = 1) out vec4 outPosition; // position (relative), planar depth Z

@@ -1,9 +1,9 @@
-#include "bake_bench.h"
+#include "tests/bench/bake_bench.h"
 
-#include "../../realtime/inputs/bake.h"
-#include "../../realtime/inputs/cone_map.h"
-#include "../../realtime/inputs/cone_search.h"
-#include "../../scenes/generate_map.h"
+#include "realtime/bake/bake.h"
+#include "realtime/bake/cone_map.h"
+#include "realtime/bake/cone_search.h"
+#include "scenes/maps/generate_map.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -1,14 +1,14 @@
-#include "harness_bench.h"
+#include "tests/bench/harness_bench.h"
 
-#include "../../realtime/baked_input.h"
-#include "../../realtime/frame_target.h"
-#include "../../realtime/gpu_scene.h"
-#include "../../realtime/realtime.h"
-#include "../../realtime/technique_program.h"
-#include "../../realtime/view.h"
-#include "../../scenes/data_folder.h"
-#include "../../scenes/error.h"
-#include "../../scenes/scene_file.h"
+#include "realtime/draw/baked_input.h"
+#include "realtime/draw/frame_target.h"
+#include "realtime/draw/gpu_scene.h"
+#include "realtime/realtime.h"
+#include "realtime/draw/technique_program.h"
+#include "realtime/draw/view.h"
+#include "scenes/core/data_folder.h"
+#include "scenes/core/error.h"
+#include "scenes/scene_file/scene_file.h"
 
 #include <fmt/format.h>
 

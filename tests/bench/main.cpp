@@ -1,13 +1,13 @@
 // ./plumbline bench [--section=NAME] [Google Benchmark's options]: whole processes, then baked maps, then the metrics of a pair,
 // then what the harness adds to searches, then what a report costs, then stages of the reference and their ratios to bare libraries.
-#include "../../scenes/scene_file.h"
-#include "bake_bench.h"
-#include "harness_bench.h"
-#include "metrics_bench.h"
-#include "process_bench.h"
-#include "report_bench.h"
-#include "stage_bench.h"
-#include "temporary_folder.h"
+#include "scenes/scene_file/scene_file.h"
+#include "tests/bench/bake_bench.h"
+#include "tests/bench/harness_bench.h"
+#include "tests/bench/metrics_bench.h"
+#include "tests/bench/process_bench.h"
+#include "tests/bench/report_bench.h"
+#include "tests/bench/stage_bench.h"
+#include "tests/bench/temporary_folder.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
-#include "metrics_bench.h"
+#include "tests/bench/metrics_bench.h"
 
-#include "../../scenes/scene_metadata.h"
-#include "../../validate/compare.h"
-#include "../../validate/frame_metadata.h"
+#include "scenes/frame/scene_metadata.h"
+#include "validate/compare/compare.h"
+#include "validate/compare/frame_metadata.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

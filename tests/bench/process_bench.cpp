@@ -1,4 +1,4 @@
-#include "process_bench.h"
+#include "tests/bench/process_bench.h"
 
 #include <algorithm>
 #include <chrono>

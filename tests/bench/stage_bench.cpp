@@ -1,12 +1,12 @@
-#include "stage_bench.h"
+#include "tests/bench/stage_bench.h"
 
-#include "../../reference/embree.h"
-#include "../../reference/embree_scene.h"
-#include "../../reference/lattice.h"
-#include "../../reference/render.h"
-#include "../../reference/tessellate.h"
-#include "../../scenes/displaced_surface.h"
-#include "../../scenes/scene_file.h"
+#include "reference/trace/embree.h"
+#include "reference/trace/embree_scene.h"
+#include "reference/tessellate/lattice.h"
+#include "reference/trace/render.h"
+#include "reference/tessellate/tessellate.h"
+#include "scenes/surface/displaced_surface.h"
+#include "scenes/scene_file/scene_file.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/blocked_range.h>

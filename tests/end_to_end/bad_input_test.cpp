@@ -1,7 +1,7 @@
 // Everything a user can get wrong in a scene, a mesh, an image or a frame: exit 2, one line, nothing left behind.
-#include "../../scenes/frame_exr.h"
-#include "../validate/painted_frames.h"
-#include "program.h"
+#include "scenes/frame/frame_exr.h"
+#include "tests/validate/metrics/painted_frames.h"
+#include "tests/end_to_end/program.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

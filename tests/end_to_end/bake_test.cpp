@@ -1,7 +1,7 @@
 // plumbline bake: what it prints and writes, its cache under two processes at once and under damage, and bad input.
-#include "../../scenes/exr_file.h"
-#include "../../scenes/image_file.h"
-#include "program.h"
+#include "scenes/image/exr_file.h"
+#include "scenes/image/image_file.h"
+#include "tests/end_to_end/program.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

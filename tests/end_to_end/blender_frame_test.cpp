@@ -1,5 +1,5 @@
 // Another renderer, given the exported mesh and camera, must draw the very picture: Blender's Cycles by blender_frame.py.
-#include "program.h"
+#include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
 

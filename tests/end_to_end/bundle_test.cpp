@@ -1,5 +1,5 @@
 // The tarball's tree: the installed program with the libraries it needs, which must do without this machine's.
-#include "installed_program.h"
+#include "tests/end_to_end/installed_program.h"
 
 #include <gmock/gmock.h>
 #include <regex>

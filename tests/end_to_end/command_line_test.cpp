@@ -1,7 +1,7 @@
 // Usage, and everything that must not depend on OpenGL: reference, compare, list.
-#include "../../scenes/frame_exr.h"
-#include "../validate/painted_frames.h"
-#include "program.h"
+#include "scenes/frame/frame_exr.h"
+#include "tests/validate/metrics/painted_frames.h"
+#include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
 

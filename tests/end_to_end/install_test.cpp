@@ -1,6 +1,6 @@
 // The installed program, moved to another place than it was installed to.
-#include "../../scenes/data_folder.h"
-#include "installed_program.h"
+#include "scenes/core/data_folder.h"
+#include "tests/end_to_end/installed_program.h"
 
 #include <gmock/gmock.h>
 

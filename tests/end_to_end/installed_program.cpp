@@ -1,4 +1,4 @@
-#include "installed_program.h"
+#include "tests/end_to_end/installed_program.h"
 
 #include <array>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // What `cmake --install` makes of the build, in a folder of the test's.
 #pragma once
 
-#include "program.h"
+#include "tests/end_to_end/program.h"
 
 namespace plumbline::test {
 

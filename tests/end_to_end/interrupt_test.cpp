@@ -1,5 +1,5 @@
 // Ctrl-C in the middle of the work: gone at once, nothing left behind.
-#include "program.h"
+#include "tests/end_to_end/program.h"
 
 #include <chrono>
 #include <csignal>

@@ -1,7 +1,7 @@
 // plumbline new: a scene file that runs.
-#include "../../scenes/frame_exr.h"
-#include "../../scenes/scene_file.h"
-#include "program.h"
+#include "scenes/frame/frame_exr.h"
+#include "scenes/scene_file/scene_file.h"
+#include "tests/end_to_end/program.h"
 
 #include <gmock/gmock.h>
 

@@ -1,4 +1,4 @@
-#include "program.h"
+#include "tests/end_to_end/program.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,5 +1,5 @@
 // Studies as a user runs them: interrupted, killed, gone on with, with cases that fail.
-#include "program.h"
+#include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
 

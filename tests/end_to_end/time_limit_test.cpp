@@ -1,5 +1,5 @@
 // Techniques that loop for ever or take their process down: they cost themselves, never the run.
-#include "program.h"
+#include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 // README, "Add a technique in five steps": the five steps as they are printed there, in an empty folder.
-#include "../../scenes/data_folder.h"
-#include "program.h"
+#include "scenes/core/data_folder.h"
+#include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
 

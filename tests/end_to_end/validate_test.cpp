@@ -1,7 +1,7 @@
 // The main job with OpenGL: reference, techniques, metrics, report.
-#include "../../scenes/data_folder.h"
-#include "../../scenes/frame_exr.h"
-#include "program.h"
+#include "scenes/core/data_folder.h"
+#include "scenes/frame/frame_exr.h"
+#include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
 

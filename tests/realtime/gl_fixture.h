@@ -1,10 +1,10 @@
 // What the tests that need OpenGL share: skipping where there is none, small scenes, pixels of frames.
 #pragma once
 
-#include "../../realtime/gl_context.h"
-#include "../../realtime/realtime.h"
-#include "../../scenes/error.h"
-#include "../../scenes/shapes.h"
+#include "realtime/gl/gl_context.h"
+#include "realtime/realtime.h"
+#include "scenes/core/error.h"
+#include "scenes/mesh/shapes/shapes.h"
 
 #include <gtest/gtest.h>
 

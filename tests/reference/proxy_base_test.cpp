@@ -1,7 +1,7 @@
 // The picture of the proxy base against rays and triangles worked out by hand.
-#include "../../reference/reference.h"
-#include "../../scenes/proxy_mesh.h"
-#include "../../scenes/shapes.h"
+#include "reference/reference.h"
+#include "scenes/surface/proxy_mesh.h"
+#include "scenes/mesh/shapes/shapes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Frames of the reference against answers derived by hand.
-#include "../../reference/reference.h"
-#include "../../scenes/error.h"
-#include "../../scenes/generate_map.h"
-#include "../../scenes/shapes.h"
-#include "test_scenes.h"
+#include "reference/reference.h"
+#include "scenes/core/error.h"
+#include "scenes/maps/generate_map.h"
+#include "scenes/mesh/shapes/shapes.h"
+#include "tests/reference/test_scenes.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,7 +1,7 @@
 // Scenes made in code, small enough to know their pictures by heart.
 #pragma once
 
-#include "../../scenes/scene.h"
+#include "scenes/scene/scene.h"
 
 #include <cmath>
 

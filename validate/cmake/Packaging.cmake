@@ -1,7 +1,7 @@
 # What is installed, and the two packages of it: a Debian package, which names the libraries it needs, and a tarball, which
 # brings them. `./plumbline package`, or `cpack` in the build folder, makes both; `-G DEB` or `-G TGZ` one.
 #
-# The program finds lib/plumbline and share/plumbline from its own place (scenes/data_folder.h): the prefix may be moved.
+# The program finds lib/plumbline and share/plumbline from its own place (scenes/core/data_folder.h): the prefix may be moved.
 install(TARGETS plumbline RUNTIME DESTINATION bin)
 install(TARGETS plumbline_images LIBRARY DESTINATION lib/plumbline)
 set_target_properties(plumbline PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/plumbline")
@@ -22,7 +22,7 @@ install(DIRECTORY validate/studies DESTINATION share/plumbline/validate
 set(doc share/doc/plumbline)
 install(FILES LICENSE DESTINATION ${doc} RENAME copyright)
 install(FILES README.md DESTINATION ${doc})
-foreach(folder scenes reference realtime realtime/inputs validate validate/report validate/study)
+foreach(folder scenes reference realtime realtime/bake validate validate/report validate/study)
     install(FILES ${folder}/README.md DESTINATION ${doc}/${folder})
 endforeach()
 install(DIRECTORY scenes/library/pictures DESTINATION ${doc}/scenes/library)

@@ -1,4 +1,4 @@
-#include "error_curves.h"
+#include "validate/report/error_curves.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // histogram of signed errors. In relief depths, over the domain of the pooled depth figures (../depth_error.h).
 #pragma once
 
-#include "../compare.h"
+#include "validate/compare/compare.h"
 
 #include <array>
 #include <cstdint>

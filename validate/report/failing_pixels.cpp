@@ -1,4 +1,4 @@
-#include "failing_pixels.h"
+#include "validate/report/failing_pixels.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // How many techniques fail at each pixel: where all do, the scene or the base is at fault, where one does, it is.
 #pragma once
 
-#include "../compare.h"
+#include "validate/compare/compare.h"
 
 #include <cstdint>
 #include <string>

@@ -1,8 +1,8 @@
-#include "frame_data.h"
+#include "validate/report/frame_data.h"
 
-#include "../normal_angle.h"
-#include "layer_packing.h"
-#include "pictures.h"
+#include "validate/metrics/normal_angle.h"
+#include "validate/report/layer_packing.h"
+#include "validate/report/pictures.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // What the page shows of a frame: its planes, and how they are told to the page. src/data.ts reads them.
 #pragma once
 
-#include "../compare.h"
+#include "validate/compare/compare.h"
 
 #include <map>
 #include <string>

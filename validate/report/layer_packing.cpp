@@ -1,4 +1,4 @@
-#include "layer_packing.h"
+#include "validate/report/layer_packing.h"
 
 #include <bit>
 #include <stdexcept>

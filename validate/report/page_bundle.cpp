@@ -1,4 +1,4 @@
-#include "page_bundle.h"
+#include "validate/report/page_bundle.h"
 
 // A file as a symbol with its size, read by the assembler: compilers take minutes over arrays of that length.
 #define PLUMBLINE_EMBED(symbol, file)                                                                        \

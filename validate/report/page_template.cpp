@@ -1,7 +1,7 @@
-#include "page_template.h"
+#include "validate/report/page_template.h"
 
-#include "../../scenes/data_folder.h"
-#include "../../scenes/error.h"
+#include "scenes/core/data_folder.h"
+#include "scenes/core/error.h"
 
 #include <fstream>
 #include <sstream>

@@ -1,4 +1,4 @@
-#include "pictures.h"
+#include "validate/report/pictures.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // design").
 #pragma once
 
-#include "../frame_pair.h"
+#include "validate/metrics/frame_pair.h"
 
 #include <array>
 #include <cstdint>

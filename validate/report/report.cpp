@@ -1,13 +1,13 @@
-#include "report.h"
+#include "validate/report/report.h"
 
-#include "../../scenes/error.h"
-#include "../../scenes/image_file.h"
-#include "../../scenes/read_file.h"
-#include "../../scenes/replace_file.h"
-#include "../output_files.h"
-#include "layer_packing.h"
-#include "page_bundle.h"
-#include "pictures.h"
+#include "scenes/core/error.h"
+#include "scenes/image/image_file.h"
+#include "scenes/core/read_file.h"
+#include "scenes/core/replace_file.h"
+#include "validate/results/output_files.h"
+#include "validate/report/layer_packing.h"
+#include "validate/report/page_bundle.h"
+#include "validate/report/pictures.h"
 
 #include <fmt/format.h>
 

@@ -4,11 +4,11 @@
 // Without: index.html without scripts and every picture as PNG. As a single file: index.html alone, whole.
 #pragma once
 
-#include "../../scenes/frame.h"
-#include "failing_pixels.h"
-#include "frame_data.h"
-#include "report_data.h"
-#include "report_page.h"
+#include "scenes/frame/frame.h"
+#include "validate/report/failing_pixels.h"
+#include "validate/report/frame_data.h"
+#include "validate/report/report_data.h"
+#include "validate/report/report_page.h"
 
 #include <filesystem>
 #include <map>

@@ -1,6 +1,6 @@
-#include "report_cells.h"
+#include "validate/report/report_cells.h"
 
-#include "../metric_table.h"
+#include "validate/metrics/metric_table.h"
 
 #include <fmt/format.h>
 

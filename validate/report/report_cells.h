@@ -1,7 +1,7 @@
 // Cells of the report's tables as data for its template. A column is one row of metricColumns(): head, figures, and which end is better.
 #pragma once
 
-#include "../results.h"
+#include "validate/results/results.h"
 
 #include <kainjow/mustache.hpp>
 

@@ -1,13 +1,13 @@
-#include "report_page.h"
+#include "validate/report/report_page.h"
 
-#include "../../scenes/data_folder.h"
-#include "../../scenes/error.h"
-#include "../output_files.h"
-#include "page_bundle.h"
-#include "page_template.h"
-#include "pictures.h"
-#include "report_cells.h"
-#include "report_data.h"
+#include "scenes/core/data_folder.h"
+#include "scenes/core/error.h"
+#include "validate/results/output_files.h"
+#include "validate/report/page_bundle.h"
+#include "validate/report/page_template.h"
+#include "validate/report/pictures.h"
+#include "validate/report/report_cells.h"
+#include "validate/report/report_data.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // The text of report/index.html from results and the names of the pictures beside it.
 #pragma once
 
-#include "../results.h"
+#include "validate/results/results.h"
 
 #include <map>
 #include <string>

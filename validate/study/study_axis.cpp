@@ -1,4 +1,4 @@
-#include "study_axis.h"
+#include "validate/study/study_axis.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The values an axis of a study takes.
 #pragma once
 
-#include "../../scenes/toml_file.h"
-#include "study.h"
+#include "scenes/toml/toml_file.h"
+#include "validate/study/study.h"
 
 namespace plumbline {
 

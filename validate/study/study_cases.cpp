@@ -1,9 +1,9 @@
-#include "study_cases.h"
+#include "validate/study/study_cases.h"
 
-#include "../../scenes/content_hash.h"
-#include "../../scenes/error.h"
-#include "../../scenes/scene_metadata.h"
-#include "../../scenes/toml_file.h"
+#include "scenes/core/content_hash.h"
+#include "scenes/core/error.h"
+#include "scenes/frame/scene_metadata.h"
+#include "scenes/toml/toml_file.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,8 +1,8 @@
 // The cases of a study, each with a name made of its contents, so that what was worked out once is found again.
 #pragma once
 
-#include "../../scenes/scene_file.h"
-#include "study.h"
+#include "scenes/scene_file/scene_file.h"
+#include "validate/study/study.h"
 
 #include <functional>
 

@@ -1,9 +1,9 @@
-#include "../../scenes/data_folder.h"
-#include "../../scenes/error.h"
-#include "../../scenes/scene_file.h"
-#include "../../scenes/toml_file.h"
-#include "study.h"
-#include "study_axis.h"
+#include "scenes/core/data_folder.h"
+#include "scenes/core/error.h"
+#include "scenes/scene_file/scene_file.h"
+#include "scenes/toml/toml_file.h"
+#include "validate/study/study.h"
+#include "validate/study/study_axis.h"
 
 #include <fmt/format.h>
 

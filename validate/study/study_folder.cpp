@@ -1,9 +1,9 @@
-#include "study_folder.h"
+#include "validate/study/study_folder.h"
 
-#include "../../scenes/error.h"
-#include "../../scenes/read_file.h"
-#include "../../scenes/replace_file.h"
-#include "../output_files.h"
+#include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
+#include "scenes/core/replace_file.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

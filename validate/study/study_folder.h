@@ -6,7 +6,7 @@
 //     FOLDER/report/              made of that
 #pragma once
 
-#include "study_cases.h"
+#include "validate/study/study_cases.h"
 
 #include <nlohmann/json_fwd.hpp>
 

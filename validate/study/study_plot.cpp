@@ -1,7 +1,7 @@
-#include "study_plot.h"
+#include "validate/study/study_plot.h"
 
-#include "../../scenes/error.h"
-#include "../../scenes/replace_file.h"
+#include "scenes/core/error.h"
+#include "scenes/core/replace_file.h"
 
 #include <fmt/format.h>
 

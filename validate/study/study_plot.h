@@ -1,7 +1,7 @@
 // Plots of a study, as SVG, by gnuplot (Debian's gnuplot-nox).
 #pragma once
 
-#include "study_results.h"
+#include "validate/study/study_results.h"
 
 namespace plumbline {
 

@@ -1,12 +1,12 @@
-#include "study_report.h"
+#include "validate/study/study_report.h"
 
-#include "../../scenes/error.h"
-#include "../../scenes/replace_file.h"
-#include "../../scenes/scene_metadata.h"
-#include "../output_files.h"
-#include "../report/page_template.h"
-#include "../report/report_cells.h"
-#include "study_plot.h"
+#include "scenes/core/error.h"
+#include "scenes/core/replace_file.h"
+#include "scenes/frame/scene_metadata.h"
+#include "validate/results/output_files.h"
+#include "validate/report/page_template.h"
+#include "validate/report/report_cells.h"
+#include "validate/study/study_plot.h"
 
 #include <fmt/format.h>
 

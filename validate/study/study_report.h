@@ -2,7 +2,7 @@
 // into a text.
 #pragma once
 
-#include "study_results.h"
+#include "validate/study/study_results.h"
 
 namespace plumbline {
 

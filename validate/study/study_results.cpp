@@ -1,8 +1,8 @@
-#include "study_results.h"
+#include "validate/study/study_results.h"
 
-#include "../../scenes/error.h"
-#include "../csv_text.h"
-#include "../flat_figures.h"
+#include "scenes/core/error.h"
+#include "validate/results/csv_text.h"
+#include "validate/results/flat_figures.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // The figures of a study, row by row.
 #pragma once
 
-#include "study_folder.h"
+#include "validate/study/study_folder.h"
 
 #include <optional>
 

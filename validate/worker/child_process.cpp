@@ -1,6 +1,6 @@
-#include "child_process.h"
+#include "validate/worker/child_process.h"
 
-#include "../../scenes/error.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
-#include "message_socket.h"
+#include "validate/worker/message_socket.h"
 
-#include "../../scenes/error.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,8 +1,8 @@
-#include "serve_parent.h"
+#include "validate/worker/serve_parent.h"
 
-#include "../../scenes/error.h"
-#include "worker_descriptor.h"
-#include "worker_protocol.h"
+#include "scenes/core/error.h"
+#include "validate/worker/worker_descriptor.h"
+#include "validate/worker/worker_protocol.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // The frame of a process that works for the one that started it.
 #pragma once
 
-#include "message_socket.h"
+#include "validate/worker/message_socket.h"
 
 #include <functional>
 #include <sys/types.h>

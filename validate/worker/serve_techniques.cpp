@@ -1,10 +1,10 @@
 // The side of the process that draws; technique_worker.h has the other.
-#include "../../realtime/gl_context.h"
-#include "../../scenes/error.h"
-#include "../../scenes/scene_file.h"
-#include "serve_parent.h"
-#include "technique_worker.h"
-#include "worker_protocol.h"
+#include "realtime/gl/gl_context.h"
+#include "scenes/core/error.h"
+#include "scenes/scene_file/scene_file.h"
+#include "validate/worker/serve_parent.h"
+#include "validate/worker/technique_worker.h"
+#include "validate/worker/worker_protocol.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,9 +1,9 @@
-#include "technique_worker.h"
+#include "validate/worker/technique_worker.h"
 
-#include "../../scenes/error.h"
-#include "child_process.h"
-#include "worker_descriptor.h"
-#include "worker_protocol.h"
+#include "scenes/core/error.h"
+#include "validate/worker/child_process.h"
+#include "validate/worker/worker_descriptor.h"
+#include "validate/worker/worker_protocol.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

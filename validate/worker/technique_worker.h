@@ -5,8 +5,8 @@
 // technique after technique: starting it takes up to half a second.
 #pragma once
 
-#include "../../realtime/realtime.h"
-#include "../commands/commands.h"
+#include "realtime/realtime.h"
+#include "validate/cli/commands.h"
 
 #include <filesystem>
 

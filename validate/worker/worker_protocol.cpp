@@ -1,6 +1,6 @@
-#include "worker_protocol.h"
+#include "validate/worker/worker_protocol.h"
 
-#include "../../scenes/error.h"
+#include "scenes/core/error.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,8 +6,8 @@
 // A result is followed by its frame's planes. A field more in TechniqueResult is one line in each of the two functions.
 #pragma once
 
-#include "../../realtime/realtime.h"
-#include "message_socket.h"
+#include "realtime/realtime.h"
+#include "validate/worker/message_socket.h"
 
 #include <exception>
 #include <filesystem>

@@ -91,7 +91,7 @@ export interface ReportData {
 }
 export type PaletteColor = "nothing" | "agree" | "missing" | "extra" | "other" | "dark" | "invalid" | "unshared";
 
-/** What the reference says of itself: uncertain unless it plainly isn't (validate/frame_pair.h). */
+/** What the reference says of itself: uncertain unless it plainly isn't (validate/metrics/frame_pair.h). */
 export function saysUncertain(value: number): boolean {
   return !(value < 0.5);
 }

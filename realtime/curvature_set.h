@@ -1,9 +1,0 @@
-// Which quadrics of the proxy's vertices (scenes/quadric_fit.h) a technique is given as the curvature of its base.
-#pragma once
-
-namespace plumbline {
-
-/// TwoTerms: C = 0.
-enum class CurvatureSet { RingTwoTerms, RingThreeTerms, LimitTwoTerms, LimitThreeTerms };
-
-} // namespace plumbline

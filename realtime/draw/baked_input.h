@@ -1,0 +1,48 @@
+// Baked maps as a shader sees them: the GLSL that reads a kind, its sampler, its texture.
+#pragma once
+
+#include "scenes/surface/proxy_mesh.h"
+#include "realtime/gl/gl_objects.h"
+#include "realtime/bake/bake.h"
+
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+/// What the kinds that are read in one way have in common. A technique takes one kind of a family at most.
+struct BakedFamily {
+    const char* shader;       // in shaders/
+    const char* sampler;      // sampler2DArray; slices are the array's layers
+    const char* scaleUniform; // vec3, the BakeScale it was baked at; null: it has none
+    int unit;                 // texture unit
+    bool packsLevels;         // all levels in one picture (packLevels); else level 0 alone is sent
+    std::vector<const char*> kinds;
+};
+const std::vector<BakedFamily>& bakedFamilies();
+/// The first texture unit behind the height map's, the colour map's and those of the families.
+int unitBehindBaked();
+/// Throws InputError for a name that is no kind of baked map.
+const BakedFamily& bakedFamily(const std::string& kind);
+
+/// Mapping scales over an object's proxy, world units per unit of s and t.
+struct ReliefExtents {
+    Vec2 mean{0}; // 0 where the texture coordinates have no extent anywhere
+    /// No way on the proxy is shorter than with these as orthogonal scales; 0 where the coordinates have no extent somewhere.
+    Vec2 least{0};
+};
+ReliefExtents reliefExtents(const ProxyMesh& proxy);
+
+/// The metric an object's relief is baked in. Normals are turned from scale to scale in the shader: any will do, the mean
+/// one is taken. Distances must not be longer than they are anywhere: the least. Throws InputError where the texture
+/// coordinates have no extent.
+BakeScale bakeScale(const ReliefExtents& extents, const SceneObject& object, const std::string& kind);
+
+/// Levels of a map of one slice in one picture: level 0 at the lower left, level k > 0 right of it at
+/// height h0 - floor(h0 / 2^(k-1)) + k - 1, which is never less than the levels below it take.
+BakedMap::Level packLevels(const BakedMap& map);
+
+/// Throws MachineError if the map doesn't fit this OpenGL.
+GlTexture makeBakedTexture(const BakedMap& map);
+
+} // namespace plumbline

@@ -1,0 +1,177 @@
+#include "realtime/draw/frame_target.h"
+
+#include "scenes/core/error.h"
+#include "scenes/core/free_memory.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace plumbline {
+namespace {
+
+constexpr double kBytesPerPixelOfTarget = 16; // RGBA32F
+
+void checkSize(int width, int height) {
+    GLint texture = 0, viewport[2] = {0, 0};
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
+    glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport);
+    const int widest = std::min(texture, viewport[0]), tallest = std::min(texture, viewport[1]);
+    if (width > widest || height > tallest)
+        throw MachineError("camera", fmt::format("a picture of {} x {} pixels", width, height),
+                           fmt::format("at most {} x {} on this OpenGL", widest, tallest));
+}
+
+GlTexture makeTarget(GLenum format, int width, int height) {
+    GlTexture texture = GlTexture::make();
+    glBindTexture(GL_TEXTURE_2D, texture.get());
+    const GLenum layout = format == GL_RGBA32F ? GL_RGBA : GL_DEPTH_COMPONENT;
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, layout, GL_FLOAT, nullptr);
+    // No mip levels: without this the texture isn't complete on some drivers.
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    return texture;
+}
+
+/// One channel out of four interleaved ones, turned upside down: GL's row 0 is the bottom row.
+template <class Store>
+void forEachPixel(int width, int height, const std::vector<float>& target, const Store& store) {
+    const auto columns = static_cast<size_t>(width), rows = static_cast<size_t>(height);
+    for (size_t row = 0; row < rows; ++row)
+        for (size_t column = 0; column < columns; ++column)
+            store(row * columns + column, &target[4 * ((rows - 1 - row) * columns + column)]);
+}
+
+} // namespace
+
+FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
+    : scene_(scene), width_(scene.camera.width), height_(scene.camera.height) {
+    if (scene.lights.size() > kMaxLights)
+        throw InputError("light", fmt::format("the scene has {} lights", scene.lights.size()),
+                         fmt::format("at most {} for real-time frames", kMaxLights));
+    checkSize(width_, height_);
+    const std::string what =
+        fmt::format("a frame of {} x {} pixels and {} lights", width_, height_, scene.lights.size());
+    if (context.softwareRasteriser())
+        requireMemory(what, (kTargets * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
+                                static_cast<double>(height_));
+    clearGlErrors();
+    framebuffer_ = GlFramebuffer::make();
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+    std::array<GLenum, kTargets> buffers{};
+    for (int i = 0; i < kTargets; ++i) {
+        textures_.push_back(makeTarget(GL_RGBA32F, width_, height_));
+        buffers[static_cast<size_t>(i)] = GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(i);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[static_cast<size_t>(i)], GL_TEXTURE_2D,
+                               textures_.back().get(), 0);
+    }
+    depth_ = makeTarget(GL_DEPTH_COMPONENT32F, width_, height_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
+    glDrawBuffers(kTargets, buffers.data());
+    checkGl(what);
+    const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
+    if (status != GL_FRAMEBUFFER_COMPLETE)
+        throw MachineError("OpenGL", fmt::format("{}: framebuffer status {:#x}", what, status));
+}
+
+void FrameTarget::begin() const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+    glViewport(0, 0, width_, height_);
+    const GLfloat background[] = {static_cast<float>(scene_.background.x),
+                                  static_cast<float>(scene_.background.y),
+                                  static_cast<float>(scene_.background.z), 0};
+    const GLfloat zero[] = {0, 0, 0, 0}, farthest = 1;
+    for (int i = 0; i < kTargets; ++i)
+        glClearBufferfv(GL_COLOR, i, i == 0 ? background : zero);
+    glClearBufferfv(GL_DEPTH, 0, &farthest);
+}
+
+std::vector<float> FrameTarget::readTarget(int target) const {
+    std::vector<float> pixels(4 * static_cast<size_t>(width_) * static_cast<size_t>(height_));
+    glReadBuffer(GL_COLOR_ATTACHMENT0 + static_cast<GLenum>(target));
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, width_, height_, GL_RGBA, GL_FLOAT, pixels.data());
+    checkGl("reading the frame back");
+    return pixels;
+}
+
+Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
+                        const std::vector<std::string>& channels, bool bentBase) const {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
+    Frame frame(width_, height_);
+    const auto wanted = [&](std::string_view row) {
+        return channels.empty() || std::find(channels.begin(), channels.end(), row) != channels.end();
+    };
+    // Every channel is made here and the unwanted ones go to a plane nobody sees.
+    std::vector<float> unwanted(frame.pixelCount());
+    const auto plane = [&](const char* name) {
+        return wanted(name) ? frame.add(name) : std::span<float>(unwanted);
+    };
+
+    const std::vector<float> texture = readTarget(3);
+    std::vector<float> coverage(frame.pixelCount());
+    forEachPixel(width_, height_, texture,
+                 [&](size_t i, const float* p) { coverage[i] = p[2] > 0 ? 1.0f : 0.0f; });
+    std::vector<float> lookups(frame.pixelCount());
+    {
+        const auto r = plane("R"), g = plane("G"), b = plane("B"), a = plane("A"),
+                   iterations = plane("cost.iterations");
+        forEachPixel(width_, height_, readTarget(0), [&](size_t i, const float* p) {
+            r[i] = p[0], g[i] = p[1], b[i] = p[2], a[i] = coverage[i], iterations[i] = p[3];
+        });
+    }
+    const auto forEachHit = [&](const std::vector<float>& target, const auto& store) {
+        forEachPixel(width_, height_, target, [&](size_t i, const float* p) {
+            if (coverage[i] > 0) store(i, p);
+        });
+    };
+    {
+        const auto x = plane("P.X"), y = plane("P.Y"), z = plane("P.Z"), depth = plane("Z");
+        forEachHit(readTarget(1), [&](size_t i, const float* p) {
+            x[i] = static_cast<float>(p[0] + originWorld.x);
+            y[i] = static_cast<float>(p[1] + originWorld.y);
+            z[i] = static_cast<float>(p[2] + originWorld.z);
+            depth[i] = p[3];
+        });
+    }
+    {
+        const auto x = plane("N.X"), y = plane("N.Y"), z = plane("N.Z"),
+                   heights = plane("cost.fetches.height");
+        forEachHit(readTarget(2), [&](size_t i, const float* p) {
+            x[i] = p[0], y[i] = p[1], z[i] = p[2], heights[i] = p[3];
+            lookups[i] = p[3];
+        });
+    }
+    {
+        const auto s = plane("st.S"), t = plane("st.T"), id = plane("id"),
+                   baked = plane("cost.fetches.baked"), all = plane("cost.fetches");
+        forEachHit(texture, [&](size_t i, const float* p) {
+            const Vec2 origin = stOrigins[static_cast<size_t>(p[2]) - 1];
+            s[i] = static_cast<float>(p[0] + origin.x);
+            t[i] = static_cast<float>(p[1] + origin.y);
+            id[i] = p[2];
+            baked[i] = p[3];
+            all[i] = lookups[i] + p[3];
+        });
+    }
+    const std::vector<float> surface = readTarget(4);
+    if (bentBase) {
+        const auto a = plane("curvature.a"), b = plane("curvature.b"), cross = plane("curvature.cross");
+        forEachHit(surface, [&](size_t i, const float* p) { a[i] = p[1], b[i] = p[2], cross[i] = p[3]; });
+    }
+    if (wanted("shadow.<light>")) readShadows(frame, surface, coverage);
+    return frame;
+}
+
+void FrameTarget::readShadows(Frame& frame, const std::vector<float>& surface,
+                              const std::vector<float>& coverage) const {
+    for (size_t light = 0; light < scene_.lights.size(); ++light) {
+        const auto plane = frame.add(shadowChannel(scene_.lights[light].name));
+        forEachPixel(width_, height_, surface, [&](size_t i, const float* p) {
+            if (coverage[i] > 0) plane[i] = static_cast<float>(static_cast<unsigned>(p[0]) >> light & 1u);
+        });
+    }
+}
+
+} // namespace plumbline

@@ -1,0 +1,44 @@
+// The float targets a frame is drawn into, and the way from there to a Frame.
+#pragma once
+
+#include "scenes/frame/frame.h"
+#include "scenes/scene/scene.h"
+#include "realtime/gl/gl_context.h"
+#include "realtime/gl/gl_objects.h"
+
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+/// Draw buffers; shaders/shading.glsl says what each holds. 8 is what every driver offers.
+inline constexpr int kTargets = 5;
+/// As many as a scene file may have. Shadows share one float, a bit a light: whole numbers up to 2^24 are exact.
+inline constexpr int kMaxLights = 16;
+
+class FrameTarget {
+  public:
+    /// Throws InputError for more than kMaxLights lights, MachineError if the GL can't hold the picture.
+    FrameTarget(const Scene& scene, const GlContext& context);
+
+    /// Binds the targets and clears them to a miss everywhere.
+    void begin() const;
+    /// Reads every channel back. `origin` is added to positions and, by object, `stOrigins` to st; `channels`
+    /// (rows of the channel table) says which to keep, all if empty; those of the curvature are there for a base that
+    /// bends.
+    Frame read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
+               const std::vector<std::string>& channels, bool bentBase) const;
+
+  private:
+    std::vector<float> readTarget(int target) const;
+    void readShadows(Frame& frame, const std::vector<float>& surface,
+                     const std::vector<float>& coverage) const;
+
+    const Scene& scene_;
+    int width_, height_;
+    GlFramebuffer framebuffer_;
+    std::vector<GlTexture> textures_;
+    GlTexture depth_;
+};
+
+} // namespace plumbline

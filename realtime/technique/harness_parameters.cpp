@@ -1,0 +1,101 @@
+#include "realtime/technique/harness_parameters.h"
+
+#include "scenes/core/error.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+using Type = ParameterValue::Type;
+
+bool contains(const std::vector<std::string>& list, const std::string& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
+
+Parameter choiceParameter(std::string name, std::vector<std::string> choices, std::string meaning) {
+    Parameter parameter;
+    parameter.name = std::move(name);
+    parameter.type = Type::Choice;
+    parameter.choices = std::move(choices);
+    parameter.defaultValue = {Type::Choice, 0};
+    parameter.meaning = std::move(meaning);
+    return parameter;
+}
+
+Parameter numberParameter(std::string name, Type type, double low, double high, double defaultValue,
+                          std::string unit, std::string meaning) {
+    Parameter parameter;
+    parameter.name = std::move(name);
+    parameter.type = type;
+    parameter.low = low;
+    parameter.high = high;
+    parameter.defaultValue = {type, defaultValue};
+    parameter.unit = std::move(unit);
+    parameter.meaning = std::move(meaning);
+    return parameter;
+}
+
+/// What search and surface both allow, the default first; last the map, which asks nothing of either.
+std::vector<std::string> allowedShadows(const Manifest& search, const Manifest& surface) {
+    std::vector<std::string> allowed;
+    for (const char* shadow : {"relief", "none"})
+        if (contains(search.shadows, shadow) && contains(surface.shadows, shadow))
+            allowed.emplace_back(shadow);
+    if (allowed.empty())
+        throw InputError(search.file.string(),
+                         fmt::format("its shadows have none in common with surface '{}'", surface.name),
+                         listOf(surface.shadows));
+    allowed.emplace_back("map");
+    return allowed;
+}
+
+Parameter boolParameter(std::string name, bool defaultValue, std::string meaning) {
+    Parameter parameter;
+    parameter.name = std::move(name);
+    parameter.type = Type::Bool;
+    parameter.defaultValue = {Type::Bool, defaultValue ? 1.0 : 0.0};
+    parameter.meaning = std::move(meaning);
+    return parameter;
+}
+
+} // namespace
+
+std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface) {
+    std::vector<Parameter> parameters;
+    parameters.push_back(choiceParameter("filter", {"exact", "hardware"},
+                                         "look-ups: exact bilinear in float, or the sampler's own filter"));
+    const std::vector<std::string> shadows = allowedShadows(search, surface);
+    parameters.push_back(
+        choiceParameter("shadow", shadows,
+                        "cast shadows: a second search along the light; none (attached shadow only); or "
+                        "a map drawn from the light (RP-351, section 3.5)"));
+    // The margin of Watt and Policarpo (2005), chapter 5, listing 5.3. Without one (as in their Fig. 5.11) lit
+    // points shadow themselves: the searches from the camera and from the light stop at slightly different depths.
+    parameters.push_back(
+        numberParameter("shadow_bias", Type::Float, 0, 1, 0.02, "relief depth",
+                        "what stops the light must be this much above a point of a relief to shadow it"));
+    parameters.push_back(numberParameter("shadow_map_size", Type::Int, 16, 8192, 1024, "texels",
+                                         "side of a shadow map, for a point light of each of its six"));
+    parameters.push_back(
+        numberParameter("shadow_map_bias", Type::Float, 0, 1000, 1, "",
+                        "what is in the map must be this many times the bias derived from its texels "
+                        "above a point to shadow it"));
+    parameters.push_back(boolParameter(
+        "triangle_bounds", false,
+        "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)"));
+    parameters.push_back(
+        boolParameter("depth_correction", true,
+                      "the depth buffer holds the hit's depth (RP-351, section 3.5); false: the "
+                      "polygon's, as do Z and what hides what"));
+    if (surface.isBent())
+        parameters.push_back(
+            choiceParameter("coefficients", {"ring", "limit"},
+                            "the base's quadric: fitted to the vertices around, as in RP-351, or "
+                            "with the curvature of the limit surface"));
+    return parameters;
+}
+
+} // namespace plumbline

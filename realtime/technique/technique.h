@@ -1,0 +1,55 @@
+// A technique ready to be drawn: search and surface found, their manifests read, every parameter with its
+// value.
+#pragma once
+
+#include "realtime/technique/curvature_set.h"
+#include "realtime/technique/manifest.h"
+#include "realtime/realtime.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+struct Technique {
+    struct Setting {
+        Parameter parameter;
+        ParameterValue value;
+    };
+
+    Manifest search;
+    std::optional<Manifest> surface;      // none for micro_triangles
+    std::vector<Setting> shaderSettings;  // of search and surface: become constants of the shader
+    std::vector<Setting> harnessSettings; // those README.md lists, as far as they apply
+    std::string name;                     // as in every result
+
+    const Setting* harness(const std::string& settingName) const;
+    /// Text of a harness setting; empty if it doesn't apply.
+    std::string choice(const std::string& settingName) const;
+    bool drawsMicroTriangles() const { return search.geometry == Geometry::MicroTriangles; }
+    bool hasBentBase() const { return surface && surface->isBent(); }
+    /// The quadrics its base is given; only where it is bent.
+    CurvatureSet curvatureSet() const;
+    bool castsReliefShadows() const { return choice("shadow") == "relief"; }
+    bool readsShadowMaps() const { return choice("shadow") == "map"; }
+    bool discardsOutsideTriangle() const { return choice("triangle_bounds") == "true"; }
+    bool correctsDepth() const { return choice("depth_correction") == "true"; }
+    bool hardwareFilter() const { return choice("filter") == "hardware"; }
+    /// Kinds of the baked maps it reads, with choices made.
+    std::vector<std::string> bakedKinds() const;
+    /// Every setting as text.
+    std::map<std::string, std::string> parameters() const;
+    /// The GLSL constants of shaderSettings, one a line.
+    std::string glslConstants() const;
+};
+
+/// Folder of a search: a name of the library, or a path. Throws InputError that lists the names.
+std::filesystem::path techniqueFolder(const std::string& search);
+
+/// Throws InputError: unknown technique or surface, a surface it doesn't compose with, manifest, setting.
+/// Keys of `shared` that the technique doesn't know are ignored.
+Technique resolveTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& shared);
+
+} // namespace plumbline

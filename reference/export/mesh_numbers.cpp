@@ -1,0 +1,82 @@
+#include "reference/export/mesh_numbers.h"
+
+#include <bit>
+#include <cstring>
+
+namespace plumbline {
+namespace {
+
+constexpr uint32_t kNone = ~uint32_t(0);
+
+struct VertexBits {
+    std::array<uint32_t, 8> words;
+    bool operator==(const VertexBits&) const = default;
+
+    VertexBits(const MicroMesh& mesh, uint32_t vertex) {
+        std::memcpy(&words[0], &mesh.positionsWorld[vertex], 12);
+        std::memcpy(&words[3], &mesh.normalsWorld[vertex], 12);
+        std::memcpy(&words[6], &mesh.st[vertex], 8);
+    }
+    /// FNV-1a over words, with its high bits folded into the low ones a table takes.
+    size_t hash() const {
+        uint64_t value = 14695981039346656037u;
+        for (const uint32_t word : words)
+            value = (value ^ word) * 1099511628211u;
+        return value ^ (value >> 32);
+    }
+};
+
+/// A hash table of vertices by value with open addressing; holds indices into the mesh, which stays where it is.
+class VertexTable {
+  public:
+    VertexTable(const MicroMesh& mesh, size_t mostVertices)
+        : mesh_(mesh), slots_(std::bit_ceil(2 * mostVertices + 1), kNone) {}
+
+    /// The vertex equal to this one that was asked for first: itself, if none was.
+    uint32_t firstLike(uint32_t vertex) {
+        const VertexBits bits(mesh_, vertex);
+        for (size_t slot = bits.hash();; ++slot) {
+            uint32_t& entry = slots_[slot & (slots_.size() - 1)];
+            if (entry == kNone) entry = vertex;
+            if (entry == vertex || VertexBits(mesh_, entry) == bits) return entry;
+        }
+    }
+
+  private:
+    const MicroMesh& mesh_;
+    std::vector<uint32_t> slots_;
+};
+
+/// Only these can be repeated: those inside a square patch's grid are alone at their (u, v), those beyond a triangle's long side
+/// aren't.
+bool mayBeRepeated(const MicroMesh& mesh, const MicroGrid& grid, int column, int row) {
+    return column == 0 || row == 0 || column == grid.columns - 1 || row == grid.rows - 1 ||
+           mesh.lattices[grid.patch].triangular;
+}
+
+template <class Visit>
+void forVertices(const MicroMesh& mesh, Visit&& visit) {
+    for (const MicroGrid& grid : mesh.grids)
+        for (int row = 0; row < grid.rows; ++row)
+            for (int column = 0; column < grid.columns; ++column)
+                visit(grid.firstVertex + static_cast<uint32_t>(row * grid.columns + column),
+                      mayBeRepeated(mesh, grid, column, row));
+}
+
+} // namespace
+
+MeshNumbers numberVertices(const MicroMesh& mesh) {
+    size_t repeatable = 0;
+    forVertices(mesh, [&](uint32_t, bool mayRepeat) { repeatable += mayRepeat; });
+    VertexTable table(mesh, repeatable);
+    MeshNumbers numbers;
+    numbers.ofVertex.resize(mesh.positionsWorld.size());
+    forVertices(mesh, [&](uint32_t vertex, bool mayRepeat) {
+        const uint32_t first = mayRepeat ? table.firstLike(vertex) : vertex;
+        numbers.ofVertex[vertex] = first == vertex ? numbers.vertexCount++ : numbers.ofVertex[first];
+    });
+    forTriangles(mesh, [&](uint32_t, uint32_t, uint32_t) { ++numbers.triangleCount; });
+    return numbers;
+}
+
+} // namespace plumbline

@@ -1,0 +1,80 @@
+#include "reference/rates/face_error.h"
+
+#include "scenes/core/nearest_rank.h"
+#include "reference/tessellate/tile.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+FaceErrorProbe::FaceErrorProbe(const BaseSurface& surface, const Relief* relief)
+    : surface_(surface), relief_(relief), firstCorner_(surface.mesh().firstCorners()) {}
+
+Vec2 FaceErrorProbe::texelsAcross(size_t face) const {
+    if (!relief_) return Vec2(0);
+    const ControlMesh& mesh = surface_.mesh();
+    const size_t size = static_cast<size_t>(mesh.faceSizes[face]), corner = firstCorner_[face];
+    const Vec2 texelsOfTile = glm::abs(relief_->tile) * Vec2(relief_->map->width(), relief_->map->height());
+    Vec2 texels(0);
+    for (size_t k = 0; k < size; ++k) {
+        const Vec2 along = mesh.uvs[static_cast<size_t>(mesh.faceUvs[corner + (k + 1) % size])] -
+                           mesh.uvs[static_cast<size_t>(mesh.faceUvs[corner + k])];
+        const Vec2 crossed = glm::abs(along) * texelsOfTile;
+        double& most = texels[isSquare(face) ? static_cast<int>(k % 2) : 0];
+        most = std::max({most, crossed.x, crossed.y});
+    }
+    if (!isSquare(face)) texels.y = texels.x;
+    return texels;
+}
+
+MeasuredError FaceErrorProbe::measure(int patch, const PatchLattice& lattice, int blockColumn, int blockRow,
+                                      BaseSurface::Evaluator& evaluator) const {
+    Tile tile{};
+    tile.patch = patch;
+    tile.column0 = blockColumn * kGridCells;
+    tile.row0 = blockRow * kGridCells;
+    tile.columns = blockCells(lattice.columns, blockColumn);
+    tile.rows = blockCells(lattice.rows, blockRow);
+    evaluator.setPatch(patch);
+    sampleTile(tile, lattice, relief_, evaluator);
+    const Vec2 cells(lattice.columns, lattice.rows);
+    return {tileError(tile, lattice, relief_, evaluator, 0, 0, tile.columns, tile.rows).world,
+            {patch, Vec2(tile.column0, tile.row0) / cells,
+             Vec2(tile.column0 + tile.columns, tile.row0 + tile.rows) / cells}};
+}
+
+MeasuredError FaceErrorProbe::typicalWorst(size_t face, const Vec2i& rate,
+                                           BaseSurface::Evaluator& evaluator) const {
+    const PatchLattice lattice = latticeOf(first(face), rate);
+    const int patches = first(face).subFace ? surface_.mesh().faceSizes[face] : 1;
+    const int firstPatch = surface_.firstPatch(static_cast<int>(face));
+    std::vector<MeasuredError> errors;
+    for (int patch = firstPatch; patch < firstPatch + patches; ++patch)
+        for (int row = 0; row < blocksAlong(lattice.rows); ++row)
+            for (int column = 0; column < blocksInRow(lattice, row); ++column)
+                errors.push_back(measure(patch, lattice, column, row, evaluator));
+    const auto nth = errors.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(errors.size(), 98));
+    std::nth_element(errors.begin(), nth, errors.end(),
+                     [](const MeasuredError& a, const MeasuredError& b) { return a.world < b.world; });
+    return *nth;
+}
+
+MeasuredError FaceErrorProbe::worstWithin(const PatchRegion& region, size_t face, const Vec2i& rate,
+                                          BaseSurface::Evaluator& evaluator) const {
+    const PatchLattice lattice = latticeOf(first(face), rate);
+    const Vec2 blocks = Vec2(lattice.columns, lattice.rows) / double(kGridCells);
+    const auto firstBlock = [](double at) { return static_cast<int>(std::floor(at)); };
+    const auto lastBlock = [](double at) { return std::max(static_cast<int>(std::ceil(at)) - 1, 0); };
+    MeasuredError worst{-1, region};
+    for (int row = firstBlock(region.low.y * blocks.y); row <= lastBlock(region.high.y * blocks.y); ++row)
+        for (int column = firstBlock(region.low.x * blocks.x); column <= lastBlock(region.high.x * blocks.x);
+             ++column) {
+            if (column >= blocksInRow(lattice, row)) continue; // beyond a triangle's long side
+            const MeasuredError error = measure(region.patch, lattice, column, row, evaluator);
+            if (error.world > worst.world) worst = error;
+        }
+    return worst;
+}
+
+} // namespace plumbline

@@ -1,0 +1,158 @@
+#include "reference/rates/face_role.h"
+
+#include "scenes/scene/camera.h"
+#include "scenes/surface/displaced_surface.h"
+#include "reference/certify/edge_screen.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline {
+
+namespace {
+
+// Segments of a face's edge that are looked at.
+constexpr int kLooks = 4;
+// Between the places looked at the surface bulges; a sphere around them is made that much larger.
+constexpr double kBulge = 1.25;
+// Cosine between normal and view from which a face of a closed object is hidden, whatever its relief: slopes of a relief are seldom
+// steeper than that, and where they are the certificate tells.
+constexpr double kTurnedAway = -0.35;
+
+struct Ball {
+    Vec3 centre{0};
+    double radius = 0;
+};
+
+/// Half spaces that the picture's lines of sight lie in: inside is normal . p >= offset.
+struct Halfspace {
+    Vec3 normal;
+    double offset;
+    double above(const Vec3& p) const { return glm::dot(normal, p) - offset; }
+};
+
+std::vector<Halfspace> viewVolume(const Camera& camera) {
+    const CameraRays rays(camera);
+    const double w = camera.width, h = camera.height;
+    const Ray corners[4] = {rays.ray(0, 0), rays.ray(w, 0), rays.ray(w, h), rays.ray(0, h)};
+    const Ray middle = rays.ray(0.5 * w, 0.5 * h);
+    std::vector<Halfspace> volume{{middle.direction, glm::dot(middle.direction, camera.positionWorld)}};
+    for (int k = 0; k < 4; ++k) {
+        const Ray &one = corners[k], &next = corners[(k + 1) % 4];
+        Vec3 normal = glm::cross(one.direction, next.at(1) - one.origin);
+        const double length = glm::length(normal);
+        if (!(length > 0)) continue;
+        normal /= length;
+        if (glm::dot(normal, middle.at(1) - one.origin) < 0) normal = -normal;
+        volume.push_back({normal, glm::dot(normal, one.origin)});
+    }
+    return volume;
+}
+
+bool isOutside(const Ball& ball, const std::vector<Halfspace>& volume) {
+    return std::any_of(volume.begin(), volume.end(),
+                       [&](const Halfspace& half) { return half.above(ball.centre) < -ball.radius; });
+}
+
+/// Whether a ball's shadow can reach the volume: it doesn't if the ball is beyond a plane and its shadow goes on away from it.
+bool shadowReaches(const Ball& ball, const Light& light, const std::vector<Halfspace>& volume) {
+    return std::none_of(volume.begin(), volume.end(), [&](const Halfspace& half) {
+        if (half.above(ball.centre) >= -ball.radius) return false;
+        if (light.kind == Light::Kind::Directional) return glm::dot(half.normal, light.toLightWorld) >= 0;
+        return half.above(light.positionWorld) - half.above(ball.centre) >=
+               ball.radius; // the light is on the near side of the ball
+    });
+}
+
+class Placer {
+  public:
+    Placer(const Scene& scene, const BaseSurface& surface, const Relief* relief)
+        : scene_(scene), surface_(surface), relief_(relief), rays_(scene.camera),
+          screen_(Screen::ofCamera(scene.camera)), volume_(viewVolume(scene.camera)),
+          hidesBacks_(isClosed(surface) && !(relief && relief->axisWorld)) {
+        if (!relief) return;
+        low_ = relief->offset - relief->depth * relief->map->mostDepth();
+        high_ = relief->offset - relief->depth * relief->map->leastDepth();
+    }
+
+    FacePlace place(int face, BaseSurface::Evaluator& evaluator) const {
+        FacePlace result;
+        Bounds bounds;
+        std::vector<Vec3> points;
+        bool turnedAway = hidesBacks_;
+        for (const auto& at : surface_.tessellateFace(face, kLooks).samples) {
+            evaluator.setPatch(at.patch);
+            const BasePoint base = evaluator.point(at.u, at.v);
+            for (const double height : {low_, high_}) {
+                points.push_back(base.position + reliefDirection(base, relief_) * height);
+                bounds.add(points.back());
+            }
+            turnedAway &= glm::dot(base.normal, rays_.towardsCamera(base.position)) < kTurnedAway;
+        }
+        Ball ball{bounds.centre(), 0};
+        for (const Vec3& point : points)
+            ball.radius = std::max(ball.radius, kBulge * glm::length(point - ball.centre));
+        if (!turnedAway && !isOutside(ball, volume_)) {
+            result.role = FaceRole::Seen;
+            result.pixelsPerWorld = nearestScale(points, ball.radius);
+        } else if (std::any_of(scene_.lights.begin(), scene_.lights.end(),
+                               [&](const Light& light) { return shadowReaches(ball, light, volume_); })) {
+            result.role = FaceRole::Casts;
+        }
+        return result;
+    }
+
+  private:
+    static bool isClosed(const BaseSurface& surface) {
+        std::vector<int> uses(static_cast<size_t>(surface.edgeCount()), 0);
+        for (int face = 0; face < surface.mesh().faceCount(); ++face)
+            if (surface.hasLimit(face))
+                for (const int edge : surface.faceEdges(face))
+                    ++uses[static_cast<size_t>(edge)];
+        return std::none_of(uses.begin(), uses.end(), [](int count) { return count == 1; });
+    }
+
+    /// The largest scale among places, none taken nearer to the camera than a fraction of the face's own size.
+    double nearestScale(const std::vector<Vec3>& points, double radius) const {
+        constexpr double kNearestOfRadius = 0.1;
+        double largest = 0;
+        for (const Vec3& point : points) {
+            Vec3 at = screen_.project(point);
+            at.z = std::max(at.z, kNearestOfRadius * radius);
+            // Off the axis lengths are stretched; within the picture by no more than at its corner.
+            const Vec2 half(scene_.camera.width, scene_.camera.height);
+            const Vec2 held = glm::clamp(Vec2(at), Vec2(0), half);
+            largest = std::max(largest, screen_.pixelsPerWorld({held.x, held.y, at.z}));
+        }
+        return largest;
+    }
+
+    const Scene& scene_;
+    const BaseSurface& surface_;
+    const Relief* relief_;
+    CameraRays rays_;
+    Screen screen_;
+    std::vector<Halfspace> volume_;
+    bool hidesBacks_; // closed, and P faces about where its base does: along an axis it may face anywhere
+    double low_ = 0, high_ = 0;
+};
+
+} // namespace
+
+std::vector<FacePlace> placeFaces(const Scene& scene, const BaseSurface& surface, const Relief* relief) {
+    const Placer placer(scene, surface, relief);
+    std::vector<FacePlace> places(static_cast<size_t>(surface.mesh().faceCount()));
+    tbb::parallel_for(tbb::blocked_range<int>(0, surface.mesh().faceCount()),
+                      [&](const tbb::blocked_range<int>& faces) {
+                          BaseSurface::Evaluator evaluator(surface);
+                          for (int face = faces.begin(); face < faces.end(); ++face)
+                              if (surface.hasLimit(face))
+                                  places[static_cast<size_t>(face)] = placer.place(face, evaluator);
+                      });
+    return places;
+}
+
+} // namespace plumbline

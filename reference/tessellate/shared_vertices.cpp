@@ -1,0 +1,314 @@
+#include "reference/tessellate/shared_vertices.h"
+
+#include "scenes/surface/displaced_surface.h"
+#include "scenes/surface/patch_place.h"
+
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+
+#include <memory>
+
+namespace plumbline {
+
+namespace {
+
+// Under Seams::Open faces agree about a place when they put it less than this apart, as a fraction of its coordinates: far above
+// the rounding of two evaluations (2^-50) and below what a float tells apart.
+constexpr double kSamePlace = 0x1p-30;
+
+/// What one face says of a shared place.
+struct Opinion {
+    Vec3 position;       // of the base
+    Vec3 direction;      // of the relief, unit
+    double displacement; // along it
+    Vec2 st;
+    Vec3 displaced() const { return position + direction * displacement; }
+};
+
+/// Position of the first; displacement and its direction the mean of all.
+Vec3 meanPosition(const std::vector<Opinion>& opinions) {
+    Vec3 direction(0);
+    double displacement = 0;
+    for (const Opinion& opinion : opinions) {
+        direction += opinion.direction;
+        displacement += opinion.displacement;
+    }
+    const double length = glm::length(direction);
+    if (!(length > 0)) return opinions[0].position;
+    return opinions[0].position +
+           direction * (displacement / (static_cast<double>(opinions.size()) * length));
+}
+
+bool agree(const Opinion& a, const Opinion& b) {
+    const Vec3 p = a.displaced(), q = b.displaced();
+    return glm::length(p - q) <= kSamePlace * (glm::length(p) + glm::length(q));
+}
+
+} // namespace
+
+class SharedVertexBuilder {
+  public:
+    SharedVertexBuilder(SharedVertices& shared, const Relief* relief, const Rates& rates, bool attributes)
+        : shared_(shared), surface_(shared.surface_), relief_(relief), rates_(rates), attributes_(attributes),
+          open_(relief && relief->seams == Seams::Open),
+          evaluators_([this] { return std::make_unique<BaseSurface::Evaluator>(surface_); }) {}
+
+    void build() {
+        listFaces();
+        shared_.vertices_.resize(shared_.samples_.count() + placeSpokes());
+        sampleMesh();
+        tbb::parallel_for(size_t(0), faces_.size(), [&](size_t f) { sampleSpokes(faces_[f]); });
+    }
+
+  private:
+    struct Face {
+        int face, size;
+    };
+    struct FaceEdge {
+        int faceIndex, k; // into faces_; edge (or corner) of that face
+    };
+    /// Compressed lists of the faces around each edge or each vertex.
+    struct Incidence {
+        std::vector<size_t> first;
+        std::vector<FaceEdge> items;
+        std::span<const FaceEdge> around(int element) const {
+            const size_t begin = first[static_cast<size_t>(element)];
+            return std::span(items).subspan(begin, first[static_cast<size_t>(element) + 1] - begin);
+        }
+    };
+
+    void listFaces() {
+        for (int face = 0; face < surface_.mesh().faceCount(); ++face)
+            if (surface_.hasLimit(face))
+                faces_.push_back({face, static_cast<int>(surface_.faceVertices(face).size())});
+        if (!open_) return;
+        shared_.firstCorner_ = surface_.mesh().firstCorners();
+        shared_.ownVertices_.resize(surface_.mesh().faceVertices.size());
+    }
+
+    bool isCut(const Face& face) const {
+        return surface_.patches()[static_cast<size_t>(surface_.firstPatch(face.face))].subFace;
+    }
+
+    /// Numbers the vertices of all spokes after those of the mesh; returns how many there are.
+    size_t placeSpokes() {
+        const size_t faceCount = static_cast<size_t>(surface_.mesh().faceCount());
+        shared_.faceRates_.assign(faceCount, 0);
+        shared_.spokes_.assign(faceCount, {0, 0});
+        size_t count = 0;
+        for (const Face& face : faces_) {
+            if (!isCut(face)) continue;
+            const auto f = static_cast<size_t>(face.face);
+            const int rate = rates_.faces[f].x;
+            const size_t first = shared_.samples_.count() + count;
+            const size_t ofSpokes = static_cast<size_t>(face.size) * static_cast<size_t>(rate / 2);
+            shared_.faceRates_[f] = rate;
+            shared_.spokes_[f] = {first, first + ofSpokes};
+            count += ofSpokes + 1;
+        }
+        return count;
+    }
+
+    template <typename ElementsOfFace>
+    Incidence incidence(int elementCount, ElementsOfFace elementsOf) const {
+        Incidence result;
+        result.first.assign(static_cast<size_t>(elementCount) + 1, 0);
+        for (const Face& face : faces_)
+            for (const int element : elementsOf(face.face))
+                ++result.first[static_cast<size_t>(element) + 1];
+        for (size_t i = 1; i < result.first.size(); ++i)
+            result.first[i] += result.first[i - 1];
+        result.items.resize(result.first.back());
+        std::vector<size_t> next = result.first;
+        for (size_t f = 0; f < faces_.size(); ++f) {
+            int k = 0;
+            for (const int element : elementsOf(faces_[f].face))
+                result.items[next[static_cast<size_t>(element)]++] = {static_cast<int>(f), k++};
+        }
+        return result;
+    }
+
+    /// Every vertex and every place on an edge, from all the faces around it.
+    void sampleMesh() {
+        const Incidence edges =
+            incidence(surface_.edgeCount(), [&](int face) { return surface_.faceEdges(face); });
+        const Incidence corners =
+            incidence(surface_.vertexCount(), [&](int face) { return surface_.faceVertices(face); });
+        const auto sampleVertex = [&](int vertex) {
+            const std::span<const FaceEdge> faces = corners.around(vertex);
+            if (!faces.empty())
+                samplePlace(static_cast<size_t>(vertex), faces, [](const FaceEdge&) { return 0; });
+        };
+        const auto sampleEdge = [&](int edge) {
+            const std::span<const FaceEdge> faces = edges.around(edge);
+            if (faces.empty()) return;
+            const int rate = rates_.edges[static_cast<size_t>(edge)];
+            const int face = faces_[static_cast<size_t>(faces.front().faceIndex)].face;
+            for (int step = 1; step < rate; ++step) {
+                const size_t number = shared_.samples_.onEdge(face, faces.front().k, step);
+                samplePlace(number, faces, [&](const FaceEdge& side) {
+                    const int of = faces_[static_cast<size_t>(side.faceIndex)].face;
+                    return shared_.samples_.onEdge(of, side.k, step) == number ? step : rate - step;
+                });
+            }
+        };
+        if (open_) { // own vertices are appended, in an order that mustn't depend on threads
+            for (int vertex = 0; vertex < surface_.vertexCount(); ++vertex)
+                sampleVertex(vertex);
+            for (int edge = 0; edge < surface_.edgeCount(); ++edge)
+                sampleEdge(edge);
+            return;
+        }
+        tbb::parallel_for(0, surface_.vertexCount(), sampleVertex);
+        tbb::parallel_for(0, surface_.edgeCount(), sampleEdge);
+    }
+
+    template <typename StepOf>
+    void samplePlace(size_t number, std::span<const FaceEdge> faces, StepOf stepOf) {
+        std::vector<Opinion> opinions;
+        opinions.reserve(faces.size());
+        MicroVertex vertex;
+        for (const FaceEdge& side : faces) {
+            const PatchPlace at = pointOf(side, stepOf(side));
+            opinions.push_back(opinionAt(at));
+            if (opinions.size() == 1) vertex = makeVertex(at, opinions[0]);
+        }
+        vertex.position = Vec3f(meanPosition(opinions));
+        shared_.vertices_[number] = vertex;
+        if (open_) openPlace(number, faces, opinions, stepOf);
+    }
+
+    PatchPlace pointOf(const FaceEdge& side, int step) const {
+        const Face& face = faces_[static_cast<size_t>(side.faceIndex)];
+        const int edge = surface_.faceEdges(face.face)[static_cast<size_t>(side.k)];
+        const int rate = rates_.edges[static_cast<size_t>(edge)];
+        return placeOnEdge(surface_, face.face, side.k, static_cast<double>(step) / rate);
+    }
+
+    Opinion opinionAt(const PatchPlace& at) {
+        BaseSurface::Evaluator& evaluator = *evaluators_.local();
+        evaluator.setPatch(at.patch);
+        const BasePoint base = evaluator.point(at.uv.x, at.uv.y);
+        const Vec2 st = textureCoordinates(base, relief_);
+        return {base.position, reliefDirection(base, relief_), displacement(st, relief_), st};
+    }
+
+    /// `at` was the last patch set.
+    MicroVertex makeVertex(const PatchPlace& at, const Opinion& opinion) {
+        MicroVertex vertex;
+        if (!attributes_) return vertex;
+        vertex.normal = displace(evaluators_.local()->sample(at.uv.x, at.uv.y), relief_).normal;
+        vertex.st = opinion.st;
+        return vertex;
+    }
+
+    /// Faces that agree with the first keep the place, as their mean; groups of others get vertices of their own.
+    template <typename StepOf>
+    void openPlace(size_t number, std::span<const FaceEdge> faces, const std::vector<Opinion>& opinions,
+                   StepOf stepOf) {
+        std::vector<size_t> vertexOf(faces.size(), 0);
+        std::vector<bool> done(faces.size(), false);
+        for (size_t i = 0; i < faces.size(); ++i) {
+            if (done[i]) continue;
+            std::vector<Opinion> group;
+            const size_t target = i == 0 ? number : shared_.vertices_.size();
+            for (size_t j = i; j < faces.size(); ++j) {
+                if (done[j] || !agree(opinions[i], opinions[j])) continue;
+                done[j] = true;
+                group.push_back(opinions[j]);
+                vertexOf[j] = target;
+            }
+            const PatchPlace at = pointOf(faces[i], stepOf(faces[i]));
+            evaluators_.local()->setPatch(at.patch);
+            MicroVertex vertex = makeVertex(at, opinions[i]);
+            vertex.position = Vec3f(meanPosition(group));
+            if (i > 0) shared_.vertices_.emplace_back();
+            shared_.vertices_[target] = vertex;
+        }
+        for (size_t i = 0; i < faces.size(); ++i) {
+            if (vertexOf[i] == number) continue;
+            const auto face = static_cast<size_t>(faces_[static_cast<size_t>(faces[i].faceIndex)].face);
+            shared_.ownVertices_[shared_.firstCorner_[face] + static_cast<size_t>(faces[i].k)].emplace_back(
+                stepOf(faces[i]), vertexOf[i]);
+        }
+    }
+
+    /// Spoke k runs from the middle of edge k, which the mesh has, to the centre.
+    void sampleSpokes(const Face& face) {
+        const int cells = shared_.faceRates_[static_cast<size_t>(face.face)] / 2;
+        if (cells == 0) return;
+        const int first = surface_.firstPatch(face.face);
+        const SharedVertices::Spokes spokes = shared_.spokes_[static_cast<size_t>(face.face)];
+        for (int k = 0; k < face.size; ++k)
+            for (int step = 1; step < cells; ++step)
+                shared_.vertices_[spokes.first + static_cast<size_t>(k * cells + step)] =
+                    vertexInside({first + k, {1, static_cast<double>(step) / cells}});
+        shared_.vertices_[spokes.centre] = vertexInside({first, {1, 1}});
+    }
+
+    MicroVertex vertexInside(const PatchPlace& at) {
+        const Opinion opinion = opinionAt(at);
+        MicroVertex vertex = makeVertex(at, opinion);
+        vertex.position = Vec3f(opinion.displaced());
+        return vertex;
+    }
+
+    SharedVertices& shared_;
+    const BaseSurface& surface_;
+    const Relief* relief_;
+    const Rates& rates_;
+    bool attributes_, open_;
+    tbb::enumerable_thread_specific<std::unique_ptr<BaseSurface::Evaluator>> evaluators_;
+    std::vector<Face> faces_;
+};
+
+SharedVertices::SharedVertices(const BaseSurface& surface, const Relief* relief, const Rates& rates,
+                               bool attributes)
+    : surface_(surface), samples_(surface, rates.edges) {
+    SharedVertexBuilder(*this, relief, rates, attributes).build();
+}
+
+size_t SharedVertices::onEdge(int face, int k, int step) const {
+    if (!firstCorner_.empty()) {
+        // A corner belongs to the edge that starts there.
+        const int size = static_cast<int>(surface_.faceVertices(face).size());
+        const int rate = samples_.edgeRate(surface_.faceEdges(face)[static_cast<size_t>(k)]);
+        const int corner = step == rate ? (k + 1) % size : k, at = step == rate ? 0 : step;
+        const auto& own = ownVertices_[firstCorner_[static_cast<size_t>(face)] + static_cast<size_t>(corner)];
+        for (const auto& [ownStep, vertex] : own)
+            if (ownStep == at) return vertex;
+    }
+    return samples_.onEdge(face, k, step);
+}
+
+size_t SharedVertices::onSpoke(int face, int spoke, int step) const {
+    const int rate = faceRates_[static_cast<size_t>(face)];
+    if (step == rate / 2) return spokes_[static_cast<size_t>(face)].centre;
+    if (step > 0)
+        return spokes_[static_cast<size_t>(face)].first + static_cast<size_t>(spoke * (rate / 2) + step);
+    const int edge = surface_.faceEdges(face)[static_cast<size_t>(spoke)];
+    return onEdge(face, spoke, samples_.edgeRate(edge) / 2);
+}
+
+const MicroVertex& SharedVertices::at(int patchIndex, int side, int segment) const {
+    const BaseSurface::Patch& patch = surface_.patches()[static_cast<size_t>(patchIndex)];
+    const std::span<const int> edges = surface_.faceEdges(patch.face);
+    const auto backwards = [&](int k) { return samples_.edgeRate(edges[static_cast<size_t>(k)]) - segment; };
+    if (patch.subFace) {
+        const int size = static_cast<int>(edges.size()), previous = (patch.corner + size - 1) % size;
+        switch (side) {
+        case 0:
+            return vertices_[onEdge(patch.face, patch.corner, segment)];
+        case 1:
+            return vertices_[onSpoke(patch.face, patch.corner, segment)];
+        case 2:
+            return vertices_[onSpoke(patch.face, previous, segment)];
+        default:
+            return vertices_[onEdge(patch.face, previous, backwards(previous))];
+        }
+    }
+    const bool forwards = side < 2; // edges 0 and 1 run with u and v, the others against them
+    return vertices_[onEdge(patch.face, side, forwards ? segment : backwards(side))];
+}
+
+} // namespace plumbline

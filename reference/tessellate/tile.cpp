@@ -1,0 +1,188 @@
+#include "reference/tessellate/tile.h"
+
+#include "scenes/surface/displaced_surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+namespace {
+
+// The base is smooth within a patch and measured on a few cells of a grid, at the middles of edges: where a cell is not small
+// against the patch its largest bow is not in the middle, and between the cells measured it may be larger. A cubic's largest bow is up to
+// 1.3 times that of its middle.
+constexpr double kBowMargin = 1.5;
+// Cells between two that are measured.
+constexpr int kBowStride = 8;
+// The vertices are stored as floats, each rounded by 2^-24 of a coordinate.
+constexpr double kFloatRounding = 0x1p-23;
+
+TileVertex sampleVertex(const BaseSurface::Evaluator& evaluator, const Relief* relief, const Vec2& uv) {
+    const BasePoint point = evaluator.point(uv.x, uv.y);
+    TileVertex vertex;
+    vertex.base = point.position;
+    vertex.direction = reliefDirection(point, relief);
+    if (!relief) return vertex;
+    const Vec2 st = textureCoordinates(point, relief);
+    vertex.map = {texelCoordinates(*relief->map, st), relief->map->depth(st)};
+    vertex.height = relief->offset - relief->depth * vertex.map.depth;
+    return vertex;
+}
+
+/// Tile::bend: st is bilinear in (u, v), and u v is off by 1/4 of a cell's share in its middle.
+Vec2 bendOfCells(const PatchLattice& lattice, const Relief& relief, const BaseSurface::Evaluator& evaluator) {
+    const auto st = [&](double u, double v) { return textureCoordinates(evaluator.point(u, v), &relief); };
+    const Vec2 twist = st(0, 0) + st(1, 1) - st(1, 0) - st(0, 1);
+    const Vec2 texels = glm::abs(twist) * Vec2(relief.map->width(), relief.map->height());
+    return texels / (4.0 * lattice.columns * lattice.rows);
+}
+
+/// Bows of S and k along one edge of a cell.
+struct Bows {
+    double base = 0, direction = 0;
+    void add(const TileVertex& from, const TileVertex& to, const BasePoint& middle, const Relief* relief) {
+        base = std::max(base, glm::length(middle.position - 0.5 * (from.base + to.base)));
+        const Vec3 along = reliefDirection(middle, relief);
+        direction = std::max(direction, glm::length(along - 0.5 * (from.direction + to.direction)));
+    }
+};
+
+class TileMeasure {
+  public:
+    TileMeasure(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
+                const BaseSurface::Evaluator& evaluator)
+        : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator) {
+        if (relief) {
+            const double low = relief->offset - relief->depth * relief->map->mostDepth();
+            const double high = relief->offset - relief->depth * relief->map->leastDepth();
+            largestHeight_ = std::max(std::abs(low), std::abs(high));
+        }
+        for (int side = 0; side < (lattice.triangular ? 3 : 4); ++side)
+            if (isCoarse(side))
+                coarsest_ = std::max(coarsest_, std::max(lattice.columns, lattice.rows) /
+                                                    double(lattice.sides[static_cast<size_t>(side)]));
+    }
+
+    TileError error(int column0, int row0, int columns, int rows) {
+        column0_ = column0, row0_ = row0, columns_ = columns, rows_ = rows;
+        measureBase();
+        double map = 0, heightRange = 0, tear = 0, coordinate = 0;
+        for (int row = row0; row < row0 + rows; ++row)
+            for (int column = column0; column < column0 + columns; ++column) {
+                const TileVertex &a = tile_.at(column, row), &b = tile_.at(column + 1, row),
+                                 &c = tile_.at(column, row + 1), &d = tile_.at(column + 1, row + 1);
+                const double least = std::min({a.height, b.height, c.height, d.height});
+                const double most = std::max({a.height, b.height, c.height, d.height});
+                heightRange = std::max(heightRange, most - least);
+                if (relief_)
+                    map = std::max(map, cellDeviation(*relief_->map, a.map, b.map, c.map, d.map, map));
+                tear = std::max({tear, tear_(column, row), tear_(column + 1, row), tear_(column, row + 1),
+                                 tear_(column + 1, row + 1)});
+            }
+        const Vec3 corner = glm::abs(tile_.at(column0, row0).base);
+        coordinate = std::max({corner.x, corner.y, corner.z}) + columns_ * largestCell_;
+        const double bow = kBowMargin * (bows_.base + bows_.direction * largestHeight_);
+        const double covariance = 0.25 * kBowMargin * directionRange_ * heightRange;
+        const double depth = relief_ ? relief_->depth : 0;
+        if (relief_)
+            map += (tile_.bend.x + tile_.bend.y) * coarsest_ *
+                   (relief_->map->mostDepth() - relief_->map->leastDepth());
+        // Along a tear the true surface is a wall between the two heights, and no point of it is farther from a welded cell
+        // than that cell is wide.
+        const double rounding = kFloatRounding * coordinate;
+        return {bow + depth * map + covariance + std::min(tear, largestCell_) + rounding,
+                tear > 4 * rounding};
+    }
+
+  private:
+    double tear_(int column, int row) const { return tile_.tears[tile_.index(column, row)]; }
+
+    /// Middle, in (u, v), of two lattice vertices.
+    BasePoint middle(int column, int row, int toColumn, int toRow) const {
+        const Vec2 uv = 0.5 * (latticeUv(lattice_, tile_.column0 + column, tile_.row0 + row) +
+                               latticeUv(lattice_, tile_.column0 + toColumn, tile_.row0 + toRow));
+        return evaluator_.point(uv.x, uv.y);
+    }
+
+    void addEdge(int column, int row, int toColumn, int toRow) {
+        const TileVertex &from = tile_.at(column, row), &to = tile_.at(toColumn, toRow);
+        if (from.base == to.base) return; // snapped onto one another
+        bows_.add(from, to, middle(column, row, toColumn, toRow), relief_);
+        directionRange_ = std::max(directionRange_, glm::length(from.direction - to.direction));
+        largestCell_ = std::max(largestCell_, glm::length(from.base - to.base));
+    }
+
+    void measureBase() {
+        bows_ = {};
+        directionRange_ = largestCell_ = 0;
+        const int stride = std::clamp(std::min(columns_, rows_) / 2, 1, kBowStride);
+        for (int row = row0_ + stride / 2; row < row0_ + rows_; row += stride)
+            for (int column = column0_ + stride / 2; column < column0_ + columns_; column += stride) {
+                addEdge(column, row, column + 1, row);
+                addEdge(column, row, column, row + 1);
+                addEdge(column + 1, row, column, row + 1);
+            }
+        // Cells along a side with fewer samples than steps are as wide as those samples are apart.
+        for (int side = 0; side < (lattice_.triangular ? 3 : 4); ++side)
+            if (isCoarse(side)) measureSide(side);
+    }
+
+    bool isCoarse(int side) const {
+        const bool alongColumns = side % 2 == 0 && !(lattice_.triangular && side == 2);
+        return lattice_.sides[static_cast<size_t>(side)] < (alongColumns ? lattice_.columns : lattice_.rows);
+    }
+
+    void measureSide(int side) {
+        for (int row = row0_; row <= row0_ + rows_; ++row)
+            for (int column = column0_; column <= column0_ + columns_; ++column) {
+                const int x = tile_.column0 + column, y = tile_.row0 + row;
+                const bool on = lattice_.triangular ? (side == 0   ? y == 0
+                                                       : side == 1 ? x + y == lattice_.columns
+                                                                   : x == 0)
+                                                    : (side == 0   ? y == 0
+                                                       : side == 1 ? x == lattice_.columns
+                                                       : side == 2 ? y == lattice_.rows
+                                                                   : x == 0);
+                if (!on) continue;
+                const bool columnwise = lattice_.triangular ? side == 0 : side % 2 == 0;
+                if (lattice_.triangular && side == 1) {
+                    if (column > column0_ && row < row0_ + rows_) addEdge(column, row, column - 1, row + 1);
+                } else if (columnwise && column < column0_ + columns_) {
+                    addEdge(column, row, column + 1, row);
+                } else if (!columnwise && row < row0_ + rows_) {
+                    addEdge(column, row, column, row + 1);
+                }
+            }
+    }
+
+    const Tile& tile_;
+    const PatchLattice& lattice_;
+    const Relief* relief_;
+    const BaseSurface::Evaluator& evaluator_;
+    int column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
+    Bows bows_;
+    double directionRange_ = 0, largestCell_ = 0;
+    double largestHeight_ = 0; // the relief can reach, either way
+    double coarsest_ = 1;      // steps a cell along a coarse side is wide
+};
+
+} // namespace
+
+void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
+                const BaseSurface::Evaluator& evaluator) {
+    tile.vertices.resize(static_cast<size_t>(tile.columns + 1) * static_cast<size_t>(tile.rows + 1));
+    tile.tears.assign(tile.vertices.size(), 0);
+    tile.bend = relief && !lattice.triangular ? bendOfCells(lattice, *relief, evaluator) : Vec2(0);
+    for (int row = 0; row <= tile.rows; ++row)
+        for (int column = 0; column <= tile.columns; ++column)
+            tile.vertices[tile.index(column, row)] =
+                sampleVertex(evaluator, relief, latticeUv(lattice, tile.column0 + column, tile.row0 + row));
+}
+
+TileError tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
+                    const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows) {
+    return TileMeasure(tile, lattice, relief, evaluator).error(column0, row0, columns, rows);
+}
+
+} // namespace plumbline

@@ -1,0 +1,65 @@
+#include "reference/trace/patch_neighbours.h"
+
+#include <algorithm>
+
+namespace plumbline {
+
+PatchNeighbours::PatchNeighbours(const BaseSurface& surface)
+    : surface_(surface), sides_(static_cast<size_t>(surface.edgeCount())),
+      crowded_(static_cast<size_t>(surface.edgeCount()), false) {
+    for (int face = 0; face < surface.mesh().faceCount(); ++face) {
+        if (!surface.hasLimit(face)) continue;
+        int k = 0;
+        for (const int edge : surface.faceEdges(face)) {
+            auto& [first, second] = sides_[static_cast<size_t>(edge)];
+            if (second.face >= 0) crowded_[static_cast<size_t>(edge)] = true;
+            (first.face < 0 ? first : second) = Side{face, k++};
+        }
+    }
+}
+
+std::optional<PatchPlace> PatchNeighbours::acrossEdge(int face, int k, double along, double inside) const {
+    const int edge = surface_.faceEdges(face)[static_cast<size_t>(k)];
+    if (crowded_[static_cast<size_t>(edge)]) return std::nullopt;
+    const auto& [first, second] = sides_[static_cast<size_t>(edge)];
+    const Side& other = first.face == face && first.k == k ? second : first;
+    if (other.face < 0) return std::nullopt;
+    const bool sameWay = surface_.faceVertices(other.face)[static_cast<size_t>(other.k)] ==
+                         surface_.faceVertices(face)[static_cast<size_t>(k)];
+    return placeOnEdge(surface_, other.face, other.k, sameWay ? along : 1 - along, inside);
+}
+
+std::optional<PatchPlace> PatchNeighbours::beyond(int patchIndex, const Vec2& uv) const {
+    const BaseSurface::Patch& patch = surface_.patches()[static_cast<size_t>(patchIndex)];
+    const Vec2 held = glm::clamp(uv, Vec2(0), Vec2(1));
+    const double over[4] = {-uv.y, patch.triangular ? uv.x + uv.y - 1 : uv.x - 1,
+                            patch.triangular ? -kInfinity : uv.y - 1, -uv.x};
+    const int side = static_cast<int>(std::max_element(over, over + 4) - over);
+    const double inside = over[side];
+    if (!(inside > 0)) return std::nullopt;
+    if (patch.triangular)
+        return acrossEdge(patch.face, side == 3 ? 2 : side,
+                          side == 0   ? held.x
+                          : side == 1 ? held.y
+                                      : 1 - held.y,
+                          inside);
+    if (!patch.subFace) {
+        const double along[4] = {held.x, held.y, 1 - held.x, 1 - held.y};
+        return acrossEdge(patch.face, side, along[side], inside);
+    }
+    const int size = static_cast<int>(surface_.faceVertices(patch.face).size());
+    const int first = surface_.firstPatch(patch.face);
+    const int next = first + (patch.corner + 1) % size, previous = (patch.corner + size - 1) % size;
+    switch (side) {
+    case 0:
+        return acrossEdge(patch.face, patch.corner, held.x / 2, inside / 2);
+    case 1: // the spoke from the middle of this corner's edge, at u = 1 here and at v = 1 there
+        return PatchPlace{next, {held.y, 1 - inside}};
+    case 2:
+        return PatchPlace{first + previous, {1 - inside, held.x}};
+    default:
+        return acrossEdge(patch.face, previous, 1 - held.y / 2, inside / 2);
+    }
+}
+
+} // namespace plumbline

@@ -1,0 +1,329 @@
+#include "reference/trace/render.h"
+
+#include "scenes/surface/displaced_surface.h"
+#include "reference/trace/embree.h"
+#include "reference/trace/facing.h"
+#include "reference/trace/polish.h"
+#include "reference/trace/resolve_hit.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <tuple>
+
+namespace plumbline {
+
+namespace {
+
+// Pixels traced before their hits are resolved: bounds memory, and still makes long runs of hits on one
+// patch.
+constexpr size_t kBandPixels = size_t(1) << 18;
+
+// A shadow ray starts at least this far off the surface, as a fraction of the largest coordinate in play:
+// vertices, the ray's origin and Embree's edge tests are each rounded to 2^-24 of it, eight times over with
+// room to spare.
+constexpr double kShadowOffsetFraction = 0x1p-20;
+
+// The true surface is looked for this many times the grid's error bound along the normal away from the micro-triangle. Along the ray that
+// is more, up to what a ray at kGrazingCosine to the facet would need.
+constexpr double kPolishReach = 2;
+constexpr double kGrazingCosine = 0.02;
+
+// A blocker this many times the error's reach away can't be the surface's own stand-in any more.
+constexpr double kBelowReach = 4;
+
+// Sheets behind the place seen that are looked at for another object: own ones are passed, all but the last.
+constexpr int kSheetsPassed = 4;
+
+// Cells of a torn patch's border that the wall between it and its neighbour may shadow or hide: the one it stands in for and the next.
+constexpr double kTearCells = 2;
+
+struct PixelHit {
+    uint32_t pixel;
+    uint32_t object, grid;
+    PatchPlace place;
+    Vec3 position; // on the micro-triangle
+    Vec3 facetNormal;
+    double distance;
+};
+
+class FrameTracer {
+  public:
+    FrameTracer(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree)
+        : scene_(scene), objects_(objects), embree_(embree), rays_(scene.camera),
+          frame_(scene.camera.width, scene.camera.height), largestCoordinate_(embree.largestCoordinate()) {
+        for (const char* name :
+             {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S", "st.T", "id"})
+            channels_.push_back(frame_.add(name).data());
+        for (const Light& light : scene.lights)
+            shadows_.push_back(frame_.add(shadowChannel(light.name)).data());
+        for (const TracedObject& object : objects) {
+            neighbours_.emplace_back(*object.surface);
+            for (const MicroGrid& grid : object.mesh->grids)
+                largestError_ = std::max(largestError_, grid.errorWorld);
+        }
+        evidence_.errorWorld.assign(frame_.pixelCount(), 0);
+        evidence_.face.assign(frame_.pixelCount(), 0);
+        evidence_.unsettled.assign(frame_.pixelCount(), 0);
+        evidence_.otherObject.assign(frame_.pixelCount(), 0);
+        evidence_.shadowBy.assign(scene.lights.size(), std::vector<uint8_t>(frame_.pixelCount(), 0));
+        fillBackground();
+    }
+
+    Frame trace(RayCounts& counts, FrameEvidence& evidence) {
+        for (size_t first = 0; first < frame_.pixelCount(); first += kBandPixels) {
+            const size_t count = std::min(kBandPixels, frame_.pixelCount() - first);
+            std::vector<PixelHit> hits = traceBand(first, count);
+            counts.camera += count;
+            // Runs of hits on one patch share its set-up.
+            tbb::parallel_sort(hits.begin(), hits.end(), [](const PixelHit& a, const PixelHit& b) {
+                return std::tie(a.object, a.place.patch, a.pixel) <
+                       std::tie(b.object, b.place.patch, b.pixel);
+            });
+            shadeBand(hits, counts);
+        }
+        evidence = std::move(evidence_);
+        return std::move(frame_);
+    }
+
+  private:
+    enum Plane { R, G, B, A, Z, PX, PY, PZ, NX, NY, NZ, S, T, Id };
+
+    void fillBackground() {
+        for (int k = 0; k < 3; ++k)
+            std::fill_n(channels_[static_cast<size_t>(R + k)], frame_.pixelCount(),
+                        static_cast<float>(scene_.background[k]));
+    }
+
+    Ray rayOf(size_t pixel) const {
+        const size_t width = static_cast<size_t>(frame_.width());
+        return rays_.ray(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+    }
+
+    /// Camera rays of pixels [first, first + count); hits in the order of pixels.
+    std::vector<PixelHit> traceBand(size_t first, size_t count) const {
+        std::vector<PixelHit> hits(count);
+        std::vector<uint8_t> covered(count, 0);
+        tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 1024),
+                          [&](const tbb::blocked_range<size_t>& range) {
+                              const FlushDenormals flush;
+                              for (size_t i = range.begin(); i < range.end(); ++i)
+                                  covered[i] = tracePixel(first + i, hits[i]);
+                          });
+        size_t kept = 0;
+        for (size_t i = 0; i < count; ++i)
+            if (covered[i]) hits[kept++] = hits[i];
+        hits.resize(kept);
+        return hits;
+    }
+
+    bool tracePixel(size_t pixel, PixelHit& result) const {
+        const Ray ray = rayOf(pixel);
+        const auto hit = embree_.intersect(ray.origin, ray.direction);
+        if (!hit) return false;
+        const MicroMesh& mesh = *objects_[hit->object].mesh;
+        const MicroGrid& grid = mesh.grids[hit->grid];
+        const ResolvedHit resolved = resolveHit(mesh, grid, hit->u, hit->v, hit->distance, ray);
+        result = {static_cast<uint32_t>(pixel),
+                  hit->object,
+                  hit->grid,
+                  {static_cast<int>(grid.patch), resolved.uv},
+                  resolved.position,
+                  resolved.facetNormal,
+                  resolved.distance};
+        return true;
+    }
+
+    /// Writes the pixels of all hits.
+    void shadeBand(const std::vector<PixelHit>& hits, RayCounts& counts) {
+        std::atomic<uint64_t> shadowRays = 0;
+        tbb::parallel_for(tbb::blocked_range<size_t>(0, hits.size(), 1024),
+                          [&](const tbb::blocked_range<size_t>& range) {
+                              const FlushDenormals flush;
+                              std::optional<Polisher> polisher;
+                              const PixelHit* previous = nullptr;
+                              RayCounts here;
+                              for (size_t i = range.begin(); i < range.end(); ++i) {
+                                  const PixelHit& hit = hits[i];
+                                  if (!previous || previous->object != hit.object)
+                                      polisher.emplace(*objects_[hit.object].surface,
+                                                       objects_[hit.object].relief, neighbours_[hit.object]);
+                                  previous = &hit;
+                                  shade(hit, *polisher, here);
+                              }
+                              shadowRays += here.shadow;
+                          });
+        counts.shadow += shadowRays;
+    }
+
+    double errorOf(const PixelHit& hit) const {
+        return objects_[hit.object].mesh->grids[hit.grid].errorWorld;
+    }
+
+    /// The surface at a hit; the micro-triangle's place where it can't be moved onto the surface.
+    SurfaceSample surfaceAt(const PixelHit& hit, Polisher& polisher, double side) {
+        const Ray ray = rayOf(hit.pixel);
+        const double cosine = std::max(std::abs(glm::dot(hit.facetNormal, ray.direction)), kGrazingCosine);
+        const double reach = kPolishReach * errorOf(hit) / cosine;
+        if (const auto polished = polisher.polish(ray, hit.place, hit.distance, reach)) {
+            if (facesThroughout(hit, polished->sample, -ray.direction, side)) return polished->sample;
+            evidence_.unsettled[hit.pixel] = 1;
+            return polisher.first(ray, *polished, reach).sample;
+        }
+        evidence_.unsettled[hit.pixel] = 1;
+        SurfaceSample sample = polisher.sampleAt(hit.place);
+        sample.displaced.position = hit.position;
+        return sample;
+    }
+
+    /// How far along a ray a grid's error can move where the ray meets it.
+    static double alongRay(double error, const Vec3& facetNormal, const Ray& ray) {
+        return error / std::max(std::abs(glm::dot(facetNormal, ray.direction)), kGrazingCosine);
+    }
+
+    /// Whether behind the micro-triangle seen another object's comes within both's errors. Own sheets in between are passed.
+    bool isCloseToAnother(const PixelHit& hit) const {
+        const Ray ray = rayOf(hit.pixel);
+        const double own = alongRay(errorOf(hit), hit.facetNormal, ray);
+        const double farthest = own + largestError_ / kGrazingCosine;
+        double from = hit.distance;
+        for (int sheet = 0; sheet < kSheetsPassed; ++sheet) {
+            const double start = from + kShadowOffsetFraction * (largestCoordinate_ + from);
+            const double left = hit.distance + farthest - start;
+            if (!(left > 0) || !embree_.occluded(ray.at(start), ray.direction, static_cast<float>(left)))
+                return false;
+            const auto next = embree_.intersect(ray.at(start), ray.direction);
+            if (!next) return false;
+            if (next->object == hit.object) {
+                from = start + next->distance;
+                continue;
+            }
+            const MicroMesh& mesh = *objects_[next->object].mesh;
+            const MicroGrid& grid = mesh.grids[next->grid];
+            const Ray onwards{ray.at(start), ray.direction};
+            const ResolvedHit other = resolveHit(mesh, grid, next->u, next->v, next->distance, onwards);
+            return start + other.distance - hit.distance <=
+                   own + alongRay(grid.errorWorld, other.facetNormal, ray);
+        }
+        return false;
+    }
+
+    /// Whether the place is in the outermost cells of a patch whose neighbour disagrees with it.
+    bool isBesideTear(const PixelHit& hit) const {
+        const MicroMesh& mesh = *objects_[hit.object].mesh;
+        if (!mesh.grids[hit.grid].torn) return false;
+        const PatchLattice& lattice = mesh.lattices[mesh.grids[hit.grid].patch];
+        const Vec2 uv = hit.place.uv;
+        // Where a side is coarser than its lattice, its cells are as wide as that side's segments.
+        const auto widest = [&](int side, int other, int cells) {
+            const int segments =
+                std::min(lattice.sides[static_cast<size_t>(side)], lattice.sides[static_cast<size_t>(other)]);
+            return std::max(kTearCells / cells, 1.0 / segments / 2);
+        };
+        const double nearU = widest(0, 2, lattice.columns), nearV = widest(1, 3, lattice.rows);
+        if (lattice.triangular) return std::min({uv.x, uv.y, 1 - uv.x - uv.y}) < std::max(nearU, nearV);
+        return std::min(uv.x, 1 - uv.x) < nearU || std::min(uv.y, 1 - uv.y) < nearV;
+    }
+
+    /// Whether within the error's reach the surface turns one side towards a direction that has this cosine to the facet.
+    bool facesThroughout(const PixelHit& hit, const SurfaceSample& surface, const Vec3& towards,
+                         double side) const {
+        if (isBesideTear(hit)) return false;
+        const double cosine = glm::dot(hit.facetNormal, towards);
+        return plumbline::facesThroughout(surface.base, objects_[hit.object].relief,
+                                          reachAlongSurface(errorOf(hit), cosine), towards, side);
+    }
+
+    /// Writes one pixel.
+    void shade(const PixelHit& hit, Polisher& polisher, RayCounts& counts) {
+        const SceneObject& object = *objects_[hit.object].object;
+        // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the facet faces.
+        const double side = glm::dot(hit.facetNormal, rays_.towardsCamera(hit.position)) < 0 ? -1 : 1;
+        const SurfaceSample sampled = surfaceAt(hit, polisher, side);
+        const DisplacedSample& surface = sampled.displaced;
+        const Vec3 facing = side * surface.normal;
+        evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
+        evidence_.face[hit.pixel] = static_cast<uint32_t>(
+            objects_[hit.object].surface->patches()[static_cast<size_t>(hit.place.patch)].face);
+
+        if (objects_.size() > 1 && isCloseToAnother(hit)) evidence_.otherObject[hit.pixel] = 1;
+
+        double light = kAmbient;
+        for (size_t i = 0; i < scene_.lights.size(); ++i) {
+            const LightSample sample = sampleLight(scene_.lights[i], surface.position);
+            const double cosine = glm::dot(facing, sample.toLightWorld);
+            bool shadow = cosine <= 0;
+            if (!shadow) {
+                const Ray ray = shadowRay(hit, surface.position, facing, sample);
+                shadow = embree_.occluded(ray.origin, ray.direction, static_cast<float>(sample.distance));
+                const bool clear = shadow ? !startsBelow(hit, ray, side)
+                                          : facesThroughout(hit, sampled, sample.toLightWorld, side);
+                evidence_.shadowBy[i][hit.pixel] = clear ? FrameEvidence::kRay : FrameEvidence::kNearRay;
+                ++counts.shadow;
+            }
+            shadows_[i][hit.pixel] = shadow ? 1.0f : 0.0f;
+            if (!shadow) light += cosine;
+        }
+        const Vec3 color = object.colorAt(surface.st) * light;
+        write(hit.pixel, R, color);
+        write(hit.pixel, PX, surface.position);
+        write(hit.pixel, NX, surface.normal);
+        channels_[A][hit.pixel] = 1;
+        channels_[Z][hit.pixel] = static_cast<float>(rays_.planarDepth(surface.position));
+        channels_[S][hit.pixel] = static_cast<float>(surface.st.x);
+        channels_[T][hit.pixel] = static_cast<float>(surface.st.y);
+        channels_[Id][hit.pixel] = static_cast<float>(hit.object + 1);
+    }
+
+    /// The ray leaves the true surface on the side where the light is, from above the micro-triangles that stand for it there:
+    /// they are within their error of it, so that none shadows the place it stands for.
+    Ray shadowRay(const PixelHit& hit, const Vec3& position, const Vec3& facing,
+                  const LightSample& light) const {
+        const double reach =
+            std::max(double(largestCoordinate_), std::isinf(light.distance) ? 0 : light.distance);
+        return {position + facing * (errorOf(hit) + kShadowOffsetFraction * reach), light.toLightWorld};
+    }
+
+    /// Whether a shadow ray that is blocked is so because it begins beneath micro-triangles that stand too high beside the place:
+    /// what it meets first is their inner side, not farther than their error explains.
+    bool startsBelow(const PixelHit& hit, const Ray& ray, double side) const {
+        const auto blocker = embree_.intersect(ray.origin, ray.direction);
+        if (!blocker || blocker->object != hit.object) return false;
+        const MicroMesh& mesh = *objects_[hit.object].mesh;
+        const MicroGrid& grid = mesh.grids[blocker->grid];
+        const ResolvedHit resolved = resolveHit(mesh, grid, blocker->u, blocker->v, blocker->distance, ray);
+        const double outwards = side * glm::dot(resolved.facetNormal, ray.direction);
+        const double error = std::max(double(grid.errorWorld), errorOf(hit));
+        return outwards > 0 &&
+               resolved.distance <=
+                   kBelowReach * reachAlongSurface(error, glm::dot(hit.facetNormal, ray.direction));
+    }
+
+    void write(uint32_t pixel, Plane first, const Vec3& value) {
+        for (int k = 0; k < 3; ++k)
+            channels_[static_cast<size_t>(first + k)][pixel] = static_cast<float>(value[k]);
+    }
+
+    const Scene& scene_;
+    const std::vector<TracedObject>& objects_;
+    const EmbreeScene& embree_;
+    CameraRays rays_;
+    Frame frame_;
+    FrameEvidence evidence_;
+    std::vector<PatchNeighbours> neighbours_; // per object
+    std::vector<float*> channels_, shadows_;
+    float largestCoordinate_, largestError_ = 0;
+};
+
+} // namespace
+
+Frame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
+                 RayCounts& counts, FrameEvidence& evidence) {
+    return FrameTracer(scene, objects, embree).trace(counts, evidence);
+}
+
+} // namespace plumbline

@@ -1,0 +1,184 @@
+#include "scenes/draft/scene_draft.h"
+
+#include "scenes/draft/draft_view.h"
+#include "scenes/core/error.h"
+#include "scenes/scene/scene_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace plumbline {
+namespace {
+
+/// Cages have fewer faces; a mesh of more is fine as it is, and its limit surface costs minutes.
+constexpr int kFineMesh = 20000;
+/// Polygons a proxy should have: fine enough for the outline of a simple object, coarse enough for real time.
+constexpr int kProxyPolygons = 500;
+/// Of the radius: deep enough for a search to go wrong, shallow enough for the object to keep its shape.
+constexpr double kDepthShare = 0.04;
+/// The relief stays within this share of the radius of the tightest curves.
+constexpr double kTightShare = 0.5;
+/// One map width is this share of the object's diagonal.
+constexpr double kMapShare = 1.0 / 3;
+/// Centres farther away than so many radii are moved: single precision, which rays and shaders have, would show (2^-24 of
+/// 100 radii is a few thousandths of a pixel).
+constexpr double kFarAway = 100;
+
+Scheme chooseScheme(const ControlMesh& mesh, std::string& reason) {
+    const auto triangles = std::count(mesh.faceSizes.begin(), mesh.faceSizes.end(), 3);
+    if (mesh.faceCount() > kFineMesh) {
+        reason = fmt::format("{} faces are fine enough as they are; \"catmull-clark\" or \"loop\" would "
+                             "take them for a cage and smooth them.",
+                             mesh.faceCount());
+        return Scheme::None;
+    }
+    if (triangles == mesh.faceCount()) {
+        reason = "All faces are triangles, which Loop subdivision smooths; \"none\" keeps the polygons as "
+                 "they are.";
+        return Scheme::Loop;
+    }
+    reason = fmt::format(
+        "Faces with more corners than three ({} of {}): taken for a Catmull-Clark cage; \"none\" keeps "
+        "the polygons as they are.",
+        mesh.faceCount() - triangles, mesh.faceCount());
+    return Scheme::CatmullClark;
+}
+
+/// To two digits that count, by way of their text: so the file shows no more.
+double rounded(double value) {
+    return std::strtod(fmt::format("{:.2g}", value).c_str(), nullptr);
+}
+
+double chooseDepth(const SurfaceSurvey& survey, std::string& reason) {
+    const double share = kDepthShare * survey.radius(), tight = kTightShare * survey.tightRadius;
+    reason =
+        share <= tight
+            ? fmt::format("depth: {} % of half the mesh's diagonal.", 100 * kDepthShare)
+            : "depth: half the radius of the tightest curves, so that the relief doesn't cross itself there.";
+    return rounded(std::min(share, tight));
+}
+
+std::string depthGiven(const SurfaceSurvey& survey, double depth) {
+    if (depth <= survey.tightRadius) return "depth: as given.";
+    return fmt::format("depth: as given; a twentieth of the surface bends with a radius below {:.2g}, where "
+                       "so deep a relief "
+                       "crosses itself.",
+                       survey.tightRadius);
+}
+
+/// Both ends of where the relief may be, over each sample.
+std::vector<Vec3> reliefHull(const SurfaceSurvey& survey, const HeightMap& map, double depth) {
+    std::vector<Vec3> hull;
+    for (const BasePoint& sample : survey.samples)
+        for (const float d : {map.leastDepth(), map.mostDepth()})
+            hull.push_back(sample.position - sample.normal * (depth * static_cast<double>(d)));
+    return hull;
+}
+
+/// World units of a pixel in the middle of the object.
+double pixelSide(const Camera& camera) {
+    const double distance = glm::length(camera.targetWorld - camera.positionWorld);
+    return 2 * std::tan(0.5 * radians(camera.fovYDegrees)) * distance / camera.height;
+}
+
+/// What texels are with a tile, for the comment.
+std::string texelText(const Vec2& uvScale, const Vec2& tile, const HeightMap& map, double pixel) {
+    const double s = uvScale.x / std::abs(tile.x) / map.width(),
+                 t = uvScale.y / std::abs(tile.y) / map.height();
+    return fmt::format("A texel is about {:.2g} x {:.2g} world units, {:.2g} x {:.2g} pixels.", s, t,
+                       s / pixel, t / pixel);
+}
+
+Vec2 chooseTile(const ControlMesh& mesh, const SurfaceSurvey& survey, const HeightMap& map,
+                const Camera& camera, std::string& reason) {
+    if (!survey.uvScale)
+        throw InputError(mesh.name, "its texture coordinates have no area", "uvs spread over the surface",
+                         "--tile S,T goes on without");
+    const double width = map.width(), height = map.height();
+    const double fromObject = kMapShare * 2 * survey.radius(),
+                 fromPixels = pixelSide(camera) * std::sqrt(width * height);
+    const double side = std::max(fromObject, fromPixels);
+    const Vec2 wanted = *survey.uvScale / (side * Vec2(std::sqrt(width / height), std::sqrt(height / width)));
+    // Whole numbers: where texture coordinates close around the mesh, the map does too. Never below 1: coordinates that repeat
+    // themselves are as their author meant them.
+    Vec2 tile = glm::max(Vec2(1), glm::round(wanted));
+    reason = fromObject >= fromPixels ? "tile: one map is about a third of the object, texels about square, "
+                                        "whole numbers so that seams close."
+                                      : "tile: a texel is about a pixel or larger, texels about square, "
+                                        "whole numbers so that seams close.";
+    if (map.wrapS() == Wrap::Clamp) tile.x = 1;
+    if (map.wrapT() == Wrap::Clamp) tile.y = 1;
+    if (map.wrapS() == Wrap::Clamp || map.wrapT() == Wrap::Clamp)
+        reason += " A map that clamps isn't repeated.";
+    return tile;
+}
+
+int chooseProxyRate(const SurfaceSurvey& survey, Scheme scheme, std::string& reason) {
+    constexpr int kLargestRate = 64; // of scene files
+    int rate = 1;
+    if (scheme == Scheme::None || survey.flat) {
+        reason = fmt::format("The polygons real-time techniques get: {}.",
+                             survey.flat ? "the surface is flat, its faces will do" : "the mesh's own");
+        return rate;
+    }
+    rate = std::clamp(
+        static_cast<int>(std::ceil(std::sqrt(kProxyPolygons / static_cast<double>(survey.patchCount)))), 1,
+        kLargestRate);
+    reason =
+        fmt::format("Segments per edge of the polygons real-time techniques get: about {} polygons in all.",
+                    survey.patchCount * rate * rate);
+    return rate;
+}
+
+void requireUsableSize(const ControlMesh& mesh, const Bounds& bounds) {
+    constexpr double kLargest = kLargestLength / 100; // the camera stands a few sizes off
+    const double size = bounds.diagonal();
+    if (!(size >= kSmallestLength && size <= kLargest))
+        throw InputError(mesh.name, fmt::format("the mesh is {:.3g} world units large", size),
+                         fmt::format("from {} to {}", kSmallestLength, kLargest), "scale it");
+}
+
+} // namespace
+
+SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const DraftWishes& wishes) {
+    if (!mesh.hasUvs())
+        throw InputError(mesh.name, "has no uvs" + (mesh.uvsMissing.empty() ? "" : ": " + mesh.uvsMissing),
+                         "a mesh with a uv index at every corner: they say where the map lies");
+    Bounds bounds;
+    for (const Vec3& point : mesh.points)
+        bounds.add(point);
+    requireUsableSize(mesh, bounds);
+
+    SceneDraft draft;
+    draft.scheme = wishes.scheme ? *wishes.scheme : chooseScheme(mesh, draft.reasons.scheme);
+    ControlMesh placed = mesh;
+    draft.lengthStep = 5e-4 * bounds.diagonal(); // a quarter of a pixel of a picture that the object fills
+    if (glm::length(bounds.centre()) > kFarAway * 0.5 * bounds.diagonal()) {
+        draft.translate = -bounds.centre();
+        draft.reasons.translate = "To the origin: far from it, single precision is coarse.";
+        for (Vec3& point : placed.points)
+            point += draft.translate;
+    }
+    const SurfaceSurvey survey = surveySurface(placed, draft.scheme);
+    draft.proxyRate = chooseProxyRate(survey, draft.scheme, draft.reasons.proxyRate);
+    draft.depth = wishes.depth ? *wishes.depth : chooseDepth(survey, draft.reasons.depth);
+    if (wishes.depth) draft.reasons.depth = depthGiven(survey, *wishes.depth);
+
+    const View view = chooseView(survey, draft.reasons.camera);
+    const std::vector<Vec3> hull = reliefHull(survey, map, draft.depth);
+    frameWith(draft.camera, view, hull);
+    draft.reasons.camera += fmt::format(
+        " All of the relief is in the picture, {:.0f} % of it free on every side.", 100 * kDraftMargin);
+    draft.toLight = chooseLight(survey, view, draft.reasons.light);
+    draft.tile =
+        wishes.tile ? *wishes.tile : chooseTile(placed, survey, map, draft.camera, draft.reasons.tile);
+    if (wishes.tile) draft.reasons.tile = "tile: as given.";
+    if (survey.uvScale)
+        draft.reasons.tile += " " + texelText(*survey.uvScale, draft.tile, map, pixelSide(draft.camera));
+    return draft;
+}
+
+} // namespace plumbline

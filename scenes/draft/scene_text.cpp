@@ -1,0 +1,111 @@
+// The scene file of a draft: values with their reasons as comments.
+#include "scenes/core/error.h"
+#include "scenes/draft/scene_draft.h"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace plumbline {
+namespace {
+
+constexpr size_t kCommentWidth = 100;
+
+/// A text in quotes with its escapes. Throws InputError for bytes that aren't UTF-8.
+std::string tomlText(const std::string& text) {
+    std::ostringstream stream;
+    stream << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
+    try { // the parser is the judge of what it takes
+        if (toml::parse("x = " + stream.str())["x"].value<std::string>() == text) return stream.str();
+    } catch (const toml::parse_error&) { // told below
+    }
+    throw InputError(text, "the name isn't UTF-8, as all of a scene file must be", "another name");
+}
+
+/// As short as it may be when nothing finer than `step` counts.
+std::string numberText(double value, double step) {
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step))));
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    if (decimals > 0) text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+}
+
+std::string vectorText(const Vec3& vector, double step) {
+    return fmt::format("[{}, {}, {}]", numberText(vector.x, step), numberText(vector.y, step),
+                       numberText(vector.z, step));
+}
+
+/// Lines that begin with "# ", broken at blanks; none for an empty text.
+std::string comment(const std::string& text) {
+    std::istringstream words(text);
+    std::string result, line, word;
+    while (words >> word) {
+        if (!line.empty() && line.size() + word.size() >= kCommentWidth) {
+            result += "# " + line + "\n";
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + word;
+    }
+    return line.empty() ? result : result + "# " + line + "\n";
+}
+
+/// A name of scene files from that of a file.
+std::string nameFrom(const std::filesystem::path& file, const char* otherwise) {
+    constexpr size_t kLongest = 64;
+    std::string name = file.stem().string().substr(0, kLongest);
+    for (char& c : name)
+        if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+    return name.empty() ? otherwise : name;
+}
+
+const char* schemeText(Scheme scheme) {
+    return scheme == Scheme::Loop ? "loop" : scheme == Scheme::None ? "none" : "catmull-clark";
+}
+
+const char* wrapText(Wrap wrap) {
+    return wrap == Wrap::Clamp ? "clamp" : "repeat";
+}
+
+} // namespace
+
+std::string sceneText(const SceneDraft& draft, const std::filesystem::path& meshFile,
+                      const std::filesystem::path& mapFile, const HeightMap& map, bool storesHeight) {
+    constexpr double kDirectionStep = 1e-3; // a twentieth of a degree
+    const std::string meshText = tomlText(meshFile.generic_string()),
+                      mapText = tomlText(mapFile.generic_string());
+    const std::string meshName = nameFrom(meshFile, "mesh"), mapName = nameFrom(mapFile, "map");
+    const SceneDraft::Reasons& why = draft.reasons;
+    const Camera& camera = draft.camera;
+    std::string text = fmt::format("purpose = \"{} under {}\"\n", meshName, mapName);
+    text += comment("A first draft: every value may be changed, and scenes/README.md describes every field. "
+                    "Lengths are in "
+                    "world units, those of the mesh.");
+    text += "background = [0.02, 0.02, 0.03]\n\n[camera]\n" + comment(why.camera);
+    text += fmt::format(
+        "position = {}\ntarget = {}\nfov_y_degrees = {}\nwidth = {}\nheight = {}\n\n[[light]]\n",
+        vectorText(camera.positionWorld, draft.lengthStep), vectorText(camera.targetWorld, draft.lengthStep),
+        camera.fovYDegrees, camera.width, camera.height);
+    text += comment(why.light);
+    text += fmt::format("name = \"sun\"\nto_light = {}\n\n[[height_map]]\nname = \"{}\"\nfile = {}\n",
+                        vectorText(draft.toLight, kDirectionStep), mapName, mapText);
+    text += comment("\"height\": bright is high; \"depth\": bright is deep. The other one, if the relief "
+                    "looks inside out.");
+    text += fmt::format("stores = \"{}\"\nwrap = [\"{}\", \"{}\"]\n\n[[object]]\nname = \"{}\"\nmesh = {}\n",
+                        storesHeight ? "height" : "depth", wrapText(map.wrapS()), wrapText(map.wrapT()),
+                        meshName, meshText);
+    text += comment(why.scheme) + fmt::format("scheme = \"{}\"\n", schemeText(draft.scheme));
+    text += comment(why.proxyRate) + fmt::format("proxy_rate = {}\n", draft.proxyRate);
+    if (draft.translate != Vec3(0))
+        text += comment(why.translate) +
+                fmt::format("translate = {}\n", vectorText(draft.translate, draft.lengthStep));
+    text += comment(why.depth) + comment(why.tile) +
+            comment("offset: 0 carves the relief into the mesh, depth raises it onto the mesh.");
+    text += fmt::format("relief = {{ map = \"{}\", depth = {}, offset = 0, tile = [{}, {}] }}\n", mapName,
+                        draft.depth, draft.tile.x, draft.tile.y);
+    return text + "color = [0.8, 0.75, 0.7]\n";
+}
+
+} // namespace plumbline

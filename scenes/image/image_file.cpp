@@ -1,0 +1,187 @@
+#include "scenes/image/image_file.h"
+
+#include "scenes/core/data_folder.h"
+#include "scenes/core/error.h"
+#include "scenes/image/exr_file.h"
+#include "scenes/image/image_module.h"
+#include "scenes/image/picture_check.h"
+#include "scenes/core/replace_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <dlfcn.h>
+#include <fstream>
+
+namespace plumbline {
+namespace {
+
+struct ImageModule {
+    std::filesystem::path file;
+    PlumblineReadPicture* readPicture = nullptr;
+    PlumblineWritePng* writePng = nullptr;
+};
+
+/// Beside the program where it was built, in lib/plumbline where it is installed.
+ImageModule loadModule() {
+    std::string reason = "not found";
+    for (const char* place : {"plumbline_images.so", "../lib/plumbline/plumbline_images.so"}) {
+        ImageModule module;
+        module.file = (programFolder() / place).lexically_normal();
+        std::error_code error;
+        if (!std::filesystem::exists(module.file, error)) continue;
+        void* handle = dlopen(module.file.c_str(), RTLD_NOW | RTLD_LOCAL);
+        if (!handle) {
+            reason = dlerror();
+            continue;
+        }
+        module.readPicture = reinterpret_cast<PlumblineReadPicture*>(dlsym(handle, "plumblineReadPicture"));
+        module.writePng = reinterpret_cast<PlumblineWritePng*>(dlsym(handle, "plumblineWritePng"));
+        if (module.readPicture && module.writePng) return module; // stays loaded to the end of the program
+        reason = module.file.string() + " is of another version";
+    }
+    throw MachineError("plumbline_images.so", "can't be loaded: " + reason,
+                       "it beside the program or in ../lib/plumbline",
+                       "build the target plumbline_images and install libopenimageio2.4 or later");
+}
+
+const ImageModule& imageModule() {
+    static const ImageModule module = loadModule();
+    return module;
+}
+
+std::vector<uint8_t> firstBytes(const std::filesystem::path& file, size_t count) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) throw InputError(file.string(), "no such file");
+    if (!std::filesystem::is_regular_file(file, error))
+        throw InputError(file.string(), "is not a file", "a picture");
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(file.string(), "can't be opened for reading");
+    std::vector<uint8_t> bytes(count);
+    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
+    bytes.resize(static_cast<size_t>(stream.gcount()));
+    if (bytes.empty()) throw InputError(file.string(), "is empty", "a picture");
+    return bytes;
+}
+
+bool beginsWith(const std::vector<uint8_t>& bytes, std::initializer_list<uint8_t> magic) {
+    return bytes.size() >= magic.size() && std::equal(magic.begin(), magic.end(), bytes.begin());
+}
+
+bool hasExrName(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    return ending == ".exr";
+}
+
+std::vector<std::string> pictureChannels(const std::filesystem::path& file,
+                                         const std::vector<std::string>& names) {
+    const auto has = [&](const char* name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::vector<std::string> chosen;
+    if (has("R") && has("G") && has("B")) {
+        chosen = {"R", "G", "B"};
+    } else if (has("Y") && !has("RY") && !has("BY")) {
+        chosen = {"Y"};
+    } else if (names.size() == 1) {
+        return names;
+    } else {
+        throw InputError(file.string(), "has the channels " + listOf(names),
+                         "R G B, R G B A, Y, Y A, or a single channel");
+    }
+    if (has("A")) chosen.push_back("A");
+    return chosen;
+}
+
+Image readExrImage(const std::filesystem::path& file) {
+    std::vector<std::string> order;
+    const ExrPlanes exr = readExr(
+        file, [&](const std::vector<std::string>& names) { return order = pictureChannels(file, names); });
+    Image image;
+    image.width = exr.width;
+    image.height = exr.height;
+    image.channels = static_cast<int>(order.size());
+    image.values.resize(order.size() * static_cast<size_t>(exr.width) * static_cast<size_t>(exr.height));
+    for (size_t c = 0; c < order.size(); ++c) {
+        const std::vector<float>& plane = exr.planes.at(order[c]);
+        for (size_t pixel = 0; pixel < plane.size(); ++pixel)
+            image.values[pixel * order.size() + c] = plane[pixel];
+    }
+    return image;
+}
+
+/// Collects what the module reads. Memory is reserved at once but touched only as rows arrive.
+struct ImageCollector {
+    Image image;
+    std::string failure;
+    bool outOfMemory = false;
+
+    static bool begin(void* user, int width, int height, int channels, bool integer) {
+        auto& self = *static_cast<ImageCollector*>(user);
+        self.image.width = width;
+        self.image.height = height;
+        self.image.channels = channels;
+        self.image.integer = integer;
+        return self.guarded([&] {
+            self.image.values.reserve(static_cast<size_t>(width) * static_cast<size_t>(height) *
+                                      static_cast<size_t>(channels));
+        });
+    }
+    static bool values(void* user, const float* values, size_t count) {
+        auto& self = *static_cast<ImageCollector*>(user);
+        return self.guarded(
+            [&] { self.image.values.insert(self.image.values.end(), values, values + count); });
+    }
+    static void fail(void* user, const char* what) { static_cast<ImageCollector*>(user)->failure = what; }
+
+  private:
+    template <class Action>
+    bool guarded(const Action& action) {
+        try {
+            action();
+            return true;
+        } catch (const std::exception&) { // bad_alloc, length_error
+            outOfMemory = true;
+            return false;
+        }
+    }
+};
+
+} // namespace
+
+std::filesystem::path imageModuleFile() {
+    return imageModule().file;
+}
+
+Image readImage(const std::filesystem::path& file) {
+    const std::vector<uint8_t> magic = firstBytes(file, 4);
+    if (hasExrName(file) || beginsWith(magic, {0x76, 0x2f, 0x31, 0x01})) return readExrImage(file);
+    if (beginsWith(magic, {0xff, 0xd8}) || beginsWith(magic, {0x89, 'P'})) checkPictureIsWhole(file);
+    ImageCollector collector;
+    const PlumblinePictureSink sink{&collector, ImageCollector::begin, ImageCollector::values,
+                                    ImageCollector::fail};
+    imageModule().readPicture(file.c_str(), &sink);
+    if (collector.outOfMemory) throw MachineError(file.string(), "not enough memory to read it");
+    if (!collector.failure.empty()) throw InputError(file.string(), collector.failure);
+    return std::move(collector.image);
+}
+
+void writePng(const std::filesystem::path& file, int width, int height, const std::vector<uint8_t>& rgb) {
+    if (width < 1 || height < 1 || rgb.size() != 3 * static_cast<size_t>(width) * static_cast<size_t>(height))
+        throw InputError(file.string(),
+                         fmt::format("{} bytes for a picture of {} x {}", rgb.size(), width, height),
+                         "3 bytes a pixel and at least one pixel");
+    const ImageModule& module = imageModule();
+    replaceFile(file, [&](const std::filesystem::path& temporary) {
+        std::string failure;
+        const auto fail = [](void* user, const char* what) { *static_cast<std::string*>(user) = what; };
+        module.writePng(temporary.c_str(), width, height, rgb.data(), &failure, fail);
+        if (!failure.empty()) throw InputError(file.string(), failure);
+    });
+}
+
+} // namespace plumbline

@@ -1,0 +1,47 @@
+// One axis of a bilinear look-up, shared by height maps and colour maps (conventions: height_map.h).
+#pragma once
+
+#include "scenes/maps/height_map.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+
+/// The two texels around a coordinate, wrapped, and the weight of the second, in [0,1].
+struct TexelPair {
+    int first = 0, second = 0;
+    double weight = 0;
+};
+
+/// s - floor(s) in [0,1]; 1 for a negative number too small to be told from 0. NaN for what isn't finite.
+inline double repeatUnit(double s) {
+    constexpr double kAllIntegersFrom = 4503599627370496.0; // 2^52: doubles have no fraction from here on
+    if (!(std::abs(s) < kAllIntegersFrom)) return s - s;    // 0, or NaN for NaN and infinities
+    const double truncated = static_cast<double>(static_cast<long long>(s));
+    return s - (truncated > s ? truncated - 1.0 : truncated);
+}
+
+/// `size` texels, centres at (i + 0.5) / size. The coordinate must not be NaN, nor infinite under
+/// Wrap::Repeat; on a texel centre the pair begins with that texel.
+inline TexelPair texelPair(double s, int size, Wrap wrap) {
+    const bool repeat = wrap == Wrap::Repeat;
+    const double texels = (repeat ? repeatUnit(s) : s) * size - 0.5;
+    const double inReach = std::clamp(texels, -1.0, static_cast<double>(size)); // matters under Clamp alone
+    TexelPair pair;
+    pair.first = static_cast<int>(inReach + 1.0) - 1; // floor, as inReach + 1 >= 0
+    // x + 1 rounds up to the next integer just below it, where floor(x) and x would disagree.
+    if (pair.first > inReach) --pair.first;
+    pair.weight = inReach - pair.first;
+    pair.second = pair.first + 1;
+    if (repeat) {
+        if (pair.first < 0) pair.first += size;
+        if (pair.second >= size) pair.second -= size;
+    } else {
+        pair.first = std::clamp(pair.first, 0, size - 1);
+        pair.second = std::clamp(pair.second, 0, size - 1);
+    }
+    return pair;
+}
+
+} // namespace plumbline

@@ -1,0 +1,64 @@
+// The relief depth d(s,t): the only C++ definition of displacement (the GLSL twin is
+// realtime/shaders/height_map.glsl; a test holds the two together).
+//
+// Conventions, once: d in [0,1], 0 = top of the relief layer, 1 = deepest. Row 0 is the bottom row (image rows are
+// flipped on load). Texel (i,j) has its centre at ((i+0.5)/width, (j+0.5)/height). Bilinear at the base level, exact:
+// no mip level, no 8-bit filter weights.
+#pragma once
+
+#include "scenes/core/math.h"
+
+#include <string>
+#include <vector>
+
+namespace plumbline {
+
+enum class Wrap { Repeat, Clamp };
+
+class HeightMap {
+  public:
+    /// `depths`: width x height values in [0,1], row 0 = bottom. Throws InputError naming `name` for a size that
+    /// doesn't fit, or a value that is NaN or outside [0,1].
+    HeightMap(std::string name, int width, int height, std::vector<float> depths, Wrap wrapS = Wrap::Repeat,
+              Wrap wrapT = Wrap::Repeat);
+    /// The same depth everywhere.
+    static HeightMap constant(std::string name, float depth);
+
+    const std::string& name() const { return name_; }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    Wrap wrapS() const { return wrapS_; }
+    Wrap wrapT() const { return wrapT_; }
+    const std::vector<float>& depths() const { return depths_; }
+    /// Smallest and largest of the depths.
+    float leastDepth() const { return leastDepth_; }
+    float mostDepth() const { return mostDepth_; }
+    /// Texel by index, wrapped.
+    float texel(int i, int j) const;
+    /// The bilinear patch between texels (i, j) and (i+1, j+1), wrapped: d_xy at x right, y up.
+    struct Cell {
+        double d00, d10, d01, d11;
+    };
+    Cell cell(int i, int j) const;
+
+    /// Relief depth at texture coordinates st, any real numbers. NaN where there is no texel to speak of: st is NaN,
+    /// or infinite along an axis that repeats (an infinite coordinate clamps to the border texel otherwise).
+    double depth(const Vec2& st) const;
+
+    /// Depth and its gradient (d_s, d_t) per unit of s and t: of the bilinear patch that holds st; on a crease
+    /// between patches, of the one to the right and above. NaN where depth() is.
+    struct Sample {
+        double depth;
+        Vec2 gradient;
+    };
+    Sample sample(const Vec2& st) const;
+
+  private:
+    std::string name_;
+    int width_, height_;
+    std::vector<float> depths_;
+    Wrap wrapS_, wrapT_;
+    float leastDepth_, mostDepth_;
+};
+
+} // namespace plumbline

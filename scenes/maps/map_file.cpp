@@ -1,0 +1,114 @@
+#include "scenes/maps/map_file.h"
+
+#include "scenes/core/error.h"
+#include "scenes/image/image_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+constexpr float kGreyNoiseInteger = 8.0f / 255.0f;
+constexpr float kGreyNoiseFloat = 1e-4f;
+
+bool hasColor(const Image& image) {
+    return image.channels >= 3;
+}
+
+size_t texelCount(const Image& image) {
+    return static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
+}
+
+/// First value of a texel that `isBad`, reported with how many texels have one.
+template <class IsBad>
+void refuseTexels(const Image& image, const std::string& name, int channels, const char* what,
+                  const char* expected, const IsBad& isBad) {
+    size_t count = 0, firstTexel = 0;
+    float firstValue = 0;
+    for (size_t texel = 0; texel < texelCount(image); ++texel) {
+        const float* values = &image.values[texel * static_cast<size_t>(image.channels)];
+        const float* bad = std::find_if(values, values + channels, isBad);
+        if (bad == values + channels) continue;
+        if (count++ == 0) {
+            firstTexel = texel;
+            firstValue = *bad;
+        }
+    }
+    if (count == 0) return;
+    const auto width = static_cast<size_t>(image.width);
+    throw InputError(name,
+                     fmt::format("{} of {} texels are {}, the first is {} at column {}, row {} from the top",
+                                 count, texelCount(image), what, firstValue, firstTexel % width,
+                                 firstTexel / width),
+                     expected);
+}
+
+void checkGrey(const Image& image, const std::string& name) {
+    if (!hasColor(image)) return;
+    const float tolerance = image.integer ? kGreyNoiseInteger : kGreyNoiseFloat;
+    float widest = 0;
+    for (size_t texel = 0; texel < texelCount(image); ++texel) {
+        const float* values = &image.values[texel * static_cast<size_t>(image.channels)];
+        const auto [low, high] = std::minmax({values[0], values[1], values[2]});
+        widest = std::max(widest, high - low);
+    }
+    if (!(widest > tolerance)) return;
+    throw InputError(
+        name,
+        fmt::format("is a colour picture: red, green and blue of a texel differ by up to {:.3g}", widest),
+        fmt::format("a grey one (differences up to {:.3g})", tolerance),
+        "store the heights in a picture with one channel");
+}
+
+/// Rows turned over: row 0 of a picture is the top one, of a map the bottom one.
+size_t flippedTexel(const Image& image, size_t texel) {
+    const auto width = static_cast<size_t>(image.width), height = static_cast<size_t>(image.height);
+    return (height - 1 - texel / width) * width + texel % width;
+}
+
+/// IEC 61966-2-1: the electro-optical transfer function of sRGB.
+float linearFromSrgb(float encoded) {
+    const double value = encoded;
+    return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
+}
+
+} // namespace
+
+HeightMap readHeightMap(const std::filesystem::path& file, Stores stores, Wrap wrapS, Wrap wrapT) {
+    const Image image = readImage(file);
+    const std::string name = file.string();
+    refuseTexels(image, name, hasColor(image) ? 3 : 1, "NaN or outside [0,1]", "heights or depths in [0,1]",
+                 [](float value) { return !(value >= 0.0f && value <= 1.0f); });
+    checkGrey(image, name);
+    std::vector<float> depths(texelCount(image));
+    for (size_t texel = 0; texel < depths.size(); ++texel) {
+        const double value = image.values[texel * static_cast<size_t>(image.channels)];
+        depths[flippedTexel(image, texel)] =
+            static_cast<float>(stores == Stores::Depth ? value : 1.0 - value);
+    }
+    return HeightMap(name, image.width, image.height, std::move(depths), wrapS, wrapT);
+}
+
+ColorMap readColorMap(const std::filesystem::path& file) {
+    const Image image = readImage(file);
+    ColorMap map;
+    map.name = file.string();
+    map.width = image.width;
+    map.height = image.height;
+    refuseTexels(image, map.name, hasColor(image) ? 3 : 1, "negative or not finite",
+                 "linear colours, 0 or more",
+                 [](float value) { return !(value >= 0.0f && std::isfinite(value)); });
+    map.rgb.resize(texelCount(image) * 3);
+    for (size_t texel = 0; texel < texelCount(image); ++texel)
+        for (size_t channel = 0; channel < 3; ++channel) {
+            const size_t from = texel * static_cast<size_t>(image.channels) + (hasColor(image) ? channel : 0);
+            const float value = image.values[from];
+            map.rgb[3 * flippedTexel(image, texel) + channel] = image.integer ? linearFromSrgb(value) : value;
+        }
+    return map;
+}
+
+} // namespace plumbline

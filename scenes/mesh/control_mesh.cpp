@@ -1,0 +1,218 @@
+#include "scenes/mesh/control_mesh.h"
+
+#include "scenes/core/error.h"
+#include "scenes/mesh/mesh_edges.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace plumbline {
+namespace {
+
+/// Buffers for tracing and drawing are float, where squared lengths overflow from 1.8e19 on.
+constexpr double kLargestCoordinate = 1e15;
+
+template <class Vector>
+void checkCoordinates(const ControlMesh& mesh, const std::vector<Vector>& values, const char* what) {
+    for (size_t i = 0; i < values.size(); ++i)
+        for (int axis = 0; axis < Vector::length(); ++axis)
+            if (!(std::abs(values[i][axis]) <= kLargestCoordinate))
+                throw InputError(mesh.name,
+                                 fmt::format("{} {} has the coordinate {}", what, i + 1, values[i][axis]),
+                                 "finite numbers up to 1e15");
+}
+
+void checkArrayLengths(const ControlMesh& mesh) {
+    size_t corners = 0;
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        const int size = mesh.faceSizes[static_cast<size_t>(face)];
+        if (size < 3)
+            throw InputError(mesh.name, fmt::format("face {} has {} vertices", face + 1, size), "3 or more");
+        corners += static_cast<size_t>(size);
+    }
+    const auto check = [&](size_t length, bool optional, const char* what) {
+        if (length != corners && !(optional && length == 0))
+            throw InputError(mesh.name, fmt::format("{} {} for {} face corners", length, what, corners),
+                             "one a corner");
+    };
+    check(mesh.faceVertices.size(), false, "vertex indices");
+    check(mesh.faceUvs.size(), true, "uv indices");
+    check(mesh.faceNormals.size(), true, "normal indices");
+    if (!mesh.faceLines.empty() && mesh.faceLines.size() != mesh.faceSizes.size())
+        throw InputError(
+            mesh.name, fmt::format("{} line numbers for {} faces", mesh.faceLines.size(), mesh.faceCount()));
+}
+
+void checkIndices(const ControlMesh& mesh, int face, size_t firstCorner, const std::vector<int>& indices,
+                  size_t count, const char* what) {
+    const auto corners = static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
+    for (size_t corner = firstCorner; corner < firstCorner + corners; ++corner)
+        if (indices[corner] < 0 || static_cast<size_t>(indices[corner]) >= count)
+            throw InputError(whereOfFace(mesh, face),
+                             fmt::format("{} index {} is out of range", what, indices[corner] + 1),
+                             fmt::format("1 to {}", count));
+}
+
+void checkDistinctVertices(const ControlMesh& mesh, int face, size_t firstCorner) {
+    const auto begin = mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(firstCorner);
+    std::vector<int> sorted(begin, begin + mesh.faceSizes[static_cast<size_t>(face)]);
+    std::sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice != sorted.end())
+        throw InputError(whereOfFace(mesh, face),
+                         fmt::format("vertex {} occurs twice in the face", *twice + 1), "distinct vertices");
+}
+
+/// The vertices of a face, begun at the lowest.
+std::vector<int> rotatedVertices(const ControlMesh& mesh, size_t firstCorner, int size) {
+    const auto begin = mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(firstCorner);
+    std::vector<int> vertices(begin, begin + size);
+    std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+    return vertices;
+}
+
+/// Two faces with the same vertices in the same order lie in one place, where nobody can say which of them a ray meets.
+/// Two in opposite orders are the two sides of a sheet.
+void checkDistinctFaces(const ControlMesh& mesh, const MeshEdges& edges) {
+    const std::vector<size_t> firstCorners = mesh.firstCorners();
+    for (const auto& edge : edges.edges()) {
+        // Without two faces in one direction there is nothing to compare: nearly always.
+        const auto forward =
+            std::count_if(edge.begin(), edge.end(), [](const HalfEdge& h) { return h.forward; });
+        if (forward < 2 && static_cast<std::ptrdiff_t>(edge.size()) - forward < 2) continue;
+        std::map<std::vector<int>, int> seen;
+        for (const HalfEdge& half : edge) {
+            const auto face = static_cast<size_t>(half.face);
+            const auto [place, isNew] =
+                seen.emplace(rotatedVertices(mesh, firstCorners[face], mesh.faceSizes[face]), half.face);
+            if (!isNew)
+                throw InputError(whereOfFace(mesh, half.face),
+                                 fmt::format("has the same vertices as face {}", place->second + 1),
+                                 "each face once");
+        }
+    }
+}
+
+void checkNormals(const ControlMesh& mesh, int face, size_t firstCorner) {
+    const auto corners = static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
+    for (size_t corner = firstCorner; corner < firstCorner + corners; ++corner)
+        if (mesh.normals[static_cast<size_t>(mesh.faceNormals[corner])] == Vec3(0))
+            throw InputError(whereOfFace(mesh, face),
+                             fmt::format("normal {} is zero", mesh.faceNormals[corner] + 1), "a direction",
+                             "a mesh without any normals gets them from its faces");
+}
+
+std::string whereOfTag(const ControlMesh& mesh, int line) {
+    return line > 0 ? fmt::format("{}:{}", mesh.name, line) : mesh.name;
+}
+
+void checkSharpness(const ControlMesh& mesh, double sharpness, int line) {
+    if (!(sharpness >= 0) || !std::isfinite(sharpness))
+        throw InputError(whereOfTag(mesh, line), fmt::format("sharpness {}", sharpness),
+                         "a finite number, 0 (smooth) or more; from 10 on it stays sharp for ever");
+}
+
+void checkTagIndex(const ControlMesh& mesh, int line, const char* what, int index, size_t count) {
+    if (index < 0 || static_cast<size_t>(index) >= count)
+        throw InputError(whereOfTag(mesh, line), fmt::format("{} {} isn't in the mesh", what, index + 1),
+                         fmt::format("1 to {} (0 to {} in 't' lines)", count, count - 1));
+}
+
+void checkCreases(const ControlMesh& mesh, const MeshEdges& edges) {
+    std::map<std::pair<int, int>, double> creased;
+    for (const SubdivisionTags::Crease& crease : mesh.tags.creases) {
+        checkTagIndex(mesh, crease.line, "vertex", crease.from, mesh.points.size());
+        checkTagIndex(mesh, crease.line, "vertex", crease.to, mesh.points.size());
+        if (!edges.contains(crease.from, crease.to))
+            throw InputError(
+                whereOfTag(mesh, crease.line),
+                fmt::format("no face has an edge from vertex {} to {}", crease.from + 1, crease.to + 1),
+                "neighbours in a face", "'t' lines count vertices from 0, faces and scene files from 1");
+        checkSharpness(mesh, crease.sharpness, crease.line);
+        const auto [place, isNew] = creased.emplace(std::minmax(crease.from, crease.to), crease.sharpness);
+        if (!isNew && place->second != crease.sharpness)
+            throw InputError(whereOfTag(mesh, crease.line),
+                             fmt::format("the edge from vertex {} to {} has sharpness {} and {}",
+                                         crease.from + 1, crease.to + 1, place->second, crease.sharpness),
+                             "one sharpness for each edge");
+    }
+}
+
+void checkCornersAndHoles(const ControlMesh& mesh) {
+    std::map<int, double> corners;
+    for (const SubdivisionTags::Corner& corner : mesh.tags.corners) {
+        checkTagIndex(mesh, corner.line, "vertex", corner.vertex, mesh.points.size());
+        checkSharpness(mesh, corner.sharpness, corner.line);
+        const auto [place, isNew] = corners.emplace(corner.vertex, corner.sharpness);
+        if (!isNew && place->second != corner.sharpness)
+            throw InputError(whereOfTag(mesh, corner.line),
+                             fmt::format("vertex {} has sharpness {} and {}", corner.vertex + 1,
+                                         place->second, corner.sharpness),
+                             "one sharpness for each vertex");
+    }
+    for (const SubdivisionTags::Hole& hole : mesh.tags.holes)
+        checkTagIndex(mesh, hole.line, "face", hole.face, mesh.faceSizes.size());
+}
+
+/// Length of the area vector (sum of p_k x p_k+1 about the first corner, halved): the area of a planar face.
+double faceArea(const ControlMesh& mesh, int face, size_t firstCorner) {
+    const auto point = [&](int k) {
+        return mesh.points[static_cast<size_t>(mesh.faceVertices[firstCorner + static_cast<size_t>(k)])];
+    };
+    Vec3 areaVector(0);
+    for (int k = 1; k + 1 < mesh.faceSizes[static_cast<size_t>(face)]; ++k)
+        areaVector += 0.5 * glm::cross(point(k) - point(0), point(k + 1) - point(0));
+    return glm::length(areaVector);
+}
+
+} // namespace
+
+std::string whereOfFace(const ControlMesh& mesh, int face) {
+    if (mesh.faceLines.empty()) return fmt::format("{}: face {}", mesh.name, face + 1);
+    return fmt::format("{}:{}: face {}", mesh.name, mesh.faceLines[static_cast<size_t>(face)], face + 1);
+}
+
+std::vector<size_t> ControlMesh::firstCorners() const {
+    std::vector<size_t> result;
+    size_t first = 0;
+    for (const int size : faceSizes) {
+        result.push_back(first);
+        first += static_cast<size_t>(size);
+    }
+    return result;
+}
+
+void checkControlMesh(const ControlMesh& mesh, Scheme scheme) {
+    if (mesh.faceCount() == 0) throw InputError(mesh.name, "no face", "at least one");
+    checkArrayLengths(mesh);
+    checkCoordinates(mesh, mesh.points, "vertex");
+    checkCoordinates(mesh, mesh.uvs, "uv");
+    checkCoordinates(mesh, mesh.normals, "normal");
+    double area = 0;
+    size_t firstCorner = 0;
+    for (int face = 0; face < mesh.faceCount(); ++face) {
+        checkIndices(mesh, face, firstCorner, mesh.faceVertices, mesh.points.size(), "vertex");
+        if (mesh.hasUvs()) checkIndices(mesh, face, firstCorner, mesh.faceUvs, mesh.uvs.size(), "uv");
+        if (mesh.hasNormals())
+            checkIndices(mesh, face, firstCorner, mesh.faceNormals, mesh.normals.size(), "normal");
+        if (mesh.hasNormals() && scheme == Scheme::None) checkNormals(mesh, face, firstCorner);
+        checkDistinctVertices(mesh, face, firstCorner);
+        const int size = mesh.faceSizes[static_cast<size_t>(face)];
+        if (scheme == Scheme::Loop && size != 3)
+            throw InputError(whereOfFace(mesh, face), fmt::format("{} vertices", size),
+                             "triangles alone under scheme \"loop\"",
+                             "\"catmull-clark\" takes faces of any size");
+        area += faceArea(mesh, face, firstCorner);
+        firstCorner += static_cast<size_t>(size);
+    }
+    if (!(area > 0)) throw InputError(mesh.name, "the mesh has no area: its faces are points or lines");
+    const MeshEdges edges(mesh);
+    checkDistinctFaces(mesh, edges);
+    checkCreases(mesh, edges);
+    checkCornersAndHoles(mesh);
+}
+
+} // namespace plumbline

@@ -1,0 +1,212 @@
+#include "scenes/mesh/mesh_defects.h"
+
+#include "scenes/core/disjoint_sets.h"
+#include "scenes/mesh/mesh_edges.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace plumbline {
+namespace {
+
+/// Coordinates are rounded to this fraction of the mesh's size at best: heights of faces below it are rounding (a few
+/// units in the last place of a double).
+constexpr double kRounding = 0x1p-50;
+
+/// Signed volumes this small beside the cube of the mesh's size belong to flat shells, two sheets back to back.
+constexpr double kFlatVolume = 1e-9;
+
+/// Places where one kind of defect was found: the first is described, the rest counted.
+struct Findings {
+    std::string first;
+    size_t count = 0;
+
+    template <class Describe>
+    void add(const Describe& describe) {
+        if (count++ == 0) first = describe();
+    }
+    /// `meaning` follows the first place, then the count of the others.
+    void report(std::vector<std::string>& warnings, const char* meaning) const {
+        if (count == 0) return;
+        warnings.push_back(first + meaning + (count > 1 ? fmt::format(" (and {} more)", count - 1) : ""));
+    }
+};
+
+class DefectFinder {
+  public:
+    DefectFinder(const ControlMesh& mesh, Scheme scheme) : mesh_(mesh), scheme_(scheme), edges_(mesh) {
+        Bounds bounds;
+        for (const Vec3& point : mesh.points)
+            bounds.add(point);
+        size_ = bounds.diagonal();
+    }
+
+    std::vector<std::string> find() {
+        warnings_ = mesh_.warnings;
+        findCrowdedEdges();
+        findOpposedFaces();
+        findPinchedVertices();
+        findFlatFaces();
+        findInsideOutShells();
+        findUnusedVertices();
+        findTagsWithoutEffect();
+        return std::move(warnings_);
+    }
+
+  private:
+    bool smooth() const { return scheme_ != Scheme::None; }
+    const Vec3& pointAt(size_t corner) const {
+        return mesh_.points[static_cast<size_t>(mesh_.faceVertices[corner])];
+    }
+
+    void findCrowdedEdges() {
+        Findings found;
+        for (const auto& edge : edges_.edges())
+            if (edge.size() > 2)
+                found.add([&] {
+                    return fmt::format("{} is one of {} faces on the edge from vertex {} to {}",
+                                       whereOfFace(mesh_, edge[2].face), edge.size(), edge[0].low + 1,
+                                       edge[0].high + 1);
+                });
+        found.report(warnings_, smooth() ? ": no surface goes on there, the edge is made infinitely sharp"
+                                         : ": no surface goes on there, normals are the mean of all of them");
+    }
+
+    void findOpposedFaces() {
+        Findings found;
+        for (const auto& edge : edges_.edges())
+            if (edge.size() == 2 && edge[0].forward == edge[1].forward)
+                found.add([&] {
+                    return fmt::format(
+                        "{} and face {} run along the edge from vertex {} to {} in the same direction",
+                        whereOfFace(mesh_, edge[1].face), edge[0].face + 1, edge[0].low + 1,
+                        edge[0].high + 1);
+                });
+        found.report(
+            warnings_,
+            smooth() ? ": one of them is inside out, the edge is made infinitely sharp and its ends corners"
+                     : ": one of them is inside out");
+    }
+
+    void findPinchedVertices() {
+        Findings found;
+        for (const int vertex : pinchedVertices(mesh_, edges_))
+            found.add([&] {
+                return fmt::format("{}: vertex {} joins faces that share no edge there", mesh_.name,
+                                   vertex + 1);
+            });
+        found.report(warnings_,
+                     smooth() ? ": it is made a corner" : ": its normal is the mean of all of them");
+    }
+
+    void findFlatFaces() {
+        Findings flat, collapsed;
+        size_t first = 0;
+        for (int face = 0; face < mesh_.faceCount(); ++face) {
+            const auto size = static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
+            double area = 0; // of the fan about the first corner: none of a face that crosses itself is lost
+            double longestEdge = 0, shortestEdge = kInfinity;
+            for (size_t k = 0; k < size; ++k) {
+                const Vec3 &a = pointAt(first + k), &b = pointAt(first + (k + 1) % size);
+                area += 0.5 * glm::length(glm::cross(a - pointAt(first), b - pointAt(first)));
+                longestEdge = std::max(longestEdge, glm::length(b - a));
+                shortestEdge = std::min(shortestEdge, glm::length(b - a));
+            }
+            if (area <= kRounding * size_ * longestEdge)
+                flat.add([&] { return whereOfFace(mesh_, face) + " has no area"; });
+            else if (shortestEdge <= kRounding * size_)
+                collapsed.add([&] { return whereOfFace(mesh_, face) + " has two vertices in one place"; });
+            first += size;
+        }
+        flat.report(warnings_, smooth() ? ": it still shapes the limit surface" : ": nothing is seen of it");
+        collapsed.report(warnings_, smooth() ? ": it is subdivided as if they were two"
+                                             : ": normals vary abruptly there");
+    }
+
+    /// Closed: every edge has two faces that run along it in opposite directions.
+    void findInsideOutShells() {
+        DisjointSets shells(mesh_.faceSizes.size());
+        std::set<int> openFaces;
+        for (const auto& edge : edges_.edges()) {
+            for (const HalfEdge& half : edge)
+                shells.join(half.face, edge[0].face);
+            if (edge.size() != 2 || edge[0].forward == edge[1].forward) openFaces.insert(edge[0].face);
+        }
+        std::set<int> open;
+        for (const int face : openFaces)
+            open.insert(shells.rootOf(face));
+        struct Shell {
+            int firstFace = 0, faces = 0;
+            double volume = 0;
+        };
+        std::map<int, Shell> found;
+        size_t first = 0;
+        for (int face = 0; face < mesh_.faceCount(); ++face) {
+            Shell& shell = found[shells.rootOf(face)];
+            if (shell.faces++ == 0) shell.firstFace = face;
+            shell.volume += volumeUnder(face, first);
+            first += static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
+        }
+        Findings insideOut;
+        for (const auto& [root, shell] : found)
+            if (!open.contains(root) && shell.volume < -kFlatVolume * size_ * size_ * size_)
+                insideOut.add([&, &shell = shell] {
+                    return fmt::format(
+                        "{} and the rest of its closed shell of {} look inwards (volume {:.3g})",
+                        whereOfFace(mesh_, shell.firstFace), shell.faces, shell.volume);
+                });
+        insideOut.report(warnings_,
+                         ": right for a cavity, inside out otherwise; a relief goes the other way");
+    }
+
+    /// Signed volume between a face and the mesh's first point. The face is a fan about its centre, so that the two sides
+    /// of a sheet hold nothing between them.
+    double volumeUnder(int face, size_t firstCorner) const {
+        const auto size = static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
+        const Vec3 origin = mesh_.points[0];
+        Vec3 centre(0), areaVector(0);
+        for (size_t k = 0; k < size; ++k) {
+            const Vec3 a = pointAt(firstCorner + k) - origin,
+                       b = pointAt(firstCorner + (k + 1) % size) - origin;
+            centre += a / static_cast<double>(size);
+            areaVector += 0.5 * glm::cross(a, b);
+        }
+        return glm::dot(centre, areaVector) / 3; // = sum of centre . (a x b) / 6
+    }
+
+    void findUnusedVertices() {
+        std::vector<bool> used(mesh_.points.size());
+        for (const int vertex : mesh_.faceVertices)
+            used[static_cast<size_t>(vertex)] = true;
+        Findings found;
+        for (size_t vertex = 0; vertex < used.size(); ++vertex)
+            if (!used[vertex])
+                found.add(
+                    [&] { return fmt::format("{}: vertex {} belongs to no face", mesh_.name, vertex + 1); });
+        found.report(warnings_, ": left out");
+    }
+
+    void findTagsWithoutEffect() {
+        const size_t count = mesh_.tags.creases.size() + mesh_.tags.corners.size();
+        if (!smooth() && count > 0)
+            warnings_.push_back(fmt::format("{}: {} creases and corners have no effect under scheme \"none\"",
+                                            mesh_.name, count));
+    }
+
+    const ControlMesh& mesh_;
+    Scheme scheme_;
+    MeshEdges edges_;
+    double size_ = 0;
+    std::vector<std::string> warnings_;
+};
+
+} // namespace
+
+std::vector<std::string> meshWarnings(const ControlMesh& mesh, Scheme scheme) {
+    return DefectFinder(mesh, scheme).find();
+}
+
+} // namespace plumbline

@@ -1,0 +1,95 @@
+#include "scenes/scene/camera.h"
+
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+/// Right-handed view axes in world space, all unit.
+struct ViewAxes {
+    Vec3 right, up, forward;
+};
+
+ViewAxes viewAxes(const Camera& camera) {
+    ViewAxes axes;
+    axes.forward = glm::normalize(camera.targetWorld - camera.positionWorld);
+    axes.right = glm::normalize(glm::cross(axes.forward, glm::normalize(camera.upWorld)));
+    axes.up = glm::cross(axes.right, axes.forward);
+    return axes;
+}
+
+/// Side of a pixel: world units, for a perspective camera at planar depth 1. Pixels are square.
+double pixelSide(const Camera& camera) {
+    const double pictureHeight = camera.projection == Camera::Projection::Perspective
+                                     ? 2.0 * std::tan(0.5 * radians(camera.fovYDegrees))
+                                     : camera.viewHeight;
+    return pictureHeight / camera.height;
+}
+
+} // namespace
+
+Mat4 viewFromWorld(const Camera& camera) {
+    const ViewAxes axes = viewAxes(camera);
+    const Vec3 rows[3] = {axes.right, axes.up, -axes.forward};
+    Mat4 matrix(1.0);
+    for (int row = 0; row < 3; ++row) {
+        for (int column = 0; column < 3; ++column)
+            matrix[column][row] = rows[row][column];
+        matrix[3][row] = -glm::dot(rows[row], camera.positionWorld);
+    }
+    return matrix;
+}
+
+Mat4 clipFromView(const Camera& camera, double near, double far) {
+    const double halfHeight = 0.5 * pixelSide(camera) * camera.height;
+    const double halfWidth = 0.5 * pixelSide(camera) * camera.width;
+    Mat4 matrix(0.0);
+    matrix[0][0] = 1.0 / halfWidth;
+    matrix[1][1] = 1.0 / halfHeight;
+    if (camera.projection == Camera::Projection::Perspective) {
+        // z_ndc = (A z_view + B) / -z_view with -1 at z_view = -near and +1 at -far.
+        matrix[2][2] = -(far + near) / (far - near);
+        matrix[3][2] = -2.0 * far * near / (far - near);
+        matrix[2][3] = -1.0;
+    } else {
+        matrix[2][2] = -2.0 / (far - near);
+        matrix[3][2] = -(far + near) / (far - near);
+        matrix[3][3] = 1.0;
+    }
+    return matrix;
+}
+
+Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld) {
+    const ViewAxes axes = viewAxes(camera);
+    const Vec3 offset = positionWorld - camera.positionWorld;
+    const double planarDepth = glm::dot(offset, axes.forward);
+    const bool perspective = camera.projection == Camera::Projection::Perspective;
+    const double pixel = pixelSide(camera) * (perspective ? planarDepth : 1.0);
+    return {0.5 * camera.width + glm::dot(offset, axes.right) / pixel,
+            0.5 * camera.height - glm::dot(offset, axes.up) / pixel, planarDepth};
+}
+
+CameraRays::CameraRays(const Camera& camera)
+    : origin_(camera.positionWorld), centreX_(0.5 * camera.width), centreY_(0.5 * camera.height),
+      perspective_(camera.projection == Camera::Projection::Perspective) {
+    const ViewAxes axes = viewAxes(camera);
+    const double side = pixelSide(camera);
+    right_ = axes.right * side;
+    up_ = axes.up * side;
+    forward_ = axes.forward;
+}
+
+Ray CameraRays::ray(double x, double y) const {
+    const Vec3 offset = right_ * (x - centreX_) + up_ * (centreY_ - y);
+    if (perspective_) return {origin_, glm::normalize(forward_ + offset)};
+    return {origin_ + offset, forward_};
+}
+
+Vec3 CameraRays::towardsCamera(const Vec3& positionWorld) const {
+    if (!perspective_) return -forward_;
+    const Vec3 offset = origin_ - positionWorld;
+    const double distance = glm::length(offset);
+    return distance > 0 ? offset / distance : -forward_;
+}
+
+} // namespace plumbline

@@ -1,0 +1,57 @@
+// The camera both renderers share: a pixel is the ray through its centre.
+//
+// View space: right-handed, the camera looks down -Z, +Y up. Pixel (0,0) is the top-left one, as in the EXR
+// file; pixel centres lie at +0.5. Planar depth Z = -z_view, positive in front of the camera, world units.
+#pragma once
+
+#include "scenes/core/math.h"
+
+namespace plumbline {
+
+struct Camera {
+    enum class Projection { Perspective, Orthographic };
+
+    Vec3 positionWorld{0, 0, 3};
+    Vec3 targetWorld{0, 0, 0};
+    Vec3 upWorld{0, 1, 0};
+    Projection projection = Projection::Perspective;
+    double fovYDegrees = 40; // perspective: vertical field of view
+    double viewHeight = 2;   // orthographic: world units from the bottom to the top of the picture
+    int width = 800;         // pixels
+    int height = 600;
+
+    bool operator==(const Camera&) const = default;
+};
+
+/// World to view space: a rotation and a translation.
+Mat4 viewFromWorld(const Camera& camera);
+
+/// View to clip space of OpenGL (NDC z in [-1,1]); `near` and `far` are planar depths, 0 < near < far.
+/// NDC x = -1 is the left edge of the picture and y = +1 its top.
+Mat4 clipFromView(const Camera& camera, double near, double far);
+
+/// Pixels and planar depth of a world point: x right, y down, (0.5, 0.5) the centre of the top-left pixel;
+/// z is the planar depth (may be <= 0 behind a perspective camera, then x and y mean nothing).
+Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld);
+
+/// Makes rays for many pixels; computes the basis once.
+class CameraRays {
+  public:
+    explicit CameraRays(const Camera& camera);
+    /// Ray through (x, y) in pixels; pass i + 0.5 for a centre. Perspective rays start at the camera, orthographic
+    /// ones in the camera's plane.
+    Ray ray(double x, double y) const;
+    /// Planar depth of a world point.
+    double planarDepth(const Vec3& positionWorld) const {
+        return glm::dot(positionWorld - origin_, forward_);
+    }
+    /// Unit vector from a world point towards the camera.
+    Vec3 towardsCamera(const Vec3& positionWorld) const;
+
+  private:
+    Vec3 origin_, right_, up_, forward_; // right_ and up_ span one pixel (perspective: at unit depth)
+    double centreX_, centreY_;           // pixels
+    bool perspective_;
+};
+
+} // namespace plumbline

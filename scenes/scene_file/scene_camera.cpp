@@ -1,0 +1,120 @@
+#include "scenes/scene_file/scene_camera.h"
+
+#include "scenes/scene/scene_limits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace plumbline {
+namespace {
+
+constexpr int kLargestSide = 32768; // pixels
+constexpr int64_t kMostPixels = int64_t(1) << 28;
+// Below this sine of the angle between view direction and up, the picture's roll is rounding noise.
+constexpr double kSmallestUpSine = 1e-6;
+constexpr double kSmallestFovYDegrees = 1e-3, kLargestFovYDegrees = 179.9;
+
+std::optional<CameraFault> findRangeFault(const char* field, double value, double low, double high) {
+    if (value >= low && value <= high) return std::nullopt;
+    return CameraFault{field, fmt::format("is {}", value), fmt::format("{} to {}", low, high)};
+}
+
+std::optional<CameraFault> findPlaceFault(const char* field, const Vec3& place) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (auto fault = findRangeFault(field, place[axis], -kLargestLength, kLargestLength)) return fault;
+    return std::nullopt;
+}
+
+/// `orbit = { distance, polar_degrees, azimuth_degrees }`: around the target, seen from `polar_degrees` off world +Y, towards +Z
+/// at azimuth 0 and +X at 90. The picture's up is where the polar angle falls, so that straight from above is a view
+/// like any other.
+void readOrbit(const TomlTable& table, Camera& camera) {
+    const TomlTable orbit = table.table("orbit");
+    const double distance = orbit.number("distance", kSmallestLength, kLargestLength);
+    const double polar = glm::radians(orbit.number("polar_degrees", 0, 180));
+    const double azimuth = glm::radians(orbit.number("azimuth_degrees", -360, 360, 0.0));
+    orbit.finish();
+    const Vec3 level(std::sin(azimuth), 0, std::cos(azimuth));
+    camera.positionWorld =
+        camera.targetWorld + distance * (std::cos(polar) * Vec3(0, 1, 0) + std::sin(polar) * level);
+    camera.upWorld = std::sin(polar) * Vec3(0, 1, 0) - std::cos(polar) * level;
+    if (const auto fault = findPlaceFault("position", camera.positionWorld))
+        table.fail("orbit", "puts the camera outside: its position " + fault->found, fault->expected);
+}
+
+void readPlace(const TomlTable& table, Camera& camera) {
+    camera.targetWorld = table.vector3("target", -kLargestLength, kLargestLength, Vec3(0));
+    if (table.has("orbit")) {
+        for (const char* key : {"position", "up"})
+            if (table.has(key)) table.fail(key, "stands beside orbit", "one of the two");
+        readOrbit(table, camera);
+        return;
+    }
+    camera.positionWorld = table.vector3("position", -kLargestLength, kLargestLength);
+    camera.upWorld = table.vector3("up", -kLargestLength, kLargestLength, Vec3(0, 1, 0));
+}
+
+void readProjection(const TomlTable& table, Camera& camera) {
+    const std::string projection = table.choice("projection", {"perspective", "orthographic"}, "perspective");
+    if (projection == "perspective") {
+        camera.fovYDegrees =
+            table.number("fov_y_degrees", kSmallestFovYDegrees, kLargestFovYDegrees, camera.fovYDegrees);
+        if (table.has("view_height")) table.fail("view_height", "belongs to projection \"orthographic\"");
+    } else {
+        camera.projection = Camera::Projection::Orthographic;
+        camera.viewHeight = table.number("view_height", kSmallestLength, kLargestLength, camera.viewHeight);
+        if (table.has("fov_y_degrees")) table.fail("fov_y_degrees", "belongs to projection \"perspective\"");
+    }
+}
+
+void readSize(const TomlTable& table, Camera& camera) {
+    camera.width = table.integer("width", 1, kLargestSide, camera.width);
+    camera.height = table.integer("height", 1, kLargestSide, camera.height);
+    if (int64_t(camera.width) * camera.height > kMostPixels)
+        table.fail("width", fmt::format("{} x {} pixels are too many", camera.width, camera.height),
+                   "at most 2^28");
+}
+
+std::optional<CameraFault> findAxesFault(const Camera& camera) {
+    const Vec3 view = camera.targetWorld - camera.positionWorld;
+    const double magnitude = std::max(glm::length(camera.positionWorld), glm::length(camera.targetWorld));
+    // Closer than that, the direction is made of the coordinates' last digits.
+    if (glm::length(view) <= 1e-12 * magnitude || !(glm::length(view) > 0))
+        return CameraFault{"target", "is where the camera is", "another place than position"};
+    if (!(glm::length(camera.upWorld) > 0)) return CameraFault{"up", "is zero", "a direction"};
+    if (glm::length(glm::cross(glm::normalize(view), glm::normalize(camera.upWorld))) < kSmallestUpSine)
+        return CameraFault{"up", "is parallel to the view direction", "a direction that points elsewhere"};
+    return std::nullopt;
+}
+
+} // namespace
+
+Camera readCamera(const TomlTable& table) {
+    Camera camera;
+    readPlace(table, camera);
+    readProjection(table, camera);
+    readSize(table, camera);
+    if (const auto fault = findAxesFault(camera)) table.fail(fault->field, fault->found, fault->expected);
+    table.finish();
+    return camera;
+}
+
+std::optional<CameraFault> findFault(const Camera& camera) {
+    for (const auto& [field, place] : {std::pair("position", camera.positionWorld),
+                                       {"target", camera.targetWorld},
+                                       {"up", camera.upWorld}})
+        if (auto fault = findPlaceFault(field, place)) return fault;
+    const bool perspective = camera.projection == Camera::Projection::Perspective;
+    if (auto fault = perspective
+                         ? findRangeFault("fov_y_degrees", camera.fovYDegrees, kSmallestFovYDegrees,
+                                          kLargestFovYDegrees)
+                         : findRangeFault("view_height", camera.viewHeight, kSmallestLength, kLargestLength))
+        return fault;
+    return findAxesFault(camera);
+}
+
+} // namespace plumbline

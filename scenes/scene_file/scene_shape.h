@@ -1,0 +1,12 @@
+// The `shape = { kind = … }` of a scene file: fields to a control mesh.
+#pragma once
+
+#include "scenes/mesh/control_mesh.h"
+#include "scenes/toml/toml_file.h"
+
+namespace plumbline {
+
+/// Kinds, parameters and defaults: scenes/README.md. Throws InputError with the file's line.
+ControlMesh readShape(const TomlTable& shape);
+
+} // namespace plumbline

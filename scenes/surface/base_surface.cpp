@@ -1,0 +1,320 @@
+#include "scenes/surface/base_surface.h"
+
+#include "scenes/core/error.h"
+#include "scenes/surface/limit_check.h"
+#include "scenes/surface/linear_patch.h"
+#include "scenes/surface/topology.h"
+#include "scenes/mesh/vertex_normals.h"
+
+#include <opensubdiv/bfr/refinerSurfaceFactory.h>
+#include <opensubdiv/bfr/surface.h>
+#include <opensubdiv/bfr/tessellation.h>
+
+#include <array>
+#include <mutex>
+#include <shared_mutex>
+
+namespace plumbline {
+
+namespace {
+
+using namespace OpenSubdiv;
+
+using SurfaceCache = Bfr::SurfaceFactoryCacheThreaded<std::shared_mutex, std::shared_lock<std::shared_mutex>,
+                                                      std::unique_lock<std::shared_mutex>>;
+using SurfaceFactory = Bfr::RefinerSurfaceFactory<SurfaceCache>;
+
+// Bfr's default of 2 is off the limit surface by up to 1 % of an object's size; at 10 samples at dyadic (u,v)
+// down to 2^-10 are on it to rounding, and beyond 10 OpenSubdiv 3.5 returns garbage.
+constexpr int kApproximationLevel = 10;
+
+// |S_u x S_v| below this fraction of |S_u||S_v| counts as no normal: 2^-40, far above rounding (2^-52) and
+// far below the angle of any patch with area.
+constexpr double kDegenerateSine = 0x1p-40;
+
+// Where a patch has no normal at a point, that of a point this far inside, in parameter space, is taken.
+constexpr double kNudge = 0x1p-10;
+
+Vec3 unitOrZero(const Vec3& vector) {
+    const double length = glm::length(vector);
+    return length > 0 ? vector / length : Vec3(0);
+}
+
+/// A point of a triangle's sub-face k, as Bfr cuts one under the bilinear scheme, on the triangle as one patch. Its
+/// barycentric coordinates are themselves interpolated linearly from those of the corners.
+BaseSurface::FaceTessellation::Sample onTriangle(int patch, int k, double u, double v) {
+    const Vec3 corners =
+        makeLinearPatch<Vec3>(3, k, false, [](int i) { return Vec3(i == 0, i == 1, i == 2); }).at(u, v);
+    return {patch, corners[1], corners[2]};
+}
+
+} // namespace
+
+struct BaseSurface::Impl {
+    ControlMesh mesh;
+    Scheme scheme;
+    std::unique_ptr<Far::TopologyRefiner> refiner;
+    std::unique_ptr<SurfaceFactory> factory; // null for Scheme::None
+    std::vector<int> firstCorner;            // per face, into mesh.faceVertices
+    std::vector<int> firstPatch;             // per face, into patches
+    std::vector<Patch> patches;
+
+    Impl(ControlMesh meshWorld, Scheme schemeOfMesh) : mesh(std::move(meshWorld)), scheme(schemeOfMesh) {
+        checkControlMesh(mesh, scheme);
+        if (scheme != Scheme::None) checkLimitTopology(mesh);
+        refiner = makeTopology(mesh, scheme);
+        if (scheme != Scheme::None) {
+            Bfr::SurfaceFactory::Options options;
+            options.SetApproxLevelSmooth(kApproximationLevel).SetApproxLevelSharp(kApproximationLevel);
+            factory = std::make_unique<SurfaceFactory>(*refiner, options);
+        } else if (!mesh.hasNormals()) {
+            addAngleWeightedNormals(mesh);
+        }
+        listPatches();
+    }
+
+    Bfr::Parameterization parameterization(int face) const {
+        return {refiner->GetSchemeType(), mesh.faceSizes[static_cast<size_t>(face)]};
+    }
+
+    void listPatches() {
+        int first = 0;
+        std::vector<bool> isHole(static_cast<size_t>(mesh.faceCount()));
+        for (const SubdivisionTags::Hole& hole : mesh.tags.holes)
+            isHole[static_cast<size_t>(hole.face)] = true;
+        for (int face = 0; face < mesh.faceCount(); ++face) {
+            const int size = mesh.faceSizes[static_cast<size_t>(face)];
+            firstCorner.push_back(first);
+            firstPatch.push_back(static_cast<int>(patches.size()));
+            first += size;
+            if (isHole[static_cast<size_t>(face)]) continue;
+            if (factory && !factory->FaceHasLimitSurface(face)) {
+                if (mesh.boundaryFacesSupportOnly) continue;
+                throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it");
+            }
+            if (scheme == Scheme::Loop || (scheme == Scheme::None && size == 3)) {
+                patches.push_back({face, 0, true, false});
+            } else if (size == 4) {
+                patches.push_back({face, 0, false, false});
+            } else {
+                for (int corner = 0; corner < size; ++corner)
+                    patches.push_back({face, corner, false, true});
+            }
+        }
+        if (patches.empty())
+            throw InputError(mesh.name, "no face has a limit surface",
+                             "at least one face away from the boundary and no hole");
+    }
+};
+
+BaseSurface::BaseSurface(ControlMesh meshWorld, Scheme scheme)
+    : impl_(std::make_unique<Impl>(std::move(meshWorld), scheme)) {
+    if (scheme != Scheme::None) checkFacesMeet(*this);
+}
+BaseSurface::~BaseSurface() = default;
+
+const ControlMesh& BaseSurface::mesh() const {
+    return impl_->mesh;
+}
+const std::vector<BaseSurface::Patch>& BaseSurface::patches() const {
+    return impl_->patches;
+}
+int BaseSurface::vertexCount() const {
+    return impl_->refiner->GetLevel(0).GetNumVertices();
+}
+int BaseSurface::edgeCount() const {
+    return impl_->refiner->GetLevel(0).GetNumEdges();
+}
+
+std::span<const int> BaseSurface::faceVertices(int face) const {
+    const auto vertices = impl_->refiner->GetLevel(0).GetFaceVertices(face);
+    return {vertices.begin(), static_cast<size_t>(vertices.size())};
+}
+std::span<const int> BaseSurface::faceEdges(int face) const {
+    const auto edges = impl_->refiner->GetLevel(0).GetFaceEdges(face);
+    return {edges.begin(), static_cast<size_t>(edges.size())};
+}
+int BaseSurface::edgeStart(int edge) const {
+    return impl_->refiner->GetLevel(0).GetEdgeVertices(edge)[0];
+}
+
+bool BaseSurface::hasLimit(int face) const {
+    const size_t next = static_cast<size_t>(face) + 1;
+    const size_t end = next < impl_->firstPatch.size() ? static_cast<size_t>(impl_->firstPatch[next])
+                                                       : impl_->patches.size();
+    return end > static_cast<size_t>(impl_->firstPatch[static_cast<size_t>(face)]);
+}
+
+int BaseSurface::firstPatch(int face) const {
+    return impl_->firstPatch[static_cast<size_t>(face)];
+}
+
+BaseSurface::FaceTessellation BaseSurface::tessellateFace(int face, int rate) const {
+    const Bfr::Parameterization parameterization = impl_->parameterization(face);
+    const Bfr::Tessellation tessellation(parameterization, rate,
+                                         Bfr::Tessellation::Options().SetFacetSize(4).PreserveQuads(true));
+    FaceTessellation result;
+    result.boundaryCount = tessellation.GetNumBoundaryCoords();
+    std::vector<double> coords(2 * static_cast<size_t>(tessellation.GetNumCoords()));
+    tessellation.GetCoords(coords.data());
+    for (size_t i = 0; i < coords.size(); i += 2) {
+        FaceTessellation::Sample sample{impl_->firstPatch[static_cast<size_t>(face)], coords[i],
+                                        coords[i + 1]};
+        if (parameterization.HasSubFaces()) {
+            double local[2];
+            const int subFace = parameterization.ConvertCoordToNormalizedSubFace(&coords[i], local);
+            sample = impl_->patches[static_cast<size_t>(sample.patch)].triangular
+                         ? onTriangle(sample.patch, subFace, local[0], local[1])
+                         : FaceTessellation::Sample{sample.patch + subFace, local[0], local[1]};
+        }
+        result.samples.push_back(sample);
+    }
+    result.facets.resize(static_cast<size_t>(tessellation.GetNumFacets()));
+    tessellation.GetFacets(result.facets.empty() ? nullptr : result.facets[0].data());
+    return result;
+}
+
+struct BaseSurface::Evaluator::State {
+    const BaseSurface::Impl& surface;
+    Patch patch{};
+    int faceReady = -1;
+    Bfr::Surface<double> smooth;
+    std::vector<double> smoothPoints;
+    LinearPatch<Vec3> position, normal; // Scheme::None
+    LinearPatch<Vec2> uv;
+
+    explicit State(const BaseSurface::Impl& s) : surface(s) {}
+
+    size_t corner(int k) const {
+        return static_cast<size_t>(surface.firstCorner[static_cast<size_t>(patch.face)] + k);
+    }
+
+    void setPatch(const Patch& next) {
+        patch = next;
+        const ControlMesh& mesh = surface.mesh;
+        const int size = mesh.faceSizes[static_cast<size_t>(patch.face)];
+        if (mesh.hasUvs())
+            uv = makeLinearPatch<Vec2>(size, patch.subFace ? patch.corner : -1, patch.triangular, [&](int k) {
+                return mesh.uvs[static_cast<size_t>(mesh.faceUvs[corner(k)])];
+            });
+        if (surface.scheme == Scheme::None) {
+            position =
+                makeLinearPatch<Vec3>(size, patch.subFace ? patch.corner : -1, patch.triangular, [&](int k) {
+                    return mesh.points[static_cast<size_t>(mesh.faceVertices[corner(k)])];
+                });
+            normal =
+                makeLinearPatch<Vec3>(size, patch.subFace ? patch.corner : -1, patch.triangular, [&](int k) {
+                    return mesh.normals[static_cast<size_t>(mesh.faceNormals[corner(k)])];
+                });
+        } else if (faceReady != patch.face) {
+            prepareSmooth();
+        }
+    }
+
+    void prepareSmooth() {
+        if (!surface.factory->InitVertexSurface(patch.face, &smooth))
+            throw InputError(whereOfFace(surface.mesh, patch.face),
+                             "OpenSubdiv can't make a limit surface of it");
+        smoothPoints.resize(3 * static_cast<size_t>(smooth.GetNumPatchPoints()));
+        const Bfr::Surface<double>::PointDescriptor xyz(3);
+        smooth.PreparePatchPoints(&surface.mesh.points[0].x, xyz, smoothPoints.data(), xyz);
+        faceReady = patch.face;
+    }
+
+    /// Patch coordinates to Bfr's: sub-face k has its own unit tile, half used.
+    std::array<double, 2> bfrCoord(double u, double v) const {
+        std::array<double, 2> coord{u, v};
+        if (patch.subFace) {
+            const std::array<double, 2> local{u, v};
+            smooth.GetParameterization().ConvertNormalizedSubFaceToCoord(patch.corner, local.data(),
+                                                                         coord.data());
+        }
+        return coord;
+    }
+    double coordScale() const { return patch.subFace ? 0.5 : 1.0; } // d(Bfr coordinate) / d(patch coordinate)
+
+    /// Position and first derivatives; the normal is left out.
+    void firstOrder(double u, double v, Vec3& p, Vec3& pu, Vec3& pv) const {
+        if (surface.scheme == Scheme::None) {
+            p = position.at(u, v);
+            pu = position.byU(v);
+            pv = position.byV(u);
+            return;
+        }
+        const auto coord = bfrCoord(u, v);
+        smooth.Evaluate(coord.data(), smoothPoints.data(), 3, &p.x, &pu.x, &pv.x);
+        pu *= coordScale();
+        pv *= coordScale();
+    }
+
+    Vec3 smoothNormal(double u, double v, const Vec3& pu, const Vec3& pv) const {
+        const Vec3 cross = glm::cross(pu, pv);
+        const double length = glm::length(cross);
+        if (length > kDegenerateSine * glm::length(pu) * glm::length(pv)) return cross / length;
+        const double centre = patch.triangular ? 1.0 / 3 : 0.5;
+        Vec3 p, nudgedU, nudgedV;
+        firstOrder(u + kNudge * (centre - u), v + kNudge * (centre - v), p, nudgedU, nudgedV);
+        return unitOrZero(glm::cross(nudgedU, nudgedV));
+    }
+
+    BasePoint point(double u, double v) const {
+        BasePoint result;
+        Vec3 pu, pv;
+        firstOrder(u, v, result.position, pu, pv);
+        result.normal =
+            surface.scheme == Scheme::None ? unitOrZero(normal.at(u, v)) : smoothNormal(u, v, pu, pv);
+        result.uv = uv.at(u, v);
+        return result;
+    }
+
+    BaseSample sample(double u, double v) const {
+        BaseSample s;
+        s.uv = uv.at(u, v);
+        s.uvU = uv.byU(v);
+        s.uvV = uv.byV(u);
+        Vec3 raw, rawU, rawV; // an unnormalised normal and its derivatives
+        if (surface.scheme == Scheme::None) {
+            firstOrder(u, v, s.position, s.positionU, s.positionV);
+            raw = normal.at(u, v);
+            rawU = normal.byU(v);
+            rawV = normal.byV(u);
+            s.normal = unitOrZero(raw);
+        } else {
+            Vec3 puu, puv, pvv;
+            const auto coord = bfrCoord(u, v);
+            smooth.Evaluate(coord.data(), smoothPoints.data(), 3, &s.position.x, &s.positionU.x,
+                            &s.positionV.x, &puu.x, &puv.x, &pvv.x);
+            const double scale = coordScale();
+            s.positionU *= scale;
+            s.positionV *= scale;
+            puu *= scale * scale;
+            puv *= scale * scale;
+            pvv *= scale * scale;
+            raw = glm::cross(s.positionU, s.positionV);
+            rawU = glm::cross(puu, s.positionV) + glm::cross(s.positionU, puv);
+            rawV = glm::cross(puv, s.positionV) + glm::cross(s.positionU, pvv);
+            s.normal = smoothNormal(u, v, s.positionU, s.positionV);
+        }
+        // n = raw / |raw|, so n' is the part of raw' across n, over |raw|.
+        const double length = glm::length(raw);
+        const double inverse = length > 0 ? 1 / length : 0;
+        s.normalU = (rawU - s.normal * glm::dot(s.normal, rawU)) * inverse;
+        s.normalV = (rawV - s.normal * glm::dot(s.normal, rawV)) * inverse;
+        return s;
+    }
+};
+
+BaseSurface::Evaluator::Evaluator(const BaseSurface& surface)
+    : state_(std::make_unique<State>(*surface.impl_)) {}
+BaseSurface::Evaluator::~Evaluator() = default;
+void BaseSurface::Evaluator::setPatch(int patch) {
+    state_->setPatch(state_->surface.patches[static_cast<size_t>(patch)]);
+}
+BasePoint BaseSurface::Evaluator::point(double u, double v) const {
+    return state_->point(u, v);
+}
+BaseSample BaseSurface::Evaluator::sample(double u, double v) const {
+    return state_->sample(u, v);
+}
+
+} // namespace plumbline

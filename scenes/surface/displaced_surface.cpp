@@ -1,0 +1,63 @@
+#include "scenes/surface/displaced_surface.h"
+
+#include "scenes/core/error.h"
+#include "scenes/surface/proxy_mesh.h"
+
+namespace plumbline {
+
+std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object, Base base) {
+    if (object.relief && !object.mesh.hasUvs())
+        throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
+                         "uvs, because the object has a relief");
+    if (base == Base::Proxy) return std::make_unique<BaseSurface>(proxyPolygons(object), Scheme::None);
+    return std::make_unique<BaseSurface>(object.meshWorld(), object.scheme);
+}
+
+std::optional<Relief> reliefOn(const SceneObject& object, Base base) {
+    std::optional<Relief> relief = object.relief;
+    if (relief && base == Base::Proxy) relief->offset = 0;
+    return relief;
+}
+
+Vec2 textureCoordinates(const BasePoint& base, const Relief* relief) {
+    return relief ? relief->tile * base.uv + relief->uvOffset : base.uv;
+}
+
+Vec3 reliefDirection(const BasePoint& base, const Relief* relief) {
+    return relief && relief->axisWorld ? *relief->axisWorld : base.normal;
+}
+
+ReliefDirection sampleReliefDirection(const BaseSample& base, const Relief* relief) {
+    if (relief && relief->axisWorld) return {*relief->axisWorld, Vec3(0), Vec3(0)};
+    return {base.normal, base.normalU, base.normalV};
+}
+
+AcrossRelief tangentsAcross(const BaseSample& base, const Relief* relief) {
+    if (!relief || !relief->axisWorld) return {base.positionU, base.positionV};
+    const Vec3& axis = *relief->axisWorld;
+    return {base.positionU - axis * glm::dot(base.positionU, axis),
+            base.positionV - axis * glm::dot(base.positionV, axis)};
+}
+
+double displacement(const Vec2& st, const Relief* relief) {
+    return relief ? relief->offset - relief->depth * relief->map->depth(st) : 0.0;
+}
+
+DisplacedSample displace(const BaseSample& base, const Relief* relief) {
+    const Vec2 st = textureCoordinates(base, relief);
+    if (!relief) return {base.position, base.positionU, base.positionV, base.normal, st, 0.0};
+
+    const HeightMap::Sample map = relief->map->sample(st);
+    const double height = relief->offset - relief->depth * map.depth;
+    const double heightU = -relief->depth * glm::dot(map.gradient, relief->tile * base.uvU);
+    const double heightV = -relief->depth * glm::dot(map.gradient, relief->tile * base.uvV);
+    const ReliefDirection k = sampleReliefDirection(base, relief);
+    const Vec3 positionU = base.positionU + k.alongU * height + k.along * heightU;
+    const Vec3 positionV = base.positionV + k.alongV * height + k.along * heightV;
+    const Vec3 cross = glm::cross(positionU, positionV);
+    const double length = glm::length(cross);
+    return {base.position + k.along * height,          positionU, positionV,
+            length > 0 ? cross / length : base.normal, st,        map.depth};
+}
+
+} // namespace plumbline

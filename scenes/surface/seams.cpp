@@ -1,0 +1,197 @@
+#include "scenes/surface/seams.h"
+
+#include "scenes/surface/displaced_surface.h"
+#include "scenes/surface/patch_place.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+/// Two displacements closer than this fraction of the relief's depth are one: a step of an 8-bit map, which nobody can
+/// tell from the map's own rounding.
+constexpr double kTornFraction = 1.0 / 256;
+/// Jumps of st this close to whole numbers, in texels, are whole: single-precision exporters leave about 1e-7 of the
+/// largest coordinate, and maps have up to some thousand texels a side.
+constexpr double kWholeTexels = 1e-2;
+
+constexpr int kFewestPlaces = 32, kMostPlaces = 2048;
+/// Normals are compared at the ends of an edge and between: they differ all along a crease, at one end where the edge
+/// meets a corner.
+constexpr int kNormalSegments = 4;
+
+/// A face's side of an edge of the control mesh.
+struct Side {
+    int face, k;  // the face's edge from its corner k
+    bool forward; // the face starts where the edge starts
+};
+
+/// A face's normals along one of its edges, from the corner it starts in; the end is the next edge's start.
+using EdgeNormals = std::array<Vec3, kNormalSegments>;
+
+class TearFinder {
+  public:
+    TearFinder(const BaseSurface& surface, const Relief& relief)
+        : surface_(surface), mesh_(surface.mesh()), relief_(relief),
+          sides_(static_cast<size_t>(surface.edgeCount())), firstCorner_(mesh_.firstCorners()) {
+        for (int face = 0; face < mesh_.faceCount(); ++face)
+            if (surface.hasLimit(face)) listSides(face);
+    }
+
+    TornEdges count() {
+        evaluateNormals();
+        std::vector<TornEdges> torn(sides_.size());
+        tbb::parallel_for(size_t(0), sides_.size(), [&](size_t edge) {
+            const std::vector<Side>& sides = sides_[edge];
+            for (size_t i = 1; i < sides.size(); ++i) {
+                torn[edge].byMap |= isTornByMap(sides[0], sides[i]);
+                torn[edge].byNormals |= isTornByNormals(sides[0], sides[i]);
+            }
+        });
+        TornEdges sum;
+        for (const TornEdges& each : torn) {
+            sum.byMap += each.byMap;
+            sum.byNormals += each.byNormals;
+        }
+        return sum;
+    }
+
+  private:
+    void listSides(int face) {
+        const auto edges = surface_.faceEdges(face);
+        const auto vertices = surface_.faceVertices(face);
+        for (size_t k = 0; k < edges.size(); ++k)
+            sides_[static_cast<size_t>(edges[k])].push_back(
+                {face, static_cast<int>(k), vertices[k] == surface_.edgeStart(edges[k])});
+    }
+
+    size_t cornerOf(const Side& side, int step) const { return cornerOf(side.face, side.k + step); }
+
+    size_t cornerOf(int face, int k) const {
+        const auto index = static_cast<size_t>(face);
+        return firstCorner_[index] + static_cast<size_t>(k % mesh_.faceSizes[index]);
+    }
+
+    /// st at the edge's start (0) or end (1); linear in between.
+    Vec2 stAtEnd(const Side& side, int end) const {
+        const size_t corner = cornerOf(side, side.forward ? end : 1 - end);
+        return relief_.tile * mesh_.uvs[static_cast<size_t>(mesh_.faceUvs[corner])] + relief_.uvOffset;
+    }
+
+    bool isTornByMap(const Side& a, const Side& b) const {
+        const HeightMap& map = *relief_.map;
+        const Vec2 texels(map.width(), map.height());
+        const Vec2 a0 = stAtEnd(a, 0), a1 = stAtEnd(a, 1), b0 = stAtEnd(b, 0), b1 = stAtEnd(b, 1);
+        if (joins(a0, b0, a1, b1)) return false;
+        const double length = std::max(longest((a1 - a0) * texels), longest((b1 - b0) * texels));
+        // Written so that an infinite length takes the most.
+        const int places = 2 * length < kMostPlaces
+                               ? std::max(kFewestPlaces, static_cast<int>(2 * length) + 1)
+                               : kMostPlaces;
+        for (int i = 0; i <= places; ++i) {
+            const double t = static_cast<double>(i) / places;
+            const double difference = map.depth(glm::mix(a0, a1, t)) - map.depth(glm::mix(b0, b1, t));
+            if (std::abs(difference) * relief_.depth > kTornFraction * relief_.depth) return true;
+        }
+        return false;
+    }
+
+    static double longest(const Vec2& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
+
+    /// The two sides look up the same texels: st jumps by the same whole number of tiles at both ends, on an axis that
+    /// repeats, or not at all.
+    bool joins(const Vec2& a0, const Vec2& b0, const Vec2& a1, const Vec2& b1) const {
+        const HeightMap& map = *relief_.map;
+        const std::array<Wrap, 2> wraps{map.wrapS(), map.wrapT()};
+        const std::array<int, 2> sizes{map.width(), map.height()};
+        for (int axis = 0; axis < 2; ++axis) {
+            const size_t index = static_cast<size_t>(axis);
+            const double jump = a0[axis] - b0[axis], tolerance = kWholeTexels / sizes[index];
+            const double whole = wraps[index] == Wrap::Repeat ? std::round(jump) : 0;
+            if (!(std::abs(jump - whole) <= tolerance && std::abs(a1[axis] - b1[axis] - whole) <= tolerance))
+                return false;
+        }
+        return true;
+    }
+
+    /// A face's patches are set up once for all its edges: the set-up costs more than the samples.
+    void evaluateNormals() {
+        normals_.resize(mesh_.faceVertices.size());
+        tbb::parallel_for(tbb::blocked_range<int>(0, mesh_.faceCount(), 8),
+                          [&](const tbb::blocked_range<int>& faces) {
+                              BaseSurface::Evaluator evaluator(surface_);
+                              for (int face = faces.begin(); face < faces.end(); ++face)
+                                  if (surface_.hasLimit(face)) evaluateNormals(face, evaluator);
+                          });
+    }
+
+    void evaluateNormals(int face, BaseSurface::Evaluator& evaluator) {
+        const int size = mesh_.faceSizes[static_cast<size_t>(face)];
+        for (int k = 0; k < size; ++k)
+            for (int i = 0; i < kNormalSegments; ++i) {
+                const PatchPlace place =
+                    placeOnEdge(surface_, face, k, static_cast<double>(i) / kNormalSegments);
+                evaluator.setPatch(place.patch);
+                const size_t corner = cornerOf(face, k);
+                normals_[corner][static_cast<size_t>(i)] = evaluator.point(place.uv.x, place.uv.y).normal;
+            }
+    }
+
+    /// `place` of kNormalSegments along the edge, from its start.
+    const Vec3& normalAt(const Side& side, int place) const {
+        const int along = side.forward ? place : kNormalSegments - place;
+        return along < kNormalSegments ? normals_[cornerOf(side, 0)][static_cast<size_t>(along)]
+                                       : normals_[cornerOf(side, 1)][0];
+    }
+
+    bool isTornByNormals(const Side& a, const Side& b) const {
+        if (relief_.axisWorld) return false; // both displace along it
+        const Vec2 a0 = stAtEnd(a, 0), a1 = stAtEnd(a, 1);
+        const double size = std::max(relief_.depth, std::abs(relief_.offset));
+        for (int i = 0; i <= kNormalSegments; ++i) {
+            const double t = static_cast<double>(i) / kNormalSegments;
+            const double height = displacement(glm::mix(a0, a1, t), &relief_);
+            if (glm::length(normalAt(a, i) - normalAt(b, i)) * std::abs(height) > kTornFraction * size)
+                return true;
+        }
+        return false;
+    }
+
+    const BaseSurface& surface_;
+    const ControlMesh& mesh_;
+    const Relief& relief_;
+    std::vector<std::vector<Side>> sides_; // of each edge
+    std::vector<size_t> firstCorner_;      // of each face, into ControlMesh::faceVertices
+    std::vector<EdgeNormals>
+        normals_; // of the edge that starts in each corner of a face, from that corner on
+};
+
+void report(std::vector<std::string>& warnings, const SceneObject& object, int edges, const char* cause) {
+    if (edges == 0) return;
+    warnings.push_back(fmt::format(
+        "{}: {} {} where {} tear the surface; {}", object.name, edges, edges == 1 ? "edge" : "edges", cause,
+        object.relief->seams == Seams::Weld ? "welded at the mean displacement (seams = \"weld\")"
+                                            : "left open (seams = \"open\")"));
+}
+
+} // namespace
+
+TornEdges countTornEdges(const BaseSurface& surface, const Relief& relief) {
+    return TearFinder(surface, relief).count();
+}
+
+std::vector<std::string> surfaceWarnings(const SceneObject& object, const BaseSurface& surface) {
+    std::vector<std::string> warnings;
+    if (!object.relief) return warnings;
+    const TornEdges torn = countTornEdges(surface, *object.relief);
+    report(warnings, object, torn.byMap, "texture coordinates");
+    report(warnings, object, torn.byNormals, "normals");
+    return warnings;
+}
+
+} // namespace plumbline

@@ -1,0 +1,45 @@
+// Numbers for the samples faces of a mesh share: a vertex, or a place on an edge, has one number whichever face it
+// is reached from, so that what is computed there is computed once and surfaces close.
+#pragma once
+
+#include "scenes/surface/base_surface.h"
+
+#include <vector>
+
+namespace plumbline {
+
+class SharedSamples {
+  public:
+    /// `edgeRates`: segments of each edge.
+    SharedSamples(const BaseSurface& surface, std::vector<int> edgeRates)
+        : surface_(surface), rates_(std::move(edgeRates)) {
+        firstOfEdge_.reserve(rates_.size() + 1);
+        firstOfEdge_.push_back(static_cast<size_t>(surface.vertexCount()));
+        for (const int rate : rates_)
+            firstOfEdge_.push_back(firstOfEdge_.back() + static_cast<size_t>(rate - 1));
+    }
+    /// The same for all edges.
+    SharedSamples(const BaseSurface& surface, int rate)
+        : SharedSamples(surface, std::vector<int>(static_cast<size_t>(surface.edgeCount()), rate)) {}
+
+    /// All numbers are below this.
+    size_t count() const { return firstOfEdge_.back(); }
+    int edgeRate(int edge) const { return rates_[static_cast<size_t>(edge)]; }
+    /// Number of the sample `step` segments (0 … the edge's rate) along edge k of a face, from its corner k.
+    size_t onEdge(int face, int k, int step) const {
+        const std::span<const int> vertices = surface_.faceVertices(face);
+        const size_t corner = static_cast<size_t>(k);
+        const int edge = surface_.faceEdges(face)[corner], rate = edgeRate(edge);
+        if (step == 0) return static_cast<size_t>(vertices[corner]);
+        if (step == rate) return static_cast<size_t>(vertices[(corner + 1) % vertices.size()]);
+        const int fromStart = vertices[corner] == surface_.edgeStart(edge) ? step : rate - step;
+        return firstOfEdge_[static_cast<size_t>(edge)] + static_cast<size_t>(fromStart - 1);
+    }
+
+  private:
+    const BaseSurface& surface_;
+    std::vector<int> rates_;
+    std::vector<size_t> firstOfEdge_;
+};
+
+} // namespace plumbline

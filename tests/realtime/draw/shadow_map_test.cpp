@@ -1,0 +1,463 @@
+// Cast shadows by maps drawn from the lights, against shadows worked out by hand.
+#include "realtime/draw/baked_input.h"
+#include "realtime/draw/shadow_maps.h"
+#include "realtime/draw/technique_program.h"
+#include "scenes/core/free_memory.h"
+#include "tests/realtime/draw/shadow_scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+namespace plumbline {
+namespace {
+
+constexpr int kPixels = 256;
+const std::string kMap = "linear_binary:shadow=map";
+
+std::shared_ptr<const HeightMap> constantMap(float depth) {
+    return std::make_shared<HeightMap>(HeightMap::constant("constant", depth));
+}
+
+Camera fromAbove(double viewHeight) {
+    return orthographicCamera({0, 5, 0}, {0, 0, -1}, viewHeight, kPixels);
+}
+
+// --- where a shadow falls --------------------------------------------------------------------------------------------
+
+TEST(ShadowMap, OfTheSunPutsAPolesShadowWhereTheFormulaDoes) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A pole 0.1 thick and 1 tall on a plain floor, the sun at 45 degrees from +x: a point at height y shadows the floor at
+    // x - y. A receiver reads a texel whose centre is up to half of its diagonal away, across the rays: times sqrt(2) along
+    // the floor. Near the pole's foot the bias lets light through: nothing nearer to the point than h (1 + tan 45) along the
+    // ray shadows it, which the pole is for x > -0.05 - 2 h / sqrt(2).
+    const Scene scene =
+        sceneOfObjects({plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})},
+                       {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
+    Bounds bounds;
+    bounds.add({-2, 0, -2});
+    bounds.add({2, 1, 2});
+    for (const int size : {256, 1024}) {
+        const double h = shadowProjections(scene.lights, bounds, Vec3(0), size)[0].halfDiagonal;
+        const Frame frame = draw(scene, kMap + ",shadow_map_size=" + std::to_string(size));
+        const size_t decided = expectShadows(frame, "sun", 1, [&](const Vec3& p) {
+            if (p.x > -0.05 - 2 * h / std::numbers::sqrt2 && std::abs(p.z) < 0.05) return Expected::Either;
+            return inRectangle(p.x, p.z, {-1.05, -0.05}, {0.05, 0.05}, std::numbers::sqrt2 * h);
+        });
+        EXPECT_GT(decided, size_t(kPixels * kPixels * 95 / 100)) << size;
+        EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 300u) << size;
+    }
+}
+
+TEST(ShadowMap, OfALampPutsAPolesShadowWhereTheFormulaDoes) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // The same pole under a lamp at (1, 2, 0): a point at height y shadows the floor at the lamp + (point - lamp) 2 / (2 - y).
+    // Its foot stays, its top's square comes to x in [-1.1, -0.9], |z| < 0.1; the shadow is the hull of both. A receiver's texel
+    // lies up to h = sqrt(2) / size times the distance along the face's axis away, at most 2.1 to 4.2 here, and as much longer
+    // along the floor as the rays are oblique there, cosine 2 / 3.6 at least.
+    const Scene scene =
+        sceneOfObjects({plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})},
+                       {pointLight("lamp", {1, 2, 0})}, fromAbove(3));
+    const double h = std::numbers::sqrt2 / 1024, edge = h * 2.6 * 3.6 / 2;
+    const Frame frame = draw(scene, kMap);
+    const size_t decided = expectShadows(frame, "lamp", 1, [&](const Vec3& p) {
+        // The hull's side from (0.05, 0.05) to (-0.9, 0.1).
+        const double side = 0.05 + 0.05 * (0.05 - p.x) / 0.95;
+        const double outside = std::max({p.x - 0.05, -1.1 - p.x, std::abs(p.z) - (p.x < -0.9 ? 0.1 : side)});
+        const bool foot =
+            std::abs(p.x) < 0.05 + 4 * edge && std::abs(p.z) < 0.05 + edge; // under the bias, as above
+        if (foot || std::abs(outside) < edge) return Expected::Either;
+        return outside > 0 ? Expected::Lit : Expected::Shadow;
+    });
+    EXPECT_GT(decided, size_t(kPixels * kPixels * 95 / 100));
+    EXPECT_GT(countShadows(frame, "lamp", 1).shadowed, 500u);
+}
+
+TEST(ShadowMap, PlainObjectsShadowAReliefWhereItsHitIs) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A plate 0.4 wide at y = 0.4 over a relief floor 0.1 below its polygon; the sun at 45 degrees. The shadow moves by 0.5 to
+    // x in [-0.7, -0.3]; looked up from the polygon it would move by 0.4.
+    const Scene scene =
+        sceneOfObjects({plateObject("floor", 4, 0, constantMap(0.5f), 0.2), plateObject("plate", 0.4, 0.4)},
+                       {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
+    const Frame frame = draw(scene, kMap);
+    const size_t decided = expectShadows(frame, "sun", 1, [](const Vec3& p) {
+        return inRectangle(p.x, p.z, {-0.7, -0.2}, {-0.3, 0.2}, 0.01);
+    });
+    EXPECT_GT(decided, size_t(kPixels * kPixels * 9 / 10));
+    EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 500u);
+    // The depth buffer's depth has nothing to do with it.
+    const Frame uncorrected = draw(scene, kMap + ",depth_correction=false");
+    for (size_t i = 0; i < frame.pixelCount(); ++i)
+        ASSERT_EQ(frame.channel("shadow.sun")[i], uncorrected.channel("shadow.sun")[i]);
+}
+
+TEST(ShadowMap, AReliefShadowsWhatLiesBehindItsHit) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A relief plate 0.4 wide, its polygon at y = 0.7, its surface at 0.5. The light's rays through the polygon meet a plain
+    // plate at height y around (-0.7 + y, 0): at 0.6, before the relief stops them, and at 0.3, behind it.
+    for (const double height : {0.6, 0.3}) {
+        const Scene scene = sceneOfObjects(
+            {plateObject("relief", 0.4, 0.7, constantMap(1), 0.2), plateObject("plain", 2, height)},
+            {directionalLight("sun", {1, 1, 0})}, fromAbove(2));
+        const double shift = height - 0.7;
+        const Frame frame = draw(scene, kMap);
+        const size_t decided = expectShadows(frame, "sun", 2, [&](const Vec3& p) {
+            if (height > 0.5) return Expected::Lit;
+            return inRectangle(p.x, p.z, {shift - 0.2, -0.2}, {shift + 0.2, 0.2}, 0.01);
+        });
+        EXPECT_GT(decided, size_t(kPixels * kPixels * 9 / 10)) << height;
+        EXPECT_EQ(countShadows(frame, "sun", 2).shadowed > 1000, height < 0.5) << height;
+    }
+}
+
+TEST(ShadowMap, AReliefShadowsARelief) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // Polygons at y = 0.5 and 0, surfaces at 0.4 and -0.1: the plate's outline, 0.4 wide, is shadowed 0.6 further on.
+    const Scene scene = sceneOfObjects({plateObject("floor", 4, 0, constantMap(0.5f), 0.2),
+                                        plateObject("plate", 0.4, 0.5, constantMap(0.5f), 0.2)},
+                                       {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
+    const Frame frame = draw(scene, kMap);
+    const size_t decided = expectShadows(frame, "sun", 1, [](const Vec3& p) {
+        return inRectangle(p.x, p.z, {-0.8, -0.2}, {-0.4, 0.2}, 0.01);
+    });
+    EXPECT_GT(decided, size_t(kPixels * kPixels * 9 / 10));
+    EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 500u);
+}
+
+TEST(ShadowMap, PlainSheetsCastFromBothSidesReliefsFromTheirFront) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // Plates 0.4 wide at y = 0.4, turned over, so that the sun sees their backs; a relief lies behind the front of its polygons.
+    for (const bool relief : {false, true}) {
+        SceneObject plate = plateObject("plate", 0.4, 0.4, relief ? constantMap(0.5f) : nullptr, 0.1);
+        plate.rotateDegrees = Vec3(180, 0, 0);
+        const Scene scene = sceneOfObjects({plateObject("floor", 4, 0, constantMap(0.5f), 0.2), plate},
+                                           {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
+        const size_t decided = expectShadows(draw(scene, kMap), "sun", 1, [&](const Vec3& p) {
+            return relief ? Expected::Lit : inRectangle(p.x, p.z, {-0.7, -0.2}, {-0.3, 0.2}, 0.01);
+        });
+        EXPECT_GT(decided, size_t(kPixels * kPixels * 9 / 10)) << relief;
+    }
+}
+
+// --- no shadow where nothing stands ----------------------------------------------------------------------------------
+
+TEST(ShadowMap, TheBiasKeepsPlanesFromShadowingThemselves) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A plain square, lights from head-on to 86 degrees from its normal; coarse and fine maps. The derivation holds for every
+    // texel: wherever N.L is at least the 0.05 up to which the bias grows, not one pixel may be in shadow. Without a bias about
+    // half are, those whose texel's centre is nearer to the light; under a head-on sun rounding decides.
+    for (const double angle : {0.0, 20.0, 45.0, 70.0, 86.0})
+        for (const int size : {16, 100, 1024}) {
+            const Vec3 toLight(std::sin(radians(angle)), std::cos(radians(angle)), 0.03);
+            Scene scene = sceneOfObjects({plateObject("floor", 2, 0)},
+                                         {directionalLight("sun", toLight), pointLight("lamp", 1.5 * toLight),
+                                          pointLight("near", 0.2 * toLight)},
+                                         fromAbove(1.9));
+            scene.objects[0].rotateDegrees = Vec3(0, 30, 0);
+            const std::string settings = kMap + ",shadow_map_size=" + std::to_string(size);
+            const Frame frame = draw(scene, settings), bare = draw(scene, settings + ",shadow_map_bias=0");
+            for (const Light& light : scene.lights) {
+                SCOPED_TRACE(fmt::format("{} {} degrees, {} texels", light.name, angle, size));
+                size_t decided = 0, shadowed = 0;
+                for (size_t i = 0; i < frame.pixelCount(); ++i) {
+                    if (frame.channel("id")[i] == 0) continue;
+                    if (sampleLight(light, vectorAt(frame, "P", i)).toLightWorld.y < 0.0501) continue;
+                    ++decided;
+                    ASSERT_EQ(frame.channel("shadow." + light.name)[i], 0) << i;
+                    shadowed += bare.channel("shadow." + light.name)[i] == 1;
+                }
+                EXPECT_GT(decided, 2000u);
+                if (angle < 1 && light.kind == Light::Kind::Directional) continue;
+                EXPECT_GT(shadowed, decided / 5);
+            }
+        }
+}
+
+TEST(ShadowMap, TheBiasKeepsAReliefFromShadowingItself) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A ramp, two clamped texels, is a plane; it falls by 0.3 per unit away from the light. The exact search: no error but the map's.
+    SceneObject ramp = squareObject(
+        2, std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp),
+        0.3);
+    const Scene scene = sceneOfObjects({ramp}, {directionalLight("sun", {-1, 0.6, 0})}, fromAbove(0.5));
+    const auto shadowed = [&](const std::string& settings) {
+        return countShadows(draw(scene, settings), "sun").shadowed;
+    };
+    EXPECT_EQ(shadowed("exact_cells:shadow=map,shadow_bias=0"), 0u);
+    EXPECT_GT(shadowed("exact_cells:shadow=map,shadow_bias=0,shadow_map_bias=0"),
+              size_t(kPixels * kPixels / 5));
+    // Ten steps end up to a tenth of the depth behind the surface, from the camera and from the light at different places: that
+    // is the search's error, which shadow_bias is for. A point a tenth below the ramp has it 3.9 tenths away along these rays, N.L =
+    // 0.25: as far as a point below the polygon, N.L = 0.51, is with a margin of two tenths.
+    EXPECT_GT(shadowed("linear:shadow=map,shadow_bias=0"), size_t(kPixels * kPixels / 20));
+    EXPECT_EQ(shadowed("linear:shadow=map,shadow_bias=0.2"), 0u);
+}
+
+// --- lights ----------------------------------------------------------------------------------------------------------
+
+/// A box seen from inside.
+SceneObject roomObject(double side) {
+    SceneObject room = boxObject("room", Vec3(side), Vec3(0));
+    for (std::vector<int>* indices : {&room.mesh.faceVertices, &room.mesh.faceUvs, &room.mesh.faceNormals})
+        std::reverse(indices->begin(), indices->end()); // all faces have four corners
+    for (Vec3& normal : room.mesh.normals)
+        normal = -normal;
+    return room;
+}
+
+TEST(ShadowMap, ALampReachesAllSixSides) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A lamp in the middle of a room 2 wide, a plate in front of each wall, halfway and off the middle by (0.1, 0.05) along the
+    // next two axes, 0.2 wide: its shadow on the wall is 0.4 wide, off by (0.2, 0.1). Two cameras in opposite corners see three
+    // walls each. Nothing else is in shadow, edges and corners of the cube of faces included. A texel's half diagonal is sqrt(2)
+    // / 1024 at the wall.
+    std::vector<SceneObject> objects{roomObject(2)};
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0}) {
+            Vec3 size(0.2), centre(0);
+            size[axis] = 0.01;
+            centre[axis] = sign * 0.505; // its face towards the lamp at 0.5
+            centre[(axis + 1) % 3] = 0.1;
+            centre[(axis + 2) % 3] = 0.05;
+            objects.push_back(boxObject("plate" + std::to_string(objects.size()), size, centre));
+        }
+    for (const double side : {1.0, -1.0}) {
+        Camera camera;
+        camera.positionWorld = Vec3(0.9, 0.8, 0.95) * side;
+        camera.targetWorld = Vec3(0);
+        camera.fovYDegrees = 110;
+        camera.width = camera.height = kPixels;
+        const Scene scene = sceneOfObjects(objects, {pointLight("lamp", Vec3(0))}, camera);
+        const Frame frame = draw(scene, kMap);
+        size_t shadowedWalls[3] = {0, 0, 0};
+        const size_t decided = expectShadows(frame, "lamp", 1, [&](const Vec3& p) {
+            int axis = 0;
+            for (int other = 1; other < 3; ++other)
+                if (std::abs(p[other]) > std::abs(p[axis])) axis = other;
+            const Expected expected =
+                inRectangle(p[(axis + 1) % 3], p[(axis + 2) % 3], {0, -0.1}, {0.4, 0.3}, 0.003);
+            shadowedWalls[axis] += expected == Expected::Shadow;
+            return expected;
+        });
+        EXPECT_GT(decided, size_t(kPixels * kPixels / 2)) << side;
+        for (const size_t pixels : shadowedWalls)
+            EXPECT_GT(pixels, 100u) << side;
+    }
+}
+
+TEST(ShadowMap, WithoutLightsThePictureIsTheOneWithoutMaps) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    const Scene scene = sceneOfObjects(
+        {plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})}, {}, fromAbove(3));
+    const Frame frame = draw(scene, kMap), without = draw(scene, "linear_binary:shadow=none");
+    EXPECT_EQ(frame.channelNames(), without.channelNames());
+    for (size_t i = 0; i < frame.pixelCount(); ++i)
+        ASSERT_EQ(frame.channel("R")[i], without.channel("R")[i]);
+}
+
+TEST(ShadowMap, ALightWithNothingInReachLeavesAllLit) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A lamp beside the floor: five of its six faces see nothing. One far off sees all of the scene in a texel.
+    const Scene scene =
+        sceneOfObjects({plateObject("floor", 2, 0)},
+                       {pointLight("beside", {3, 0.5, 0}), pointLight("far", {0, 1e4, 0})}, fromAbove(3));
+    const Frame frame = draw(scene, kMap);
+    for (const char* light : {"beside", "far"}) {
+        EXPECT_GT(countShadows(frame, light).pixels, 1000u);
+        EXPECT_EQ(countShadows(frame, light).shadowed, 0u) << light;
+    }
+    // Nothing in the picture, nothing in the scene's depth: a square seen by the sun from its edge.
+    const Scene edgeOn =
+        sceneOfObjects({plateObject("floor", 2, 0)}, {directionalLight("sun", {1, 0, 0})}, fromAbove(3));
+    EXPECT_EQ(countShadows(draw(edgeOn, kMap), "sun").shadowed,
+              countShadows(draw(edgeOn, kMap), "sun").pixels);
+}
+
+TEST(ShadowMap, HitsBeyondTheRimArentShadowedByTheEndOfTheRange) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A relief floor 2 wide, its surface 0.2 below the polygon; both lights look along -x at 15 to 20 degrees, the camera at 5: what it
+    // sees ends 0.2 / tan 5 = 2.29 beyond the polygon's rim, out of the range of distances with its margin (half a diagonal, 1.6). Behind
+    // the rim light rays enter the polygon up to 0.2 / tan 20 = 0.55 further in and meet the very points; beyond that their texels are
+    // empty. A box 1 tall, which makes room on the map for the latter, throws the only shadow: x down to -3.4, as wide as itself under the
+    // sun, up to 1.4 times as far from z = 0 under the lamp.
+    Camera camera =
+        orthographicCamera({5 * std::cos(radians(5)), 5 * std::sin(radians(5)), 0}, {0, 1, 0}, 1.9, kPixels);
+    const Vec3 toLight(std::cos(radians(20)), std::sin(radians(20)), 0);
+    const Scene scene = sceneOfObjects(
+        {plateObject("floor", 2, 0, constantMap(1), 0.2), boxObject("box", {0.2, 1, 0.4}, {0, 0.5, 0.5})},
+        {directionalLight("sun", toLight), pointLight("lamp", 10.0 * toLight)}, camera);
+    const Frame frame = draw(scene, kMap);
+    const auto beyondRim = [&](const Vec3& p, Expected expected) {
+        return p.x < -1 ? expected : Expected::Either;
+    };
+    const size_t sun = expectShadows(frame, "sun", 1, [&](const Vec3& p) {
+        return beyondRim(p, inRectangle(p.x, p.z, {-3.4, 0.3}, {1, 0.7}, 0.01));
+    });
+    const size_t lamp = expectShadows(frame, "lamp", 1, [&](const Vec3& p) {
+        return beyondRim(p, p.z < 0.28 ? Expected::Lit : Expected::Either);
+    });
+    EXPECT_GT(sun, 3000u);
+    EXPECT_GT(lamp, 2000u);
+    EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 200u);
+}
+
+TEST(ShadowMap, SixteenLightsHaveAMapEach) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // Sun and lamp in turn around a pole: each light's shadow is the one it has alone.
+    Scene scene = sceneOfObjects(
+        {plateObject("floor", 4, 0, constantMap(0.5f), 0.1), boxObject("pole", {0.1, 1, 0.1}, {0, 0.4, 0})},
+        {}, fromAbove(3));
+    std::vector<Light> lights;
+    for (int i = 0; i < 16; ++i) {
+        const double angle = 2 * kPi * i / 16;
+        const Vec3 place(2 * std::cos(angle), 1.5, 2 * std::sin(angle));
+        const std::string name = "light" + std::to_string(i);
+        lights.push_back(i % 2 ? pointLight(name, place) : directionalLight(name, place));
+    }
+    scene.lights = lights;
+    const std::string settings = kMap + ",shadow_map_size=128";
+    const Frame all = draw(scene, settings);
+    for (const Light& light : lights) {
+        scene.lights = {light};
+        const Frame alone = draw(scene, settings);
+        size_t different = 0;
+        for (size_t i = 0; i < all.pixelCount(); ++i)
+            different += all.channel("shadow." + light.name)[i] != alone.channel("shadow." + light.name)[i];
+        EXPECT_EQ(different, 0u) << light.name;
+        const ShadowCount floor = countShadows(alone, light.name, 1);
+        EXPECT_GT(floor.shadowed, 100u) << light.name;
+        EXPECT_LT(floor.shadowed, floor.pixels / 10) << light.name;
+    }
+}
+
+// --- with the rest ---------------------------------------------------------------------------------------------------
+
+TEST(ShadowMap, EverySearchComposesWithItOnEverySurface) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A plate 0.6 wide at y = 0.6 over a relief 0.1 deep: wherever a technique finds the relief, the points around x = -0.6 are in
+    // shadow, and those at x > 0.5 have nothing above them but the relief, whose slopes are less than the sun's 45 degrees. Half of
+    // the relief's depth as margin: parallax mapping answers something else from the light than from the camera.
+    const auto waves = std::make_shared<HeightMap>("waves", 4, 1, std::vector<float>{0.4f, 0.5f, 0.6f, 0.5f},
+                                                   Wrap::Repeat, Wrap::Repeat);
+    const Scene scene =
+        sceneOfObjects({plateObject("floor", 4, 0, waves, 0.1), plateObject("plate", 0.6, 0.6)},
+                       {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
+    int drawn = 0;
+    for (const TechniqueInfo& info : listTechniques())
+        for (const std::string& surface : info.surfaces) {
+            const std::string name = info.name + "@" + surface + ":shadow=map,shadow_bias=0.5";
+            SCOPED_TRACE(name);
+            const Frame frame = renderer.render(parseTechnique(name), {}, nullptr).frame;
+            const size_t decided = expectShadows(frame, "sun", 1, [](const Vec3& p) {
+                if (p.x > 0.5) return Expected::Lit;
+                return std::abs(p.x + 0.65) < 0.15 && std::abs(p.z) < 0.25 ? Expected::Shadow
+                                                                           : Expected::Either;
+            });
+            EXPECT_GT(decided, size_t(kPixels * kPixels / 4));
+            ++drawn;
+        }
+    EXPECT_GE(drawn, 25);
+}
+
+TEST(ShadowMap, CountsNoLookUpsOfItsOwn) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    const Scene scene = sceneOfObjects(
+        {plateObject("floor", 4, 0, constantMap(0.5f), 0.2), boxObject("box", {0.3, 0.3, 0.3}, {0, 0.2, 0})},
+        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
+    const Frame map = draw(scene, kMap), none = draw(scene, "linear_binary:shadow=none");
+    for (size_t i = 0; i < map.pixelCount(); ++i)
+        ASSERT_EQ(map.channel("cost.fetches")[i], none.channel("cost.fetches")[i]);
+}
+
+TEST(ShadowMap, AgreesWithTheReliefsOwnShadowRays) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // Bumps of 1/8 of a square 2 wide, 0.1 deep, the exact search. The two differ along the edges of shadows, where the map
+    // has a texel (0.003) and the bias and the ray 0.02 of the depth: measured 2.9 % of the pixels at 256 texels a side, 0.7 % at 1024.
+    const auto bumps = std::make_shared<HeightMap>(
+        "bumps", 4, 4,
+        std::vector<float>{0, 1, 0.3f, 0.7f, 1, 0.2f, 0, 0.9f, 0.4f, 0.1f, 1, 0, 0.5f, 0.8f, 0.6f, 0.2f},
+        Wrap::Repeat, Wrap::Repeat);
+    SceneObject floor = plateObject("floor", 2, 0, bumps, 0.1);
+    floor.relief->tile = Vec2(4);
+    const Scene scene = sceneOfObjects({floor}, {directionalLight("sun", {1, 0.4, 0.3})}, fromAbove(1.6));
+    const Frame rays = draw(scene, "exact_cells");
+    const auto differing = [&](const std::string& settings) {
+        const Frame map = draw(scene, "exact_cells:shadow=map" + settings);
+        size_t different = 0;
+        for (size_t i = 0; i < map.pixelCount(); ++i)
+            different += map.channel("shadow.sun")[i] != rays.channel("shadow.sun")[i];
+        return static_cast<double>(different) / static_cast<double>(map.pixelCount());
+    };
+    const double coarse = differing(",shadow_map_size=256"), fine = differing("");
+    EXPECT_LT(coarse, 0.04);
+    EXPECT_LT(fine, 0.01);
+    const ShadowCount shadowed = countShadows(rays, "sun");
+    EXPECT_GT(shadowed.shadowed, shadowed.pixels / 5);
+}
+
+TEST(ShadowMap, ItsSamplerHasAUnitOfItsOwnInEveryProgram) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // Also where no map is read: the declaration is there, and a driver that keeps it finds two kinds of sampler at unit 0. llvmpipe
+    // drops it.
+    for (const BakedFamily& family : bakedFamilies())
+        EXPECT_NE(family.unit, unitBehindBaked()) << family.sampler;
+    const auto context = createGlContext({});
+    const CurrentContext current(*context);
+    const auto expectUnit = [](const GlProgram& program, bool reads, const std::string& name) {
+        const GLint location = program.uniform("uShadowMaps");
+        if (reads) {
+            EXPECT_GE(location, 0) << name;
+        }
+        if (location < 0) return;
+        program.use();
+        GLint handle = 0, unit = -1;
+        glGetIntegerv(GL_CURRENT_PROGRAM, &handle);
+        glGetUniformiv(static_cast<GLuint>(handle), location, &unit);
+        EXPECT_EQ(unit, unitBehindBaked()) << name;
+    };
+    for (const bool reads : {false, true}) {
+        expectUnit(*buildPlainProgram(1, reads), reads, "plain");
+        for (const char* search : {"linear_binary", "cone_step", "max_mipmap"}) {
+            const std::string name = std::string(search) + (reads ? ":shadow=map" : "");
+            expectUnit(*buildReliefProgram(resolveTechnique(parseTechnique(name), {}), 1), reads, name);
+        }
+    }
+}
+
+TEST(ShadowMap, MoreLayersThanOpenGlHasAreAFaultOfTheMachine) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // A scene has 16 lights, 96 layers, at most: the maps are asked alone, for one light more than there are layers.
+    const auto context = createGlContext({});
+    const CurrentContext current(*context);
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
+    Scene scene;
+    scene.lights.assign(static_cast<size_t>(most) + 1, directionalLight("sun", {0, 1, 0}));
+    const Technique technique = resolveTechnique(parseTechnique(kMap + ",shadow_map_size=16"), {});
+    try {
+        ShadowMaps(technique, scene, Bounds{}, Vec3(0), *context);
+        ADD_FAILURE() << most + 1 << " layers were had";
+    } catch (const MachineError& error) {
+        const std::string expected = "expected at most " + std::to_string(most) + " layers";
+        EXPECT_NE(std::string(error.what()).find(expected), std::string::npos) << error.what();
+    }
+}
+
+TEST(ShadowMap, WhatDoesntFitTheMemoryIsAFaultOfTheMachine) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasteriser draws in the memory we can ask about.
+    const bool software = createGlContext({})->softwareRasteriser();
+    if (!software) GTEST_SKIP() << "a GPU's memory isn't asked for before it is used up";
+    if (freeMemoryBytes() > uint64_t(24) << 30)
+        GTEST_SKIP() << "24 GiB of shadow maps would fit this machine";
+    Scene scene = sceneOfObjects({plateObject("floor", 2, 0, constantMap(0.5f), 0.1)}, {}, fromAbove(3));
+    for (int i = 0; i < 16; ++i)
+        scene.lights.push_back(pointLight("lamp" + std::to_string(i), {0, 1, 0.1 * i}));
+    EXPECT_THROW(draw(scene, kMap + ",shadow_map_size=8192"), MachineError);
+}
+
+} // namespace
+} // namespace plumbline

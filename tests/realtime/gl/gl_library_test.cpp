@@ -1,0 +1,43 @@
+// Libraries of the GL stack that aren't there, or aren't what they are taken for.
+#include "realtime/gl/gl_library.h"
+#include "scenes/core/error.h"
+
+#include <array>
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+template <class Action>
+std::string machineErrorOf(const Action& action) {
+    try {
+        action();
+    } catch (const MachineError& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+TEST(GlLibrary, SaysWhatIsMissingAndHowToGetIt) {
+    const auto open = [] { GlLibrary("egl", std::array{"libNone.so.1", "libNone.so.2"}, "install none"); };
+    EXPECT_THAT(machineErrorOf(open), AllOf(StartsWith("egl: libNone.so.1: "), HasSubstr("libNone.so.2: "),
+                                            EndsWith("; install none")));
+}
+
+TEST(GlLibrary, OpensTheFirstThereIsAndFindsItsFunctions) {
+    const GlLibrary library("egl", std::array{"libNone.so.1", "libm.so.6"}, "");
+    double (*cosine)(double) = nullptr;
+    library.find("cos", cosine);
+    ASSERT_NE(cosine, nullptr);
+    EXPECT_EQ(cosine(0), 1);
+    void (*none)() = nullptr;
+    EXPECT_EQ(machineErrorOf([&] { library.find("eglNone", none); }), "egl: libm.so.6 has no eglNone");
+}
+
+} // namespace
+} // namespace plumbline

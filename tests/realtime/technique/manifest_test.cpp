@@ -1,0 +1,368 @@
+// Manifests, settings and names, without OpenGL.
+#include "realtime/technique/technique.h"
+#include "scenes/core/error.h"
+#include "tests/realtime/temporary_folder.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(TechniqueText, SearchSurfaceAndSettings) {
+    const TechniqueRequest request = parseTechnique("linear_binary@quadric:linear_steps=64,binary_steps=0");
+    EXPECT_EQ(request.search, "linear_binary");
+    EXPECT_EQ(request.surface, "quadric");
+    EXPECT_EQ(request.settings.at("linear_steps"), "64");
+    EXPECT_EQ(request.settings.at("binary_steps"), "0");
+    EXPECT_EQ(parseTechnique("linear_binary").surface, "flat");
+}
+
+TEST(TechniqueText, FoldersMayHaveAtAndColonInTheirPath) {
+    const TechniqueRequest request = parseTechnique("/a@b:c/mine@quadric:n=1");
+    EXPECT_EQ(request.search, "/a@b:c/mine");
+    EXPECT_EQ(request.surface, "quadric");
+    EXPECT_EQ(parseTechnique("../mine/").search, "../mine");
+}
+
+TEST(TechniqueText, WhatHasAnotherFormIsAnError) {
+    for (const char* text : {"", "@quadric", "a@", "a:", "a:b", "a:=1", "a:b=", "a:b=1,", "a:b=1,b=2"})
+        EXPECT_THROW(parseTechnique(text), InputError) << text;
+}
+
+TEST(TechniqueText, AnyTextEitherParsesOrIsAnInputError) {
+    rc::check([](const std::string& text) {
+        try {
+            RC_ASSERT(!parseTechnique(text).search.empty());
+        } catch (const InputError&) {
+        }
+    });
+}
+
+std::string nameOf(const std::string& text, const std::map<std::string, std::string>& shared = {}) {
+    return techniqueName(parseTechnique(text), shared);
+}
+
+TEST(TechniqueName, ParametersThatDifferFromTheDefaultSortedByName) {
+    EXPECT_EQ(nameOf("linear_binary"), "linear_binary");
+    EXPECT_EQ(nameOf("linear_binary@flat:linear_steps=10"), "linear_binary");
+    EXPECT_EQ(nameOf("linear_binary@quadric:linear_steps=64"), "linear_binary@quadric:linear_steps=64");
+    EXPECT_EQ(nameOf("linear_binary:shadow=none,linear_steps=064,filter=hardware,binary_steps=2"),
+              "linear_binary:binary_steps=2,filter=hardware,linear_steps=64,shadow=none");
+    EXPECT_EQ(nameOf("linear_binary:shadow_bias=2e-2"), "linear_binary");
+    EXPECT_EQ(nameOf("linear_binary:shadow_bias=0.050"), "linear_binary:shadow_bias=0.05");
+}
+
+TEST(TechniqueName, OwnSettingsWinOverSharedOnesAndForeignSharedOnesAreIgnored) {
+    EXPECT_EQ(nameOf("linear_binary:linear_steps=5", {{"linear_steps", "7"}, {"cone_steps", "3"}}),
+              "linear_binary:linear_steps=5");
+    EXPECT_EQ(nameOf("micro_triangles", {{"linear_steps", "7"}}), "micro_triangles");
+}
+
+TEST(TechniqueList, TheLibraryIsSortedAndLeavesOutTheTemplate) {
+    std::vector<std::string> names;
+    for (const TechniqueInfo& info : listTechniques())
+        names.push_back(info.name);
+    EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
+    EXPECT_THAT(names, testing::IsSupersetOf({"linear_binary", "micro_triangles", "normal_mapping"}));
+    EXPECT_THAT(names, testing::Not(testing::Contains("_template")));
+}
+
+TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
+    for (const TechniqueInfo& info : listTechniques()) {
+        EXPECT_FALSE(info.title.empty());
+        EXPECT_EQ(info.drawsMicroTriangles, info.surfaces.empty());
+        for (const std::string& surface : info.surfaces)
+            EXPECT_NO_THROW(nameOf(info.name + "@" + surface)) << info.name << " " << surface;
+    }
+}
+
+TEST(TechniqueList, ShadowsListedByTechniqueAndSurfaceAreThoseThatCanBeAsked) {
+    std::map<std::string, std::vector<std::string>> ofSurface;
+    for (const SurfaceInfo& surface : listSurfaces())
+        ofSurface[surface.name] = surface.shadows;
+    const auto contains = [](const std::vector<std::string>& list, const char* value) {
+        return std::find(list.begin(), list.end(), value) != list.end();
+    };
+    for (const TechniqueInfo& info : listTechniques())
+        for (const std::string& surface : info.surfaces)
+            for (const char* shadow : {"relief", "none", "map"}) {
+                const std::string name = info.name + "@" + surface + ":shadow=" + shadow;
+                if (contains(info.shadows, shadow) && contains(ofSurface.at(surface), shadow))
+                    EXPECT_NO_THROW(nameOf(name)) << name;
+                else
+                    EXPECT_THROW(nameOf(name), InputError) << name;
+            }
+}
+
+TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
+    EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
+                ElementsAre("binary_steps", "depth_correction", "early_exit", "filter", "linear_steps",
+                            "shadow", "shadow_bias", "shadow_map_bias", "shadow_map_size", "steps",
+                            "tolerance", "triangle_bounds"));
+    EXPECT_THAT(knownSettings(parseTechnique("linear_binary@quadric")),
+                ElementsAre("binary_steps", "coefficients", "depth_correction", "early_exit", "filter",
+                            "linear_steps", "shadow", "shadow_bias", "shadow_map_bias", "shadow_map_size",
+                            "steps", "tolerance", "triangle_bounds"));
+    EXPECT_TRUE(knownSettings(parseTechnique("micro_triangles")).empty());
+}
+
+TEST(Settings, ShadowsAreWhatSearchAndSurfaceAllowAndAMap) {
+    EXPECT_EQ(nameOf("linear_binary:shadow=relief"), "linear_binary");
+    EXPECT_EQ(nameOf("linear_binary:shadow=map"), "linear_binary:shadow=map");
+    EXPECT_EQ(nameOf("linear_binary@quadric:shadow=none"), "linear_binary@quadric");
+    EXPECT_EQ(nameOf("linear_binary@quadric:shadow=map"), "linear_binary@quadric:shadow=map");
+    EXPECT_EQ(messageOf<InputError>([] { nameOf("linear_binary@quadric:shadow=relief"); }),
+              "linear_binary@quadric: shadow = 'relief'; expected none or map");
+}
+
+TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
+    const auto message = [](const std::string& text) { return messageOf<InputError>([&] { nameOf(text); }); };
+    EXPECT_EQ(message("linear_binary:linear_stepz=3"),
+              "linear_binary: has no parameter 'linear_stepz'; expected binary_steps, depth_correction, "
+              "early_exit, filter, linear_steps, shadow, shadow_bias, shadow_map_bias, shadow_map_size, "
+              "steps, tolerance or triangle_bounds; did you mean 'linear_steps'?");
+    EXPECT_EQ(message("linear_binary:linear_steps=0"),
+              "linear_binary: linear_steps = '0'; expected a whole number from 1 to 4096");
+    EXPECT_THAT(message("linear_binary:linear_steps=2.5"), HasSubstr("expected a whole number"));
+    EXPECT_THAT(message("linear_binary:linear_steps=99999999999999999999"),
+                HasSubstr("expected a whole number"));
+    EXPECT_THAT(message("linear_binary:shadow_bias=nan"), HasSubstr("expected a number from 0 to 1"));
+    EXPECT_THAT(message("linear_binary:filter=hardwear"), HasSubstr("did you mean 'hardware'?"));
+    EXPECT_THAT(message("linear_binary@quadric:shadow=relief"), HasSubstr("expected none"));
+    EXPECT_THAT(message("linear_binery"), HasSubstr("did you mean 'linear_binary'?"));
+    EXPECT_THAT(message("linear_binary@quadrik"), HasSubstr("did you mean 'quadric'?"));
+    EXPECT_THAT(message("micro_triangles@quadric"), HasSubstr("composes with no surface"));
+    EXPECT_THAT(message("./no/such/folder"), HasSubstr("no folder"));
+}
+
+// --- manifests of a user ---------------------------------------------------------------------------------------------
+
+constexpr const char* kGood = "title = 'Mine'\n"
+                              "citation = 'me'\n"
+                              "inputs = ['height']\n"
+                              "surfaces = ['flat']\n"
+                              "limits = []\n";
+constexpr const char* kParameter = "[[parameter]]\n"
+                                   "name = 'steps'\n"
+                                   "type = 'int'\n"
+                                   "default = 3\n"
+                                   "range = [1, 9]\n"
+                                   "unit = 'steps'\n"
+                                   "meaning = 'how many'\n";
+constexpr const char* kShader =
+    "// steps: not a use\n"
+    "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 1.0 / float(steps)); }\n";
+
+/// Message for a manifest in the folder "mine"; empty if it is good.
+std::string manifestMessage(const std::string& toml, const std::string& shader = kShader) {
+    const TemporaryFolder folder;
+    folder.write("mine/technique.toml", toml);
+    folder.write("mine/mine.glsl", shader);
+    const std::string message = messageOf<InputError>([&] { nameOf((folder.path() / "mine").string()); });
+    const size_t at = message.find("technique.toml");
+    return at == std::string::npos ? message : message.substr(at);
+}
+
+TEST(Manifest, AGoodOneIsReadWithEveryParameter) {
+    EXPECT_EQ(manifestMessage(std::string(kGood) + kParameter), "");
+    EXPECT_EQ(manifestMessage(kGood), "");
+}
+
+/// `kGood` and `kParameter` with one piece of text replaced.
+std::string with(const std::string& old, const std::string& replacement) {
+    std::string toml = std::string(kGood) + kParameter;
+    const size_t at = toml.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    return toml.replace(at, old.size(), replacement);
+}
+
+TEST(Manifest, MistakesAreNamedWithTheirLine) {
+    EXPECT_EQ(manifestMessage(with("title = 'Mine'\n", "titel = 'Mine'\n")),
+              "technique.toml:1: title is missing; expected a text");
+    EXPECT_EQ(manifestMessage(with("limits = []", "limits = []\nlimit = []")),
+              "technique.toml:6: limit is not a field of it; expected channels, citation, geometry, inputs, "
+              "limits, "
+              "parameter, refused_surfaces, shadows, surfaces or title; did you mean 'limits'?");
+    EXPECT_THAT(manifestMessage(with("['height']", "['hight']")),
+                AllOf(StartsWith("technique.toml:3: inputs: 'hight' is not known; expected height"),
+                      EndsWith("did you mean 'height'?")));
+    EXPECT_EQ(manifestMessage(with("['flat']", "'flat'")),
+              "technique.toml:4: surfaces is not a list; expected [\"…\", \"…\"]");
+    EXPECT_EQ(manifestMessage(with("['flat']", "[]")),
+              "technique.toml:4: surfaces is empty; expected flat, quadric, quadric_full, quadric_nearest or "
+              "quadric_perpendicular");
+    EXPECT_EQ(manifestMessage(with("'me'", "7")),
+              "technique.toml:2: citation is not a text; expected a text in quotes");
+    EXPECT_EQ(
+        manifestMessage(with("'int'", "'integer'")),
+        "technique.toml:8: parameter.type: 'integer' is not known; expected int, float, bool or choice");
+    EXPECT_EQ(manifestMessage(with("default = 3", "default = 30")),
+              "technique.toml:9: steps = '30'; expected a whole number from 1 to 9");
+    EXPECT_EQ(manifestMessage(with("default = 3", "default = '3'")),
+              "technique.toml:9: default '3' is not of type int; expected 1 to 9");
+    EXPECT_EQ(manifestMessage(with("[1, 9]", "[9, 1]")),
+              "technique.toml:10: range [9, 1] is empty; expected [lowest, highest]");
+    EXPECT_EQ(manifestMessage(with("[1, 9]", "[1, inf]")),
+              "technique.toml:10: range is not a whole number; expected a whole number of 32 bits");
+    EXPECT_EQ(manifestMessage(with("unit = 'steps'", "units = 'steps'")),
+              "technique.toml:6: parameter.unit is missing; expected a text");
+    EXPECT_THAT(manifestMessage(with("'steps'", "'shadow'")), HasSubstr("belongs to the harness"));
+    EXPECT_THAT(manifestMessage(with("'steps'", "'float'")), HasSubstr("is a word of GLSL"));
+    EXPECT_THAT(manifestMessage(with("'steps'", "'a b'")), HasSubstr("can't be a GLSL name"));
+    EXPECT_THAT(manifestMessage(with("'steps'", "'gl_x'")), HasSubstr("can't be a GLSL name"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + kParameter + kParameter), HasSubstr("declared twice"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + "geometry = 'proxie'"),
+                HasSubstr("did you mean 'proxy'?"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Q']"), HasSubstr("'Q' is not known"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Z']"), HasSubstr("neither A nor id"));
+    EXPECT_EQ(manifestMessage(std::string(kGood) + "channels = ['id', 'Z']"), "");
+    for (const char* name : {"kAmbient", "uHeightMap", "outColor", "gIterations", "cone_step"})
+        EXPECT_THAT(manifestMessage(with("'steps'", "'" + std::string(name) + "'")),
+                    HasSubstr("belongs to the harness"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) +
+                                "[[parameter]]\nname='f'\ntype='float'\ndefault=1\nrange=[0, 1e300]\n"
+                                "unit=''\nmeaning='m'\n"),
+                HasSubstr("range is not a number"));
+    EXPECT_THAT(manifestMessage("title = "), HasSubstr("technique.toml:1: "));
+    EXPECT_THAT(manifestMessage("\xff\xfe"), HasSubstr("technique.toml:1: "));
+}
+
+TEST(Manifest, ASurfaceCanBeRefusedWithAReason) {
+    const auto message = [](const std::string& refusals) {
+        const TemporaryFolder folder;
+        folder.write("mine/technique.toml", std::string(kGood) + "[refused_surfaces]\n" + refusals);
+        folder.write("mine/mine.glsl", kShader);
+        return messageOf<InputError>([&] { nameOf((folder.path() / "mine@quadric").string()); });
+    };
+    EXPECT_EQ(message("quadric = 'too round'\n"),
+              "technique: 'mine' doesn't compose with surface 'quadric': too round; expected @flat");
+    EXPECT_EQ(message(""), "technique: 'mine' doesn't compose with surface 'quadric'; expected @flat");
+    EXPECT_THAT(message("flat = 'no'\n"),
+                HasSubstr("technique.toml:7: surface 'flat' is both taken and refused"));
+    EXPECT_THAT(message("quadrik = 'no'\n"), HasSubstr("did you mean 'quadric'?"));
+    EXPECT_THAT(message("quadric = 3\n"),
+                HasSubstr("technique.toml:7: refused_surfaces.quadric is not a text"));
+}
+
+TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
+    const auto message = [](const std::string& inputs, const std::string& rest) {
+        const TemporaryFolder folder;
+        folder.write("bent/surface.toml",
+                     "title = 'Bent'\ncitation = 'me'\nshadows = ['none']\nlimits = []\n" + inputs + rest);
+        folder.write("bent/bent.glsl", "");
+        return messageOf<InputError>([&] {
+            const Manifest manifest = readSurfaceManifest(folder.path() / "bent");
+            EXPECT_TRUE(manifest.isBent());
+            EXPECT_EQ(manifest.variantOf, "quadric");
+        });
+    };
+    const std::string variant = "variant_of = 'quadric'\n";
+    EXPECT_EQ(message("inputs = ['quadric']\n", variant), "");
+    EXPECT_EQ(message("inputs = ['quadric_full']\n", variant), "");
+    EXPECT_THAT(message("inputs = ['quadric', 'quadric_full']\n", variant),
+                HasSubstr("surface.toml:5: a base is given one quadric; expected quadric or quadric_full"));
+    EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 'quadrik'\n"),
+                AllOf(HasSubstr("surface.toml:6: variant_of: 'quadrik' is not known"),
+                      EndsWith("did you mean 'quadric'?")));
+    EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"), HasSubstr("variant_of is not a text"));
+}
+
+TEST(Settings, CoefficientsChooseTheQuadricsOfTheVertices) {
+    const auto set = [](const char* technique) {
+        return resolveTechnique(parseTechnique(technique), {}).curvatureSet();
+    };
+    EXPECT_EQ(set("linear_binary@quadric"), CurvatureSet::RingTwoTerms);
+    EXPECT_EQ(set("linear_binary@quadric:coefficients=limit"), CurvatureSet::LimitTwoTerms);
+    EXPECT_EQ(set("linear_binary@quadric_full"), CurvatureSet::RingThreeTerms);
+    EXPECT_EQ(set("linear_binary@quadric_full:coefficients=limit"), CurvatureSet::LimitThreeTerms);
+    EXPECT_EQ(nameOf("linear_binary@quadric:coefficients=limit"), "linear_binary@quadric:coefficients=limit");
+    EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
+                Not(Contains("coefficients"))); // nothing bent
+}
+
+TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {
+    const std::string choice = "[[parameter]]\nname = 'which'\ntype = 'choice'\ndefault = 'normal'\n"
+                               "choices = ['normal', 'max_mipmap']\nunit = ''\nmeaning = 'm'\n";
+    const TemporaryFolder folder;
+    folder.write("mine/technique.toml", with("['height']", "['height', 'which']") + choice);
+    folder.write("mine/mine.glsl", std::string(kShader) + "int x() { return which; }\n");
+    const auto kinds = [&](const char* settings) {
+        return resolveTechnique(parseTechnique((folder.path() / "mine").string() + settings), {})
+            .bakedKinds();
+    };
+    EXPECT_THAT(kinds(""), ElementsAre("normal"));
+    EXPECT_THAT(kinds(":which=max_mipmap"), ElementsAre("max_mipmap"));
+    EXPECT_THAT(manifestMessage(with("['height']", "['steps']")), HasSubstr("inputs: 'steps' is not known"));
+}
+
+TEST(Manifest, TwoMapsThatAreReadInOneWayAreRefused) {
+    EXPECT_THAT(manifestMessage(with("['height']", "['height', 'cone_step', 'cone_step_relaxed']")),
+                HasSubstr("takes both 'cone_step' and 'cone_step_relaxed', which are read in the same way"));
+}
+
+TEST(Manifest, AParameterTheShaderDoesNotUseIsAnError) {
+    EXPECT_EQ(manifestMessage(
+                  std::string(kGood) + kParameter,
+                  "// steps\n/* steps */\nReliefHit traceRelief(ReliefRay ray) { return missed(); } int "
+                  "my_steps, steps2;"),
+              "technique.toml: parameter 'steps' doesn't occur in mine.glsl; expected a shader that uses "
+              "every parameter "
+              "of the manifest");
+}
+
+TEST(Manifest, BytesThatAreNotAsciiAreNamedWithTheirLine) {
+    EXPECT_THAT(manifestMessage(kGood, "\xef\xbb\xbf" + std::string(kShader)),
+                HasSubstr("mine.glsl:1: holds the byte 0xef outside of a comment"));
+    EXPECT_THAT(manifestMessage(kGood, std::string(kShader) + "\n\xe2\x80\x9c"),
+                HasSubstr("mine.glsl:4: holds the byte 0xe2"));
+    EXPECT_THAT(manifestMessage(kGood, std::string(kShader) + std::string(1, '\0')),
+                HasSubstr("holds the byte 0x00"));
+    EXPECT_EQ(
+        manifestMessage(kGood, "// \xc3\xa4 /* in comments */\n/* \xe2\x80\x9c */" + std::string(kShader)),
+        "");
+}
+
+TEST(Manifest, MissingFilesAreNamed) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "mine");
+    const std::string path = (folder.path() / "mine").string();
+    EXPECT_EQ(messageOf<InputError>([&] { nameOf(path); }),
+              path + ": has no technique.toml; expected technique.toml and mine.glsl; "
+                     "realtime/techniques/_template/ is "
+                     "one to copy");
+    folder.write("mine/technique.toml", kGood);
+    EXPECT_EQ(messageOf<InputError>([&] { nameOf(path); }), path + "/mine.glsl: no such file");
+}
+
+TEST(Constants, AreGlslOfTheirType) {
+    const TemporaryFolder folder;
+    folder.write("mine/technique.toml",
+                 std::string(kGood) +
+                     "[[parameter]]\nname='f'\ntype='float'\ndefault=3\nrange=[0,9]\nunit=''\nmeaning='m'\n"
+                     "[[parameter]]\nname='b'\ntype='bool'\ndefault=true\nunit=''\nmeaning='m'\n"
+                     "[[parameter]]\nname='c'\ntype='choice'\ndefault='y'\nchoices=['x','y']\nunit=''\n"
+                     "meaning='m'\n");
+    folder.write("mine/mine.glsl", "f b c traceRelief");
+    const Technique technique =
+        resolveTechnique(parseTechnique((folder.path() / "mine").string() + ":f=1e-30"), {});
+    EXPECT_EQ(technique.glslConstants(), "const float f = 1.000000000e-30;\n"
+                                         "const bool b = true;\n"
+                                         "const int c = 1;\nconst int c_x = 0;\nconst int c_y = 1;\n");
+    EXPECT_EQ(technique.name, "mine:f=1e-30");
+    EXPECT_EQ(technique.parameters().at("c"), "y");
+}
+
+} // namespace
+} // namespace plumbline

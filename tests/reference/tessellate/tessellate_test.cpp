@@ -1,0 +1,163 @@
+// The micro-mesh as a mesh: closed, complete, welded, and on the surface it stands for.
+#include "reference/tessellate/lattice.h"
+#include "reference/tessellate/tessellate.h"
+#include "scenes/surface/displaced_surface.h"
+#include "tests/reference/tessellate/micro_mesh_checks.h"
+#include "tests/reference/test_scenes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <map>
+
+namespace plumbline {
+namespace {
+
+ControlMesh octahedron() {
+    ControlMesh mesh;
+    mesh.name = "octahedron";
+    mesh.points = {{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    mesh.faceSizes.assign(8, 3);
+    for (int k = 0; k < 4; ++k) {
+        for (const int v : {k, (k + 1) % 4, 4})
+            mesh.faceVertices.push_back(v);
+        for (const int v : {(k + 1) % 4, k, 5})
+            mesh.faceVertices.push_back(v);
+    }
+    for (int k = 0; k < 24; ++k) { // torn at every edge
+        mesh.uvs.push_back(Vec2(0.37 * k, 0.61 * ((k * 7) % 24)));
+        mesh.faceUvs.push_back(k);
+    }
+    return mesh;
+}
+
+Relief noiseRelief(double depth) {
+    std::vector<float> depths;
+    for (int k = 0; k < 64; ++k)
+        depths.push_back(float((k * 37) % 64) / 63.0f);
+    return {std::make_shared<HeightMap>("noise", 8, 8, depths), depth, 0.0, Vec2(1), Vec2(0)};
+}
+
+TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
+    const Relief relief = noiseRelief(0.05);
+    for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark, Scheme::None}) {
+        const BaseSurface surface(octahedron(), scheme);
+        for (const int rate : {1, 2, 4, 16, 32, 64}) {
+            if (rate < smallestRate(surface)) continue;
+            SCOPED_TRACE(testing::Message() << "scheme " << int(scheme) << ", rate " << rate);
+            const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, rate), false);
+            const std::vector<Triangle> triangles = trianglesWithArea(mesh);
+            // Catmull-Clark: 3 quarters of 2 (rate/2)^2 on each of 8 triangles; else rate^2.
+            const uint64_t expected =
+                scheme == Scheme::CatmullClark ? 8u * 3 * 2 * (rate / 2) * (rate / 2) : 8u * rate * rate;
+            EXPECT_EQ(triangles.size(), expected);
+            EXPECT_EQ(mesh.microTriangleCount, expected);
+            EXPECT_EQ(microMeshSize(surface, uniformRates(surface, rate)).vertices,
+                      mesh.positionsWorld.size());
+            EXPECT_EQ(microMeshSize(surface, uniformRates(surface, rate)).grids, mesh.grids.size());
+            EXPECT_EQ(unmatchedEdges(triangles), 0);
+            EXPECT_GT(signedVolume(triangles), 0);
+        }
+    }
+    // Without relief the polygons' micro-triangles fill the octahedron: 8 corners' pyramids of 1/6.
+    const BaseSurface polygons(octahedron(), Scheme::None);
+    EXPECT_NEAR(
+        signedVolume(trianglesWithArea(tessellate(polygons, nullptr, uniformRates(polygons, 32), false))),
+        8.0 / 6,
+        1e-5); // float
+}
+
+TEST(Tessellate, InteriorVerticesLieOnTheSurface) {
+    const Relief relief = noiseRelief(0.05);
+    for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark}) {
+        const BaseSurface surface(octahedron(), scheme);
+        const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, 32), true);
+        BaseSurface::Evaluator evaluator(surface);
+        int checked = 0;
+        for (const MicroGrid& grid : mesh.grids) {
+            const BaseSurface::Patch& patch = surface.patches()[grid.patch];
+            const uint32_t cells = mesh.lattices[grid.patch].columns;
+            evaluator.setPatch(static_cast<int>(grid.patch));
+            for (uint32_t row = grid.row0; row < grid.row0 + grid.rows; ++row)
+                for (uint32_t column = grid.column0; column < grid.column0 + grid.columns; ++column) {
+                    const bool inside =
+                        row > 0 && column > 0 &&
+                        (patch.triangular ? row + column < cells : row < cells && column < cells);
+                    if (!inside) continue;
+                    const DisplacedSample expected =
+                        displace(evaluator.sample(double(column) / cells, double(row) / cells), &relief);
+                    const size_t index =
+                        grid.firstVertex + (row - grid.row0) * grid.columns + (column - grid.column0);
+                    ASSERT_EQ(mesh.positionsWorld[index],
+                              Vec3f(expected.position)); // the same sums in the same order
+                    ASSERT_EQ(mesh.normalsWorld[index], Vec3f(expected.normal));
+                    ASSERT_EQ(mesh.st[index], Vec2f(expected.st));
+                    ++checked;
+                }
+        }
+        EXPECT_GE(checked,
+                  8 * 31 * 30 / 2); // Loop: the lattice points inside 8 triangles; borders of grids twice
+    }
+}
+
+/// Two unit squares side by side in the plane z = 0, sharing the edge x = 0. Along it s = 1/4 and t = y on the left,
+/// s = 3/4 and t = 1 - y on the right: the two read different texels, in opposite directions.
+ControlMesh tornPair() {
+    ControlMesh mesh;
+    mesh.name = "pair";
+    mesh.points = {{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+    mesh.faceSizes = {4, 4};
+    mesh.faceVertices = {0, 1, 2, 3, 1, 4, 5, 2};
+    mesh.uvs = {{0.25, 0}, {0.25, 1}, {0.75, 0}, {0.75, 1}};
+    mesh.faceUvs = {0, 0, 1, 1, 3, 3, 2, 2};
+    return mesh;
+}
+
+// The left column of the map is d = t, so the left says y; the right says whatever the right column has at 1 - y.
+// Welded, the edge lies at the mean of both.
+TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
+    const BaseSurface surface(tornPair(), Scheme::None);
+    // Texel centres in t: 1/8, 3/8, 5/8, 7/8.
+    const std::vector<float> depths{0.125f, 1, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0};
+    const Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
+                        Vec2(1), Vec2(0)};
+    const MicroMesh micro = tessellate(surface, &relief, uniformRates(surface, 8), false);
+    int checked = 0;
+    for (const Vec3f& p : micro.positionsWorld) {
+        if (p.x != 0 || p.y < 0.125f || p.y > 0.875f) continue;
+        const double left = p.y, right = relief.map->depth(Vec2(0.75, 1 - p.y));
+        EXPECT_NEAR(p.z, -(left + right) / 2, 1e-7) << p.y;
+        ++checked;
+    }
+    EXPECT_EQ(checked, 2 * 7);
+    EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * 6 * 8); // the pair's rim alone, both ways
+}
+
+// The pair left open: each face keeps its own displacement along the shared edge, so that the edge is there twice, and only
+// where the two disagree. At y = 1/2 both texels' rows say 1/2 on the left; the right's 0.5 there agrees.
+TEST(Tessellate, TornEdgesGapeWhereSeamsAreOpen) {
+    const BaseSurface surface(tornPair(), Scheme::None);
+    const std::vector<float> depths{0.125f, 0.5f, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0.5f};
+    Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
+                  Vec2(1), Vec2(0)};
+    relief.seams = Seams::Open;
+    const MicroMesh micro = tessellate(surface, &relief, uniformRates(surface, 8), false);
+    int checked = 0;
+    for (const MicroGrid& grid : micro.grids)
+        for (uint32_t i = grid.firstVertex; i < grid.firstVertex + uint32_t(grid.columns) * grid.rows; ++i) {
+            const Vec3f& p = micro.positionsWorld[i];
+            if (p.x != 0 || p.y < 0.125f || p.y > 0.875f) continue;
+            EXPECT_NEAR(p.z, grid.patch == 0 ? -p.y : -0.5f, 1e-6) << "patch " << grid.patch << ", y " << p.y;
+            ++checked;
+        }
+    EXPECT_EQ(checked, 2 * 7);
+    // The rim, and of the shared edge 8 segments on both sides.
+    EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * (6 * 8 + 2 * 8));
+    relief.map = std::make_shared<HeightMap>(HeightMap::constant("same", 0.5f)); // nothing to disagree about
+    EXPECT_EQ(
+        unmatchedEdges(trianglesWithArea(tessellate(surface, &relief, uniformRates(surface, 8), false))),
+        2 * 6 * 8);
+}
+
+} // namespace
+} // namespace plumbline

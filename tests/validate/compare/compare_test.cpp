@@ -1,0 +1,146 @@
+#include "validate/compare/compare.h"
+#include "validate/results/results.h"
+#include "tests/validate/metrics/random_frames.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <tbb/global_control.h>
+
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using namespace test;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+RC_GTEST_PROP(CompareProperty, PooledCountsAreTheSumsOfTheReliefObjects, ()) {
+    const Frame a = randomFrame(), b = randomFrame();
+    auto objects = threeObjects();
+    objects[1].reliefDepth = 0; // object 2 has no relief: in the list, not in the pool
+    const Comparison result = compareFrames(a, b, objects, std::nullopt);
+    const MetricSet &one = result.objects[0].metrics, &three = result.objects[2].metrics;
+    RC_ASSERT(result.pooledObjects == (std::vector<std::string>{"object 1", "object 3"}));
+    RC_ASSERT(result.pooled.silhouette.unionPx == one.silhouette.unionPx + three.silhouette.unionPx);
+    RC_ASSERT(result.pooled.depth.domainPx == one.depth.domainPx + three.depth.domainPx);
+    RC_ASSERT(result.pooled.depth.bad5pctPx == one.depth.bad5pctPx + three.depth.bad5pctPx);
+    RC_ASSERT(result.pooled.shadow.at("sun").falseLitPx ==
+              one.shadow.at("sun").falseLitPx + three.shadow.at("sun").falseLitPx);
+}
+
+TEST(Compare, AFrameWithItself) {
+    Frame frame = emptyFrame(8, 8);
+    paintRectangle(frame, 1, 1, 6, 7);
+    set(frame, "shadow.sun", 3, 3, 1);
+    const MetricSet metrics = compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, std::nullopt).pooled;
+    EXPECT_EQ(*metrics.silhouette.iou, 1);
+    EXPECT_EQ(*metrics.contour.hausdorff95Px, 0);
+    EXPECT_EQ(*metrics.depth.world.max, 0);
+    EXPECT_EQ(*metrics.depth.relief.rmse, 0);
+    EXPECT_EQ(*metrics.shadow.at("sun").agreement, 1);
+    EXPECT_EQ(*metrics.normal.p95Degrees, 0);
+    EXPECT_EQ(*metrics.st.p95Texels, 0);
+}
+
+TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
+    Frame reference = emptyFrame(2, 1);
+    paintRectangle(reference, 0, 0, 2, 1);
+    Frame test(2, 1);
+    const auto coverage = test.add("A");
+    coverage[0] = coverage[1] = 1;
+    const Comparison result = compareFrames(reference, test, {}, std::nullopt);
+    EXPECT_THAT(result.notes, Contains(HasSubstr("no channel id: everything covered counts as one object")));
+    EXPECT_THAT(result.notes,
+                Contains(HasSubstr("the test frame has neither Z nor P.X P.Y P.Z: no depth figures")));
+    EXPECT_THAT(result.notes, Contains(HasSubstr("no shadow figures for sun")));
+    EXPECT_THAT(result.notes, Contains(HasSubstr("no normal figures")));
+    EXPECT_THAT(result.notes, Contains(HasSubstr("no st figures")));
+    EXPECT_THAT(result.notes,
+                Contains(HasSubstr("the test frame has no channel R: no figures of the picture")));
+    EXPECT_EQ(*result.pooled.silhouette.iou, 1);
+    EXPECT_FALSE(result.pooled.depth.world.mae);
+    EXPECT_FALSE(result.pooled.shadow.at("sun").agreement);
+}
+
+TEST(Compare, SaysThatThereAreNoIntervals) {
+    Frame frame = emptyFrame(2, 1);
+    paintRectangle(frame, 0, 0, 2, 1);
+    frame.metadata["light.sun"] = "to_light 0 0 1";
+    const auto notes = compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, Camera()).notes;
+    EXPECT_THAT(notes,
+                ElementsAre("the reference frame has no channel uncertain.shadow.sun: no intervals of the "
+                            "shadow figures for sun",
+                            "the reference frame has no channel uncertain: no intervals"));
+}
+
+TEST(Compare, NothingMissingMeansNoNotes) {
+    Frame frame = emptyFrame(2, 1);
+    paintRectangle(frame, 0, 0, 2, 1);
+    addUncertainty(frame);
+    frame.metadata["light.sun"] = "to_light 0 0 1";
+    EXPECT_THAT(compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, Camera()).notes, IsEmpty());
+}
+
+// paintPixel's normal is +z, the camera stands there too: a light from the front leaves nothing attached, one from behind all.
+TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
+    Frame frame = emptyFrame(2, 1);
+    paintRectangle(frame, 0, 0, 2, 1);
+    Frame lit = frame, dark = frame;
+    lit.metadata["light.sun"] = "to_light 0 0 1";
+    dark.metadata["light.sun"] = "to_light 0 0 -1";
+    const auto castPx = [](const Frame& reference, const Frame& test) {
+        return *compareFrames(reference, test, {}, Camera()).pooled.shadowKinds.at("sun").cast.domainPx;
+    };
+    EXPECT_EQ(castPx(lit, dark), 2);
+    EXPECT_EQ(castPx(dark, lit), 0);
+    EXPECT_EQ(castPx(frame, lit), 2);
+    Frame other = frame; // knows of a light that isn't asked for
+    other.metadata["light.fill"] = "to_light 0 0 -1";
+    EXPECT_EQ(castPx(other, lit), 2);
+    const Comparison unknown = compareFrames(frame, frame, {}, Camera());
+    EXPECT_THAT(unknown.notes, Contains(HasSubstr("no frame's header says where the light sun is")));
+    EXPECT_FALSE(unknown.pooled.shadowKinds.at("sun").cast.agreement);
+    EXPECT_THAT(compareFrames(lit, lit, {}, std::nullopt).notes,
+                Contains(HasSubstr("the camera is not known: attached and cast")));
+}
+
+// Whatever runs side by side writes its own figures: one thread gives the same as all.
+TEST(Compare, ThreadsChangeNothing) {
+    Frame reference = emptyFrame(64, 48);
+    paintRectangle(reference, 5, 5, 40, 40, 1);
+    paintRectangle(reference, 20, 10, 60, 30, 2);
+    reference.metadata["light.sun"] = "position 1 2 3";
+    addUncertainty(reference);
+    set(reference, "uncertain", 5, 5, 1);
+    const Frame test = shiftedRight(reference);
+    const auto results = [&] {
+        Results outcome;
+        outcome.techniques.resize(1);
+        outcome.techniques[0].comparison = compareFrames(reference, test, threeObjects(), Camera());
+        return toJson(outcome);
+    };
+    const std::string all = results();
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(results(), all);
+}
+
+// Camera at (0, 0, 3) looking down -z: the point (5, 7, 1) has the planar depth 2, wherever it is sideways.
+TEST(PlanarDepth, FromPositionsAndTheCamera) {
+    Frame frame(1, 1);
+    frame.add("P.X")[0] = 5;
+    frame.add("P.Y")[0] = 7;
+    frame.add("P.Z")[0] = 1;
+    Camera camera;
+    camera.positionWorld = {0, 0, 3};
+    camera.targetWorld = {0, 0, 0};
+    EXPECT_THAT(planarDepth(frame, "test", camera).depth, ElementsAre(2.0f));
+    EXPECT_THAT(planarDepth(frame, "test", std::nullopt).reason, HasSubstr("camera is not known"));
+    frame.add("Z")[0] = 9; // Z wins: it needs no camera
+    EXPECT_THAT(planarDepth(frame, "test", camera).depth, ElementsAre(9.0f));
+}
+
+} // namespace
+} // namespace plumbline

@@ -1,0 +1,125 @@
+#include "scenes/core/error.h"
+#include "validate/compare/frame_metadata.h"
+#include "tests/validate/results/sample_results.h"
+
+#include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using namespace test;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+TEST(Certificate, ALineForTheTerminal) {
+    CertificateSummary certificate = sampleCertificate();
+    EXPECT_EQ(
+        certificateLine(certificate),
+        "certificate: error p50 0.004 px, p99 0.031 px, max 0.4 px (aim 0.05 px at p99); world p99 1.2e-05; "
+        "uncertain 134 pixels (215000 covered), shadow lamp 7, sun 420");
+    certificate.limit = "--memory 256 MB";
+    EXPECT_THAT(certificateLine(certificate, " (proxy)"),
+                ::testing::AllOf(HasSubstr("certificate (proxy): error"),
+                                 HasSubstr("; the aim isn't met: --memory 256 MB")));
+}
+
+TEST(Certificate, ALineWithoutFigures) {
+    CertificateSummary certificate = sampleCertificate();
+    setAbsent(certificate, "the reference didn't measure it");
+    EXPECT_EQ(certificateLine(certificate),
+              "certificate: none: the reference didn't measure it; uncertain 134 pixels "
+              "(215000 covered), shadow lamp 7, sun 420");
+    certificate.uncertainPixels = Figure::absent("no channel");
+    EXPECT_EQ(certificateLine(certificate), "certificate: none: the reference didn't measure it");
+}
+
+TEST(Certificate, SentencesForThePage) {
+    CertificateSummary certificate = sampleCertificate();
+    EXPECT_THAT(
+        certificateSentences(certificate),
+        ElementsAre(
+            "The reference's own error, measured in the pixels that show the surface: half of them are "
+            "within 0.004 px of it, 99 % within 0.031 px (the aim: 0.05 px), all within 0.4 px.",
+            "In world units: 1e-06, 1.2e-05 and 0.00025.",
+            "That error could change which object is seen in 134 pixels (215000 are covered), and "
+            "whether it is in shadow, by light: lamp 7, sun 420."));
+    certificate.limit = "--memory 256 MB";
+    EXPECT_THAT(certificateSentences(certificate), Contains("The aim isn't met: --memory 256 MB."));
+    setAbsent(certificate, "it came from afar");
+    certificate.uncertainPixels = Figure::absent("no channel");
+    EXPECT_THAT(
+        certificateSentences(certificate),
+        ElementsAre("How far the reference itself is from the true surface isn't known: it came from afar.",
+                    "In which pixels that could change what is seen isn't known: no channel."));
+}
+
+// 8 x 6 pixels, two objects of 12 pixels each; one pixel outside them and one shadow are uncertain.
+TEST(Certificate, CountsTheFramesPixels) {
+    CertificateSummary certificate;
+    countPixels(sampleReference(), certificate);
+    EXPECT_EQ(*certificate.coveredPixels, 24);
+    EXPECT_EQ(*certificate.uncertainPixels, 1);
+    EXPECT_EQ(*certificate.uncertainShadowPixels.at("sun"), 1);
+}
+
+TEST(Certificate, CountsOfChannelsThatAreNotThereAreAbsent) {
+    Frame frame(2, 1);
+    frame.add("A")[0] = 1;
+    frame.add("shadow.sun");
+    CertificateSummary certificate;
+    countPixels(frame, certificate);
+    EXPECT_EQ(*certificate.coveredPixels, 1);
+    EXPECT_THAT(certificate.uncertainPixels.reason(), HasSubstr("no channel uncertain"));
+    EXPECT_THAT(certificate.uncertainShadowPixels.at("sun").reason(), HasSubstr("uncertain.shadow.sun"));
+}
+
+TEST(Certificate, NothingInSightHasNoErrorInsteadOfZero) {
+    CertificateSummary certificate = sampleCertificate();
+    countPixels(emptyFrame(2, 2), certificate);
+    for (const CertificateFigure& entry : certificateFigures())
+        EXPECT_EQ((certificate.*entry.figure).reason(), "no pixel shows the surface") << entry.key;
+    EXPECT_FALSE(certificate.limit);
+}
+
+TEST(Certificate, ComesBackFromAHeader) {
+    Frame frame = sampleReference();
+    frame.metadata = {{"certificate.error_px_p50", "0.004"},   {"certificate.error_px_p99", "3.1e-2"},
+                      {"certificate.error_px_max", "0.4"},     {"certificate.error_px_aim", "0.05"},
+                      {"certificate.error_world_p50", "1e-6"}, {"certificate.error_world_p99", "1.2e-05"},
+                      {"certificate.error_world_max", "0"},    {"certificate.error_limit", ""}};
+    const CertificateSummary certificate = certificateFromHeader(frame, "a.exr");
+    EXPECT_EQ(*certificate.pxP50, 0.004);
+    EXPECT_EQ(*certificate.pxP99, 0.031);
+    EXPECT_EQ(*certificate.pxMax, 0.4);
+    EXPECT_EQ(*certificate.pxAim, 0.05);
+    EXPECT_EQ(*certificate.worldP50, 1e-6);
+    EXPECT_EQ(*certificate.worldP99, 1.2e-5);
+    EXPECT_EQ(*certificate.worldMax, 0);
+    EXPECT_EQ(certificate.limit, "");
+    EXPECT_EQ(*certificate.uncertainPixels, 1);
+}
+
+TEST(Certificate, AHeaderWithoutItSaysWhichFieldIsMissing) {
+    const CertificateSummary certificate = certificateFromHeader(sampleReference(), "a.exr");
+    EXPECT_EQ(certificate.pxP99.reason(),
+              "the reference's file has no header field certificate.error_px_p99");
+    EXPECT_FALSE(certificate.limit);
+    EXPECT_THAT(certificate.limitReason, HasSubstr("certificate.error_limit"));
+    for (const char* bad : {"-1", "nan", "inf", "", "0.1 0.2", "small"}) {
+        Frame frame = sampleReference();
+        frame.metadata["certificate.error_world_max"] = bad;
+        try {
+            (void)certificateFromHeader(frame, "a.exr");
+            ADD_FAILURE() << "accepted: " << bad;
+        } catch (const InputError& error) {
+            EXPECT_THAT(error.what(), HasSubstr("a.exr: header field 'certificate.error_world_max'"));
+        }
+    }
+}
+
+} // namespace
+} // namespace plumbline

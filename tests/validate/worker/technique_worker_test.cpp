@@ -1,0 +1,193 @@
+// A technique drawn in a process of its own is the technique drawn here: frames, results, errors.
+#include "scenes/scene_file/scene_file.h"
+#include "validate/worker/technique_worker.h"
+#include "tests/end_to_end/program.h"
+#include "tests/realtime/gl_fixture.h"
+
+#include <cstring>
+#include <gmock/gmock.h>
+
+namespace plumbline {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class TechniqueWorkerTest : public test::EndToEnd {
+  protected:
+    void SetUp() override {
+        EndToEnd::SetUp();
+        scene_ = readScene(writeSmallScene());
+    }
+    WorkerOptions options(const GlOptions& gl = {GlBackend::Auto, -1, 0}) const {
+        WorkerOptions result;
+        result.sceneFile = folder_ / "small.toml";
+        result.sceneHash = scene_.hash;
+        result.gl = gl;
+        result.program = PLUMBLINE_PROGRAM;
+        return result;
+    }
+    Scene scene_;
+};
+
+std::string messageOf(const std::function<void()>& act) {
+    try {
+        act();
+    } catch (const std::exception& error) {
+        return std::string(typeid(error).name()) + " " + error.what();
+    }
+    return "no error";
+}
+
+void expectEqualFrames(const Frame& here, const Frame& there) {
+    EXPECT_EQ(here.width(), there.width());
+    EXPECT_EQ(here.height(), there.height());
+    EXPECT_EQ(here.metadata, there.metadata);
+    ASSERT_EQ(here.channelNames(), there.channelNames());
+    ASSERT_FALSE(here.channelNames().empty());
+    for (const std::string& name : here.channelNames())
+        EXPECT_EQ(std::memcmp(here.channel(name).data(), there.channel(name).data(),
+                              here.channel(name).size_bytes()),
+                  0)
+            << name;
+}
+
+TEST_F(TechniqueWorkerTest, ResultsAreThoseOfDrawingHere) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    TechniqueWorker worker(options()); // one process for all of them
+    RealtimeRenderer renderer(scene_, options().gl);
+    const std::map<std::string, std::string> settings{{"linear_steps", "7"}};
+    for (const char* text : {"linear_binary", "linear_binary@quadric:binary_steps=2", "normal_mapping"}) {
+        SCOPED_TRACE(text);
+        const TechniqueRequest request = parseTechnique(text);
+        const TechniqueResult here = renderer.render(request, settings, nullptr),
+                              there = worker.render(request, settings);
+        expectEqualFrames(here.frame, there.frame);
+        EXPECT_EQ(here.name, there.name);
+        EXPECT_EQ(here.parameters, there.parameters);
+        EXPECT_EQ(here.backend, there.backend);
+        EXPECT_EQ(here.renderer, there.renderer);
+        EXPECT_EQ(here.timer, there.timer);
+        EXPECT_EQ(here.msRuns, there.msRuns);
+    }
+}
+
+TEST_F(TechniqueWorkerTest, ErrorsAreThoseOfDrawingHere) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    TechniqueWorker worker(options());
+    RealtimeRenderer renderer(scene_, options().gl);
+    for (const char* text :
+         {"linear_binary:linear_steps=0", "linear_binary:stepps=3", "nowhere", "micro_triangles"}) {
+        const TechniqueRequest request = parseTechnique(text);
+        const std::string here = messageOf([&] { renderer.render(request, {}, nullptr); });
+        EXPECT_NE(here, "no error");
+        EXPECT_EQ(messageOf([&] { worker.render(request, {}); }), here);
+    }
+    EXPECT_GT(coveredPixels(worker.render(parseTechnique("linear_binary"), {}).frame),
+              1000u); // it still draws
+}
+
+TEST_F(TechniqueWorkerTest, AMachineWithoutTheDeviceIsToldOfAsHere) {
+    const GlOptions gl{GlBackend::Egl, 99, 0};
+    TechniqueWorker worker(options(gl));
+    const std::string here = messageOf([&] { RealtimeRenderer(scene_, gl); });
+    EXPECT_THAT(here, HasSubstr("99"));
+    EXPECT_EQ(messageOf([&] { worker.waitUntilReady(); }), here);
+    EXPECT_EQ(messageOf([&] { worker.render(parseTechnique("linear_binary"), {}); }), here); // started anew
+}
+
+TEST_F(TechniqueWorkerTest, AProcessThatEndsBetweenTwoTechniquesIsReplacedWithoutAWord) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    TechniqueWorker worker(options());
+    const Frame first = worker.render(parseTechnique("linear_binary"), {}).frame;
+    const std::vector<pid_t> children = test::childrenOf(getpid());
+    ASSERT_EQ(children.size(), 1u);
+    ASSERT_EQ(test::sendSignal(children[0], SIGKILL), 0);
+    ASSERT_TRUE(test::waitUntil([&] { return test::isGone(children[0]); }, 10));
+    expectEqualFrames(first, worker.render(parseTechnique("linear_binary"), {}).frame);
+}
+
+TEST_F(TechniqueWorkerTest, NoProcessIsLeftBehind) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    {
+        TechniqueWorker worker(options());
+        worker.waitUntilReady();
+    }
+    EXPECT_TRUE(test::childrenOf(getpid()).empty());
+    { TechniqueWorker worker(options()); } // not even ready
+    EXPECT_TRUE(test::childrenOf(getpid()).empty());
+}
+
+TEST_F(TechniqueWorkerTest, ProgramsThatAreNone) {
+    WorkerOptions none = options();
+    none.program = folder_ / "nowhere";
+    EXPECT_THROW(TechniqueWorker worker(none), MachineError);
+    none.program = "/bin/false";
+    TechniqueWorker worker(none);
+    EXPECT_THAT(messageOf([&] { worker.waitUntilReady(); }), HasSubstr("(exit code 1)"));
+}
+
+// Scripts in the program's place, so that it ends where it never should. What they print are messages: the length in eight
+// bytes, then MessagePack.
+const char* const kReady = R"(printf '\015\0\0\0\0\0\0\0\201\245phase\245ready' >&3)";
+const char* const kDrawing = R"(printf '\017\0\0\0\0\0\0\0\201\245phase\247drawing' >&3)";
+const char* const kMachineError =
+    R"(printf '\030\0\0\0\0\0\0\0\201\245error\202\244kind\001\244text\244lost' >&3)";
+
+class ScriptedWorkerTest : public TechniqueWorkerTest {
+  protected:
+    /// What drawing twice comes to.
+    std::vector<std::string> drawTwice(const std::vector<std::string>& script) const {
+        std::string text = "#!/bin/sh\n";
+        for (const std::string& line : script)
+            text += line + "\n";
+        test::writeFile(folder_ / "script", text);
+        std::filesystem::permissions(folder_ / "script", std::filesystem::perms::owner_all);
+        WorkerOptions scripted = options();
+        scripted.program = folder_ / "script";
+        scripted.timeLimitSeconds = 1;
+        TechniqueWorker worker(scripted);
+        std::vector<std::string> messages(2);
+        for (std::string& message : messages)
+            message = messageOf([&] { worker.render(parseTechnique("linear_binary"), {}); });
+        return messages;
+    }
+};
+
+std::string asMessage(const std::exception& error) {
+    return messageOf([&] {
+        if (dynamic_cast<const InputError*>(&error) != nullptr) throw InputError("", error.what());
+        throw MachineError("", error.what());
+    });
+}
+
+TEST_F(ScriptedWorkerTest, EndsBeforeATechniqueAndWhileDrawingIt) {
+    const std::string before =
+        asMessage(MachineError("linear_binary", "something ended the process (exit code 7)"));
+    const std::string during =
+        asMessage(MachineError("linear_binary", "the OpenGL driver ended the process (exit code 7)"));
+    EXPECT_THAT(drawTwice({kReady, "exit 7"}), ElementsAre(before, before));
+    EXPECT_THAT(drawTwice({kReady, kDrawing, "sleep 0.1", "exit 7"}), ElementsAre(during, during));
+}
+
+TEST_F(ScriptedWorkerTest, TheTimeLimitHoldsForEachTechnique) {
+    const std::string stopped =
+        asMessage(InputError("linear_binary", "not finished after 1 s and stopped",
+                             "a search whose loops end", "--time-limit SECONDS gives it more"));
+    EXPECT_THAT(drawTwice({kReady, kDrawing, "exec sleep 60"}), ElementsAre(stopped, stopped));
+}
+
+// Maps that are made before a technique draws may take minutes.
+TEST_F(ScriptedWorkerTest, TimeBeforeDrawingDoesNotCount) {
+    const std::string error = asMessage(MachineError("", "lost"));
+    EXPECT_THAT(drawTwice({kReady, "sleep 1.5", kMachineError}), ElementsAre(error, error));
+}
+
+// A context that was lost stays lost: the next technique gets another process, even while this one lingers.
+TEST_F(ScriptedWorkerTest, AfterAFaultOfTheMachineTheProcessIsAnother) {
+    const std::string error = asMessage(MachineError("", "lost"));
+    EXPECT_THAT(drawTwice({kReady, kMachineError, "exec sleep 60"}), ElementsAre(error, error));
+}
+
+} // namespace
+} // namespace plumbline

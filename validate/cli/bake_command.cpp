@@ -1,0 +1,162 @@
+#include "realtime/bake/bake_cache.h"
+#include "realtime/bake/baked_map_picture.h"
+#include "realtime/bake/cone_check.h"
+#include "realtime/bake/cone_map.h"
+#include "scenes/core/error.h"
+#include "scenes/maps/map_file.h"
+#include "scenes/scene_file/scene_file.h"
+#include "scenes/frame/scene_metadata.h"
+#include "validate/results/output_files.h"
+#include "validate/cli/shared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+std::shared_ptr<const HeightMap> readPicture(const BakeArguments& arguments) {
+    if (!arguments.stores)
+        throw InputError("--stores", "is missing", "depth or height, what the values of a picture mean");
+    const std::string stores = parseChoice("--stores", *arguments.stores, {"depth", "height"});
+    const auto [wrapS, wrapT] = parseWraps(arguments.wrap);
+    return std::make_shared<const HeightMap>(
+        readHeightMap(arguments.map, stores == "depth" ? Stores::Depth : Stores::Height, wrapS, wrapT));
+}
+
+/// A file of that name is a picture, whatever its name has in it; else SCENE#NAME.
+std::shared_ptr<const HeightMap> readMap(const BakeArguments& arguments) {
+    std::error_code ignored;
+    const bool isFile = std::filesystem::is_regular_file(arguments.map, ignored);
+    if (isFile && std::filesystem::path(arguments.map).extension() == ".toml")
+        throw InputError(arguments.map, "is a scene", "one of its height maps, as SCENE.toml#NAME");
+    const size_t hash = arguments.map.rfind('#');
+    if (isFile || hash == std::string::npos) return readPicture(arguments);
+    for (const auto& [option, value] :
+         {std::pair("--stores", &arguments.stores), std::pair("--wrap", &arguments.wrap)})
+        if (*value)
+            throw InputError(option, fmt::format("found '{}' beside a scene's map", **value), "nothing",
+                             "the scene says what its maps store and how they wrap");
+    return readSceneMap(findScene(arguments.map.substr(0, hash)), arguments.map.substr(hash + 1));
+}
+
+BakeScale parseScale(const BakeArguments& arguments, const BakeKind& kind) {
+    BakeScale scale;
+    for (const auto& [option, value] :
+         {std::pair("--depth", arguments.depth), std::pair("--tile-size", arguments.tileSize)}) {
+        if (value && !kind.needsScale)
+            throw InputError(
+                option, fmt::format("found '{}'", *value),
+                fmt::format("no scale for kind '{}', which is the same at every one", kind.name));
+        if (!value && kind.needsScale)
+            throw InputError(
+                option, "is missing",
+                fmt::format("--depth D and --tile-size SX,SY, world units: kind '{}' is another at "
+                            "every scale",
+                            kind.name));
+    }
+    if (!kind.needsScale) return scale;
+    const auto [s, t] = parsePair("--tile-size", *arguments.tileSize, "2,1.5");
+    return {parseLength("--tile-size", s), parseLength("--tile-size", t),
+            parseLength("--depth", *arguments.depth)};
+}
+
+BakeRequest parseRequest(const BakeArguments& arguments) {
+    const BakeKind& kind = bakeKind(arguments.kind);
+    BakeRequest request;
+    request.kind = kind.name;
+    request.scale = parseScale(arguments, kind);
+    if (arguments.slices && !kind.takesSlices)
+        throw InputError("--slices", fmt::format("found {}", *arguments.slices),
+                         fmt::format("none for kind '{}', which has no slices to choose", kind.name));
+    request.slices = arguments.slices.value_or(request.slices);
+    return request;
+}
+
+std::string counted(size_t number, const char* what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+}
+
+void printSummary(const BakeOutcome& outcome) {
+    const BakedMap& map = outcome.map;
+    fmt::print("{}: {} x {}, {}, {}, {}, {} bytes; {:.1f} ms, {}: {}\n", map.kind, map.levels[0].width,
+               map.levels[0].height, counted(static_cast<size_t>(map.slices), "slice"),
+               counted(static_cast<size_t>(map.channels), "channel"), counted(map.levels.size(), "level"),
+               outcome.bytes, outcome.ms, outcome.fromCache ? "from the cache" : "made now",
+               outcome.file.empty() ? "not kept" : outcome.file.string());
+}
+
+std::map<std::string, std::string> pictureMetadata(const HeightMap& map, const BakeRequest& request) {
+    const auto name = [](Wrap wrap) { return wrap == Wrap::Repeat ? "repeat" : "clamp"; };
+    std::map<std::string, std::string> metadata{
+        {"program", programName()},
+        {"map", map.name()},
+        {"map_wrap", fmt::format("{} {}", name(map.wrapS()), name(map.wrapT()))}};
+    if (bakeKind(request.kind).needsScale) {
+        metadata["tile_size"] = fmt::format("{} {}", request.scale.s, request.scale.t);
+        metadata["relief_depth"] = fmt::format("{}", request.scale.depth);
+    }
+    return metadata;
+}
+
+/// Before anything is made: --check of what can't be checked.
+void requireCheckable(const BakeArguments& arguments) {
+    if (arguments.rays && !arguments.check)
+        throw InputError("--rays", fmt::format("found {} without --check", *arguments.rays),
+                         "both, or neither");
+    if (arguments.check && !isConeKind(arguments.kind))
+        throw InputError("--check", fmt::format("kind '{}' is no cone map", arguments.kind),
+                         "a kind that begins with cone_step");
+}
+
+/// One line a look-up: how many rays leapt over relief, and how deep they were in it at the deepest.
+void printConeCheck(const HeightMap& map, const BakedMap& cones, uint64_t rays) {
+    constexpr uint64_t kSeed = 1;
+    const bool relaxed = coneRule(cones.kind).relaxed;
+    fmt::print("{:<12} {:>10} {:>10} {:>10}", "look-up", "rays", "pierced", "leaping");
+    const char* const heads[] = {"<= 1e-5", "<= 1/1024", "<= 1/255", "<= 0.05", "more"};
+    static_assert(std::size(heads) == ConeCheck::kDepths.size());
+    for (const char* head : heads)
+        fmt::print(" {:>10}", head);
+    fmt::print(" {:>10} {:>10}\n", "deepest", "steps");
+    for (const auto& [name, lookup] :
+         {std::pair("cell", ConeLookup::Cell), std::pair("min_of_four", ConeLookup::MinOfFour),
+          std::pair("bilinear", ConeLookup::Bilinear), std::pair("nearest", ConeLookup::Nearest)}) {
+        const ConeCheck check = checkCones(map, cones, lookup, relaxed, rays, kSeed);
+        fmt::print("{:<12} {:>10} {:>10} {:>10}", name, check.rays, check.pierced, check.leaping);
+        for (const uint64_t leaps : check.leapsByDepth)
+            fmt::print(" {:>10}", leaps);
+        fmt::print(" {:>10.3g} {:>10.2f}\n", check.deepest, check.meanSteps());
+    }
+    fmt::print(
+        "leaps by how deep below the surface, in relief depths; steps: mean until within 1/1024 of it\n");
+}
+
+} // namespace
+
+int runBake(const BakeArguments& arguments) {
+    const BakeRequest request = parseRequest(arguments);
+    requireCheckable(arguments);
+    if (arguments.output)
+        requireWritableFile(*arguments.output, {arguments.map.substr(0, arguments.map.rfind('#'))});
+    Progress progress;
+    progress.step("reading the map");
+    const std::shared_ptr<const HeightMap> map = readMap(arguments);
+    progress.step("baking");
+    const BakeOutcome outcome = bakeCached(*map, request);
+    if (!outcome.warning.empty()) printWarnings({outcome.warning});
+    if (arguments.output) {
+        progress.step("writing");
+        writeBakedPicture(*arguments.output, outcome.map, pictureMetadata(*map, request));
+    }
+    printSummary(outcome);
+    if (arguments.output) fmt::print("{}\n", arguments.output->string());
+    if (arguments.check) {
+        progress.step("checking");
+        printConeCheck(*map, outcome.map, arguments.rays.value_or(kDefaultCheckRays));
+    }
+    return kExitDone;
+}
+
+} // namespace plumbline

@@ -1,0 +1,139 @@
+#include "scenes/core/error.h"
+#include "scenes/core/replace_file.h"
+#include "scenes/frame/scene_metadata.h"
+#include "validate/compare/foreign_frame.h"
+#include "validate/compare/frame_metadata.h"
+#include "validate/results/output_files.h"
+#include "validate/cli/requirements.h"
+#include "validate/cli/shared.h"
+
+#include <fmt/format.h>
+
+namespace plumbline {
+namespace {
+
+std::string metadataOf(const Frame& frame, const std::string& key, const std::string& otherwise) {
+    const auto found = frame.metadata.find(key);
+    return found == frame.metadata.end() ? otherwise : found->second;
+}
+
+ReferenceSummary fromFile(const Frame& frame, const std::string& file) {
+    const Figure none = Figure::absent("the reference came from a file");
+    ReferenceSummary summary;
+    summary.microTriangles = summary.tessellateMs = summary.buildMs = summary.traceMs = summary.peakBytes =
+        none;
+    summary.certificate = certificateFromHeader(frame, file);
+    return summary;
+}
+
+/// Of the view, from either file's header.
+std::optional<Camera> cameraOf(const ForeignFrame& reference, const ForeignFrame& test) {
+    std::optional<Camera> camera = cameraFromHeader(reference.frame, reference.file);
+    return camera ? camera : cameraFromHeader(test.frame, test.file);
+}
+
+/// What the two headers leave open, or say differently.
+std::vector<std::string> headerNotes(const ForeignFrame& reference, const ForeignFrame& test) {
+    std::vector<std::string> notes;
+    for (const ForeignFrame* each : {&reference, &test})
+        for (const std::string& field : leftOutFields(each->frame, each->file))
+            notes.push_back(fmt::format("{}: the header field '{}' isn't as plumbline writes it: left out",
+                                        each->file, field));
+    const auto differ = [&](const char* key) {
+        const std::string a = metadataOf(reference.frame, key, ""), b = metadataOf(test.frame, key, "");
+        return !a.empty() && !b.empty() && a != b;
+    };
+    if (differ("scene_hash"))
+        notes.emplace_back("the headers of the two frames name different scenes (scene_hash)");
+    const auto ofReference = cameraFromHeader(reference.frame, reference.file),
+               ofTest = cameraFromHeader(test.frame, test.file);
+    if (ofReference && ofTest && *ofReference != *ofTest)
+        notes.emplace_back(
+            "the headers of the two frames name different cameras: the reference's is used for both");
+    return notes;
+}
+
+/// Both frames as the channel table has them; returns what was assumed for that.
+std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& test) {
+    if (reference.frame.width() != test.frame.width() || reference.frame.height() != test.frame.height())
+        return {}; // the camera isn't that of both; compareFrames refuses them
+    std::vector<std::string> notes = headerNotes(reference, test);
+    const std::optional<Camera> camera = cameraOf(reference, test);
+    for (ForeignFrame* each : {&reference, &test})
+        for (std::string& note : settleFrame(*each, camera))
+            notes.push_back(std::move(note));
+    return notes;
+}
+
+Results compareFiles(const CompareArguments& arguments, const ForeignFrame& referenceFile,
+                     const ForeignFrame& testFile, const std::vector<std::string>& assumed) {
+    const Frame &reference = referenceFile.frame, &test = testFile.frame;
+    std::vector<ObjectInfo> objects = objectsFromHeader(reference, referenceFile.file);
+    if (objects.empty()) objects = objectsFromHeader(test, testFile.file);
+
+    Results results;
+    results.program = programName();
+    results.scene = {metadataOf(reference, "scene", arguments.reference.stem().string()),
+                     "",
+                     metadataOf(reference, "scene_hash", ""),
+                     {},
+                     reference.width(),
+                     reference.height()};
+    if (const std::string base = metadataOf(reference, "base", ""); base == "limit" || base == "proxy")
+        results.base = base;
+    results.reference = fromFile(reference, arguments.reference.string());
+    TechniqueOutcome outcome;
+    outcome.name = metadataOf(test, "technique", arguments.test.stem().string());
+    outcome.msMedian = Figure::absent("the frame came from a file");
+    outcome.comparison = compareFrames(reference, test, objects, cameraOf(referenceFile, testFile));
+    std::vector<std::string>& notes = outcome.comparison.notes;
+    notes.insert(notes.begin(), assumed.begin(), assumed.end());
+    results.techniques.push_back(std::move(outcome));
+    return results;
+}
+
+void writeComparison(const CompareArguments& arguments, const Results& results, const Frame& reference,
+                     const Frame& test) {
+    const std::filesystem::path folder = *arguments.output;
+    removeOldResults(folder);
+    Report report(folder / "report", reportOptions(arguments.report));
+    report.addReference(reference);
+    report.addTechnique(results.techniques[0], reference, test);
+    replaceFile(folder / "results.json", toJson(results));
+    replaceFile(folder / "results.csv", toCsv(results));
+    report.write(results, true);
+}
+
+} // namespace
+
+int runCompare(const CompareArguments& arguments) {
+    if (!arguments.output && (arguments.report.singleFile || arguments.report.plain))
+        throw InputError(
+            "compare",
+            "--single-file and --plain-report say what the report is to be like, and none is written",
+            "-o DIR, the folder for it");
+    const auto requirements = readRequirements(arguments.require);
+    ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
+    ForeignFrame testFile = readForeignFrame(arguments.test, parseChannelMap(arguments.channelMap));
+    const std::vector<std::string> assumed = settleFrames(referenceFile, testFile);
+    const Frame &reference = referenceFile.frame, &test = testFile.frame;
+    Results results = compareFiles(arguments, referenceFile, testFile, assumed);
+    checkNames(requirements, results.techniques[0]);
+    const int exitCode = holdRequirements(requirements, results.techniques[0]) ? kExitDone : kExitThreshold;
+    if (arguments.output) {
+        requireWritableFolder(*arguments.output);
+        requireWritableFolder(*arguments.output / "report");
+        writeComparison(arguments, results, reference, test);
+    }
+    if (arguments.json) {
+        fmt::print("{}", toJson(results));
+        return exitCode;
+    }
+    fmt::print("{}", toTable(results));
+    for (const std::string& note : results.techniques[0].comparison.notes)
+        fmt::print("note: {}\n", note);
+    if (arguments.output) fmt::print("{}", reportLine(*arguments.output / "report" / "index.html"));
+    return exitCode;
+}
+
+} // namespace plumbline

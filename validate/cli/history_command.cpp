@@ -1,0 +1,133 @@
+#include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
+#include "scenes/core/replace_file.h"
+#include "validate/results/history_moves.h"
+#include "validate/results/output_files.h"
+#include "validate/results/text_table.h"
+#include "validate/cli/commands.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+struct History {
+    std::string text; // as in the file; empty if there is none yet
+    std::vector<HistoryRecord> records;
+};
+
+/// A missing or empty file is a history without records, if there is something to put in.
+History readOrBegin(const HistoryArguments& arguments) {
+    std::error_code error;
+    const bool begins = !std::filesystem::exists(arguments.file, error) ||
+                        (std::filesystem::is_regular_file(arguments.file, error) &&
+                         std::filesystem::file_size(arguments.file, error) == 0);
+    History history;
+    if (begins && !arguments.results.empty()) return history;
+    history.text = readWholeFile(arguments.file);
+    history.records = readHistory(arguments.file.string(), history.text);
+    return history;
+}
+
+std::optional<std::string> checkedLabel(const std::optional<std::string>& label) {
+    constexpr size_t kLongest = 200;
+    const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    if (label &&
+        (label->empty() || label->size() > kLongest || std::any_of(label->begin(), label->end(), isControl)))
+        throw InputError("--label", fmt::format("is {} bytes long or more than one line", label->size()),
+                         "a text of 1 to 200 bytes, for example a commit");
+    return label;
+}
+
+/// Whether they are of one run: all but the label.
+bool sameRun(HistoryRecord a, const HistoryRecord& b) {
+    a.label = b.label;
+    return a == b;
+}
+
+/// Adds the results but those that are the latest of their scene already; returns their scenes.
+std::vector<std::string> append(History& history, const HistoryArguments& arguments) {
+    if (!history.text.empty() && !history.text.ends_with('\n')) history.text += '\n';
+    std::vector<std::string> scenes;
+    for (const std::filesystem::path& file : arguments.results) {
+        const HistoryRecord record =
+            recordOf(file.string(), readWholeFile(file), checkedLabel(arguments.label));
+        scenes.push_back(record.scene);
+        const auto latest =
+            std::find_if(history.records.rbegin(), history.records.rend(),
+                         [&](const HistoryRecord& other) { return other.scene == record.scene; });
+        if (latest != history.records.rend() && sameRun(*latest, record)) {
+            fmt::print("{}: nothing new, it is record {} ('{}')\n", file.string(),
+                       history.records.rend() - latest, latest->label);
+            continue;
+        }
+        history.text += toLine(record);
+        history.records.push_back(record);
+    }
+    return scenes;
+}
+
+std::string shown(const std::optional<double>& value) {
+    return value ? fmt::format("{:.6g}", *value) : "-";
+}
+
+const char* nameOf(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::Better:
+        return "better";
+    case Verdict::Tolerated:
+        return "worse, tolerated";
+    case Verdict::Regression:
+        return "regression";
+    case Verdict::Neutral:
+        break;
+    }
+    return "";
+}
+
+void print(const SceneMoves& scene) {
+    if (scene.before.empty())
+        fmt::print("{}: {}\n", scene.scene, scene.after);
+    else
+        fmt::print("{}: from {} to {}\n", scene.scene, scene.before, scene.after);
+    TextTable table({"technique", "figure", "before", "after", "change", ""});
+    for (const FigureMove& move : scene.moves)
+        table.add({move.technique, move.figure, shown(move.before), shown(move.after),
+                   move.before && move.after ? fmt::format("{:+.3g}", *move.after - *move.before) : "-",
+                   nameOf(move.verdict)});
+    if (!table.empty()) fmt::print("{}", table.text());
+    for (const auto& [technique, count] : scene.unmoved)
+        fmt::print("{}: {} figures as before\n", technique, count);
+    for (const std::string& note : scene.notes)
+        fmt::print("note: {}\n", note);
+    for (const std::string& failure : scene.failures)
+        fmt::print(stderr, "regression: {}: {}\n", scene.scene, failure);
+    for (const FigureMove& move : scene.moves)
+        if (move.verdict == Verdict::Regression)
+            fmt::print(stderr, "regression: {}: {}: {} from {} to {}; tolerated {:.3g}\n", scene.scene,
+                       move.technique, move.figure, shown(move.before),
+                       move.after ? shown(move.after) : "no value", move.tolerated);
+}
+
+} // namespace
+
+int runHistory(const HistoryArguments& arguments) {
+    const Tolerances tolerances = Tolerances::parse(arguments.tolerances);
+    History history = readOrBegin(arguments);
+    const size_t known = history.records.size();
+    const std::vector<std::string> scenes = append(history, arguments);
+    if (history.records.size() > known && !arguments.dryRun) {
+        requireWritableFile(arguments.file, {arguments.results.begin(), arguments.results.end()});
+        replaceFile(arguments.file, history.text);
+    }
+    bool regression = false;
+    for (const SceneMoves& scene : latestMoves(history.records, scenes, tolerances)) {
+        print(scene);
+        regression |= scene.hasRegression();
+    }
+    return regression ? kExitThreshold : kExitDone;
+}
+
+} // namespace plumbline

@@ -1,0 +1,102 @@
+#include "realtime/bake/bake.h"
+#include "scenes/core/error.h"
+#include "scenes/scene_file/scene_file.h"
+#include "validate/metrics/metric_table.h"
+#include "validate/cli/shared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+void listScenes() {
+    const auto scenes = libraryScenes();
+    size_t width = 0;
+    for (const LibraryScene& scene : scenes)
+        width = std::max(width, scene.name.size());
+    for (const LibraryScene& scene : scenes)
+        fmt::print("{:<{}}  {}\n", scene.name, width, scene.purpose);
+}
+
+void listMetrics() {
+    for (const MetricInfo& metric : metricTable())
+        fmt::print("{}", describe(metric));
+}
+
+void listBakes() {
+    for (const BakeKind& kind : bakeKinds()) {
+        fmt::print("{}: {}\n    source: {}\n", kind.name, kind.meaning, kind.source);
+        fmt::print("    channels: {}\n    slices: {}\n", kind.channels, kind.slices);
+        if (kind.needsScale) fmt::print("    needs a scale: --depth and --tile-size\n");
+    }
+}
+
+#ifdef PLUMBLINE_GL
+void printParameters(const std::vector<TechniqueInfo::Parameter>& parameters) {
+    for (const TechniqueInfo::Parameter& parameter : parameters)
+        fmt::print("    {} = {}  {}{}{}: {}\n", parameter.name, parameter.defaultValue, parameter.type,
+                   parameter.range.empty() ? "" : " " + parameter.range,
+                   parameter.unit.empty() ? "" : ", " + parameter.unit, parameter.meaning);
+}
+
+void listAllSurfaces() {
+    for (const SurfaceInfo& surface : listSurfaces()) {
+        fmt::print("{}: {}\n    source: {}\n", surface.name, surface.title, surface.citation);
+        if (!surface.variantOf.empty()) fmt::print("    variant of: {}\n", surface.variantOf);
+        fmt::print("    shadows: {}\n", fmt::join(surface.shadows, ", "));
+        if (!surface.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(surface.inputs, ", "));
+        printParameters(surface.parameters);
+        for (const std::string& limit : surface.limits)
+            fmt::print("    limit: {}\n", limit);
+    }
+}
+
+void listAllTechniques() {
+    for (const TechniqueInfo& technique : listTechniques()) {
+        fmt::print("{}: {}\n", technique.name, technique.title);
+        if (!technique.citation.empty()) fmt::print("    source: {}\n", technique.citation);
+        if (!technique.surfaces.empty())
+            fmt::print("    surfaces: {}\n", fmt::join(technique.surfaces, ", "));
+        for (const auto& [surface, reason] : technique.refusals)
+            fmt::print("    not on {}: {}\n", surface, reason);
+        if (!technique.shadows.empty()) fmt::print("    shadows: {}\n", fmt::join(technique.shadows, ", "));
+        if (!technique.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(technique.inputs, ", "));
+        printParameters(technique.parameters);
+        for (const std::string& limit : technique.limits)
+            fmt::print("    limit: {}\n", limit);
+    }
+}
+#else
+void listAllTechniques() {
+    throw MachineError("list techniques", "this program was built without OpenGL (preset no-gl)",
+                       "a build with it");
+}
+void listAllSurfaces() {
+    throw MachineError("list surfaces", "this program was built without OpenGL (preset no-gl)",
+                       "a build with it");
+}
+#endif
+
+} // namespace
+
+int runList(const std::string& what) {
+    if (what == "scenes")
+        listScenes();
+    else if (what == "techniques")
+        listAllTechniques();
+    else if (what == "surfaces")
+        listAllSurfaces();
+    else if (what == "metrics")
+        listMetrics();
+    else if (what == "bakes")
+        listBakes();
+    else {
+        const std::vector<std::string> choices{"scenes", "techniques", "surfaces", "metrics", "bakes"};
+        throw InputError("list", fmt::format("found '{}'", what), listOf(choices), didYouMean(what, choices));
+    }
+    return kExitDone;
+}
+
+} // namespace plumbline

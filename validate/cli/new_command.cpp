@@ -1,0 +1,69 @@
+#include "scenes/core/error.h"
+#include "scenes/maps/map_file.h"
+#include "scenes/mesh/obj_file.h"
+#include "scenes/core/replace_file.h"
+#include "scenes/draft/scene_draft.h"
+#include "scenes/scene_file/scene_file.h"
+#include "validate/results/output_files.h"
+#include "validate/cli/shared.h"
+
+#include <fmt/format.h>
+
+namespace plumbline {
+namespace {
+
+Scheme parseScheme(const std::string& text) {
+    const std::string scheme = parseChoice("--scheme", text, {"catmull-clark", "loop", "none"});
+    return scheme == "loop" ? Scheme::Loop : scheme == "none" ? Scheme::None : Scheme::CatmullClark;
+}
+
+DraftWishes parseWishes(const NewArguments& arguments) {
+    DraftWishes wishes;
+    if (arguments.scheme) wishes.scheme = parseScheme(*arguments.scheme);
+    if (arguments.depth) wishes.depth = parseLength("--depth", *arguments.depth);
+    if (arguments.tile) {
+        const auto [s, t] = parsePair("--tile", *arguments.tile, "4,2");
+        wishes.tile = Vec2(parseTile("--tile", s), parseTile("--tile", t));
+    }
+    return wishes;
+}
+
+/// As the scene file is to name `file`: its reader puts that behind its own folder and takes away "x/..", so no link is followed
+/// here either.
+std::filesystem::path relativeTo(const std::filesystem::path& scene, const std::filesystem::path& file) {
+    const auto plain = [](const std::filesystem::path& path) {
+        return std::filesystem::absolute(path).lexically_normal();
+    };
+    return plain(file).lexically_relative(plain(scene).parent_path());
+}
+
+void requireNewName(const NewArguments& arguments) {
+    if (arguments.output.extension() != ".toml")
+        throw InputError(arguments.output.string(), "is no name of a scene file", "FILE.toml");
+    std::error_code ignored;
+    if (!arguments.force && std::filesystem::exists(arguments.output, ignored))
+        throw InputError(arguments.output.string(), "exists already", "a new name", "--force replaces it");
+}
+
+} // namespace
+
+int runNew(const NewArguments& arguments) {
+    requireNewName(arguments);
+    const DraftWishes wishes = parseWishes(arguments);
+    const bool storesHeight = parseChoice("--stores", arguments.stores, {"height", "depth"}) == "height";
+    const auto [wrapS, wrapT] = parseWraps(arguments.wrap);
+    const ControlMesh mesh = readObj(arguments.mesh);
+    const HeightMap map =
+        readHeightMap(arguments.height, storesHeight ? Stores::Height : Stores::Depth, wrapS, wrapT);
+    const std::string text =
+        sceneText(draftScene(mesh, map, wishes), relativeTo(arguments.output, arguments.mesh),
+                  relativeTo(arguments.output, arguments.height), map, storesHeight);
+    const Scene scene = parseScene(arguments.output, text); // nothing is written that can't be read
+    requireWritableFile(arguments.output, {arguments.mesh, arguments.height});
+    replaceFile(arguments.output, text);
+    printWarnings(scene.warnings);
+    fmt::print("{}\nnext: plumbline validate {}\n", arguments.output.string(), arguments.output.string());
+    return kExitDone;
+}
+
+} // namespace plumbline

@@ -1,0 +1,87 @@
+#include "reference/export/mesh_file.h"
+#include "scenes/core/error.h"
+#include "scenes/frame/frame_exr.h"
+#include "scenes/core/replace_file.h"
+#include "scenes/scene_file/scene_file.h"
+#include "scenes/frame/scene_metadata.h"
+#include "validate/compare/camera_json.h"
+#include "validate/results/output_files.h"
+#include "validate/cli/shared.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace plumbline {
+namespace {
+
+/// Before any work: every file has a name of its own and can be written.
+void requireOutputs(const ReferenceArguments& arguments, const std::filesystem::path& frameFile,
+                    const Scene& scene) {
+    if (arguments.meshFile) requireMeshFileName(*arguments.meshFile);
+    std::set<std::filesystem::path> names;
+    for (const auto& file : {std::optional(frameFile), arguments.meshFile, arguments.cameraFile}) {
+        if (!file) continue;
+        requireWritableFile(*file, scene.files);
+        if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(*file))).second)
+            throw InputError(file->string(), "is the name of two results", "a file for each");
+    }
+}
+
+void exportMesh(const std::filesystem::path& file, const Scene& scene, const ReferenceScene& reference) {
+    std::vector<MeshFileObject> objects;
+    for (size_t k = 0; k < scene.objects.size(); ++k)
+        objects.push_back({scene.objects[k].name, &reference.microMeshes()[k]});
+    const std::vector<std::string> comments{
+        fmt::format("{}, scene {}, {}", programName(), scene.name, scene.hash),
+        "world space: right-handed, Y up; s t: texture coordinates, tiled"};
+    const MeshFileSize size = writeMeshFile(file, objects, comments);
+    fmt::print("{}\n{} triangles, {} vertices; {:.0f} MB\n", file.string(), size.triangles, size.vertices,
+               static_cast<double>(size.bytes) / 1e6);
+}
+
+} // namespace
+
+int runReference(const ReferenceArguments& arguments) {
+    Progress progress;
+    progress.step("reading the scene");
+    const Scene scene = readScene(findScene(arguments.scene), arguments.sceneChanges);
+    printWarnings(scene.warnings);
+    ReferenceOptions options = referenceOptions(arguments);
+    options.base = parseBase(arguments.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
+    options.microAttributes = arguments.meshFile.has_value();
+    const std::filesystem::path file = arguments.output.value_or(
+        std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
+    requireOutputs(arguments, file, scene);
+
+    progress.step("tessellating");
+    ReferenceScene reference(scene, options);
+    printWarnings(reference.stats().warnings);
+    progress.step("tracing");
+    const Frame frame = reference.render();
+    progress.step("writing");
+    writeFrame(frame, file);
+
+    const ReferenceStats& stats = reference.stats();
+    progress.say(certificateLine(summaryOf(stats, frame).certificate));
+    fmt::print("{}\n{} micro-triangles; tessellate {:.0f} ms, build {:.0f} ms, trace {:.0f} ms, certify "
+               "{:.0f} ms; peak "
+               "{:.0f} MB\n",
+               file.string(), stats.microTriangles, stats.tessellateMs, stats.buildMs, stats.traceMs,
+               stats.certifyMs, static_cast<double>(peakBytes()) / 1e6);
+    for (const ReferenceStats::Object& object : stats.objects)
+        if (object.rate < object.wantedRate)
+            fmt::print("{}: {} segments per control edge of the {} wanted\n", object.name, object.rate,
+                       object.wantedRate);
+    if (arguments.meshFile) { // those of the frame: rendering may have made finer ones
+        progress.step("writing the mesh");
+        exportMesh(*arguments.meshFile, scene, reference);
+    }
+    if (arguments.cameraFile) {
+        replaceFile(*arguments.cameraFile, cameraJson(scene));
+        fmt::print("{}\n", arguments.cameraFile->string());
+    }
+    return kExitDone;
+}
+
+} // namespace plumbline

@@ -1,0 +1,175 @@
+#include "validate/cli/study_case.h"
+
+#include "realtime/technique/technique.h"
+#include "scenes/core/content_hash.h"
+#include "scenes/core/data_folder.h"
+#include "scenes/core/error.h"
+#include "scenes/core/nearest_rank.h"
+#include "scenes/surface/proxy_mesh.h"
+#include "scenes/frame/scene_metadata.h"
+#include "validate/compare/frame_metadata.h"
+#include "validate/cli/trial.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// The outcomes as results.json has them.
+json resultsOf(const Scene& scene, const ReferenceSummary& reference,
+               std::vector<TechniqueOutcome> outcomes) {
+    return json::parse(
+        toJson(Results{programName(), summaryOf(scene), "limit", reference, {}, std::move(outcomes)}));
+}
+
+size_t indexOf(const std::vector<std::string>& names, const std::string& name) {
+    return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+}
+
+/// The second technique's frame held against the first's, as if that were the truth.
+json comparePair(const Trial& first, const Trial& second, const Scene& scene,
+                 const ReferenceSummary& reference) {
+    TechniqueOutcome outcome;
+    outcome.name = second.outcome.name;
+    for (const Trial* trial : {&first, &second})
+        if (trial->outcome.error) outcome.error = trial->outcome.error;
+    if (!outcome.error)
+        outcome.comparison = compareFrames(first.frame, second.frame, objectsOf(scene), scene.camera);
+    return resultsOf(scene, reference, {std::move(outcome)})["techniques"][0];
+}
+
+/// The technique a label of the grid stands for.
+const std::string& nameOf(const StudyGrid& grid, const std::string& label) {
+    return std::find_if(grid.techniques.begin(), grid.techniques.end(),
+                        [&](const StudyTechnique& technique) { return technique.label == label; })
+        ->name;
+}
+
+/// How well the rings of the proxies' vertices determine their quadrics: the least squares of RP-351, section 3.1.
+json fitOf(const Scene& scene) {
+    std::vector<double> conditions;
+    size_t vertices = 0, unmapped = 0; // without a direction of s and t: never fitted
+    for (const SceneObject& object : scene.objects) {
+        if (!object.relief) continue;
+        for (const ProxyVertex& vertex : buildProxyMesh(object).vertices) {
+            ++vertices;
+            unmapped += glm::length(vertex.positionS) == 0;
+            if (std::isfinite(vertex.ringQuadric.condition))
+                conditions.push_back(vertex.ringQuadric.condition);
+        }
+    }
+    json fit{{"vertices", vertices},
+             {"unmapped", unmapped},
+             {"singular", vertices - unmapped - conditions.size()}};
+    if (conditions.empty()) return fit;
+    std::sort(conditions.begin(), conditions.end());
+    fit["condition_p50"] = conditions[nearestRankIndex(conditions.size(), 50)];
+    fit["condition_p99"] = conditions[nearestRankIndex(conditions.size(), 99)];
+    fit["condition_max"] = conditions.back();
+    return fit;
+}
+
+/// Contents of every file below a folder, in the order of their names.
+void addFolder(ContentHash& hash, const fs::path& folder) {
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+        hash.add(file.filename().string());
+        hash.addFile(file);
+    }
+}
+
+} // namespace
+
+json caseRequest(const StudyCase& studyCase, const CaseOptions& options) {
+    std::vector<std::string> names;
+    for (const StudyTechnique& technique : studyCase.grid->techniques)
+        names.push_back(technique.name);
+    json pairs = json::array();
+    for (const StudyPair& pair : studyCase.grid->pairs)
+        pairs.push_back({nameOf(*studyCase.grid, pair.first), nameOf(*studyCase.grid, pair.second)});
+    return {{"scene", studyCase.sceneFile.native()},
+            {"changes", studyCase.changes},
+            {"techniques", names},
+            {"settings", studyCase.grid->settings},
+            {"pairs", pairs},
+            {"timing_budget_ms", studyCase.grid->timingBudgetMs},
+            {"memory", options.memory},
+            {"error_px", options.errorPx},
+            {"gl", options.glBackend},
+            {"device", options.glDevice},
+            {"threads", options.threads},
+            {"time_limit", options.timeLimitSeconds}};
+}
+
+json runCase(const json& request) {
+    const fs::path sceneFile = request.at("scene").get<std::string>();
+    const Scene scene = readScene(sceneFile, request.at("changes").get<SceneChanges>());
+    const auto names = request.at("techniques").get<std::vector<std::string>>();
+    const auto settings = parseSettings(request.at("settings").get<std::vector<std::string>>());
+    const std::vector<TechniqueRequest> techniques = chosenTechniques(names, settings);
+
+    ReferenceArguments referenceArguments;
+    referenceArguments.memory = request.at("memory").get<std::string>();
+    if (const std::string errorPx = request.at("error_px"); !errorPx.empty())
+        referenceArguments.errorPx = errorPx;
+    ReferenceOptions options = referenceOptions(referenceArguments);
+    options.microAttributes = std::any_of(techniques.begin(), techniques.end(), drawsMicroTriangles);
+    ReferenceScene reference(scene, options);
+    const Frame truth = reference.render();
+    const ReferenceSummary summary = summaryOf(reference.stats(), truth);
+
+    RealtimeArguments realtime;
+    realtime.glBackend = request.at("gl");
+    realtime.glDevice = request.at("device");
+    realtime.threads = request.at("threads");
+    realtime.timeLimitSeconds = request.at("time_limit");
+    WorkerOptions worker = workerOptions(sceneFile, scene, realtime);
+    worker.gl.timingBudgetMs = request.at("timing_budget_ms");
+    TechniqueDrawer drawer(scene, worker, techniques);
+    std::vector<Trial> trials;
+    json result{{"techniques", json::array()}, {"pairs", json::array()}, {"fit", fitOf(scene)}};
+    for (size_t i = 0; i < techniques.size(); ++i) {
+        Trial& trial =
+            trials.emplace_back(tryTechnique(techniques[i], settings, drawer, &reference.microMeshes()));
+        if (!trial.outcome.error) compareTrial(trial, truth, scene);
+        if (trial.exitCode == kExitMachine) result["again"] = true;
+        json results = resultsOf(scene, summary, {trial.outcome});
+        result["techniques"].push_back({{"name", names[i]}, {"result", results["techniques"][0]}});
+        result["reference"] = results["reference"];
+    }
+    for (const json& pair : request.at("pairs")) {
+        const std::string first = pair.at(0), second = pair.at(1);
+        result["pairs"].push_back({{"first", first},
+                                   {"second", second},
+                                   {"result", comparePair(trials[indexOf(names, first)],
+                                                          trials[indexOf(names, second)], scene, summary)}});
+    }
+    return result;
+}
+
+std::string techniquesHash(const StudyGrid& grid) {
+    ContentHash hash;
+    const fs::path realtime = dataFolder() / "realtime";
+    addFolder(hash, realtime / "shaders");
+    addFolder(hash, realtime / "surfaces");
+    for (const StudyTechnique& technique : grid.techniques) {
+        hash.add(technique.name);
+        addFolder(hash, techniqueFolder(parseTechnique(technique.name).search));
+    }
+    for (const std::string& setting : grid.settings)
+        hash.add(setting);
+    for (const StudyPair& pair : grid.pairs)
+        hash.add(nameOf(grid, pair.first) + "\n" + nameOf(grid, pair.second));
+    return hash.hexadecimal();
+}
+
+} // namespace plumbline

@@ -1,0 +1,217 @@
+#include "scenes/core/error.h"
+#include "scenes/core/replace_file.h"
+#include "validate/study/study_report.h"
+#include "validate/cli/commands.h"
+#include "validate/cli/shared.h"
+
+#ifdef PLUMBLINE_GL
+#include "validate/cli/case_pool.h"
+#endif
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+#include <span>
+#include <thread>
+
+namespace plumbline {
+
+#ifdef PLUMBLINE_GL
+namespace {
+
+using nlohmann::json;
+
+constexpr uint64_t kManyCases = 2000;     // an hour and more
+constexpr uint64_t kMostCases = 10000000; // what a list of them may take of memory
+constexpr std::chrono::seconds kBetweenTables(10);
+
+void requireConsent(uint64_t count, const StudyArguments& arguments) {
+    if (count > kMostCases)
+        throw InputError(arguments.study, fmt::format("has {} cases", count),
+                         fmt::format("at most {}", kMostCases));
+    if (count > kManyCases && !arguments.yes)
+        throw InputError(arguments.study, fmt::format("has {} cases", count),
+                         fmt::format("at most {} without --yes", kManyCases));
+}
+
+std::filesystem::path outputFolder(const Study& study, const StudyArguments& arguments) {
+    return arguments.output.value_or(std::filesystem::path("plumbline-out") / ("study-" + study.name));
+}
+
+int coreCount() {
+    return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Names and settings of every grid, before anything is drawn.
+void checkTechniques(const Study& study) {
+    for (const StudyGrid& grid : study.grids) {
+        const auto settings = parseSettings(grid.settings);
+        std::vector<std::string> names;
+        for (const StudyTechnique& technique : grid.techniques)
+            names.push_back(technique.name);
+        const std::vector<TechniqueRequest> techniques = chosenTechniques(names, settings);
+        checkSettings(settings, techniques);
+        for (const TechniqueRequest& technique : techniques)
+            (void)techniqueName(technique, settings); // throws for a value it doesn't take
+    }
+}
+
+/// What would be wrong in every case, before the first.
+void checkCaseOptions(const CaseOptions& options) {
+    RealtimeArguments realtime;
+    realtime.glBackend = options.glBackend;
+    (void)glOptions(realtime);
+    (void)parseMemorySize(options.memory);
+    if (!options.errorPx.empty()) (void)parseErrorPx(options.errorPx);
+}
+
+CaseOptions caseOptions(const Study& study, const StudyArguments& arguments, int jobs) {
+    CaseOptions options;
+    options.memory = study.memory;
+    options.errorPx = study.errorPx;
+    options.glBackend = arguments.glBackend;
+    options.glDevice = arguments.glDevice;
+    options.threads = std::max(1, (arguments.threads > 0 ? arguments.threads : coreCount()) / jobs);
+    options.timeLimitSeconds = study.timeLimitSeconds;
+    return options;
+}
+
+/// What is known, and what is left to do.
+struct StudyState {
+    std::vector<StudyRow> rows;
+    std::vector<StudyCase> open; // not worked out, or not for a reason that may have gone
+    size_t failed = 0;           // also in part: a technique
+
+    void add(const StudyCase& studyCase, const json& outcome) {
+        bool anyError = false;
+        for (StudyRow& row : rowsOf(studyCase, outcome)) {
+            anyError |= !row.error.empty();
+            rows.push_back(std::move(row));
+        }
+        failed += anyError;
+    }
+};
+
+StudyState readState(const StudyFolder& folder, const std::vector<StudyCase>& cases) {
+    StudyState state;
+    for (const StudyCase& studyCase : cases) {
+        if (const auto outcome = folder.outcomeOf(studyCase))
+            state.add(studyCase, *outcome);
+        else
+            state.open.push_back(studyCase);
+    }
+    return state;
+}
+
+std::string timeLeft(std::chrono::steady_clock::time_point start, size_t done, size_t all) {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    const double seconds = spent.count() / static_cast<double>(done) * static_cast<double>(all - done);
+    return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
+}
+
+void writeTable(const StudyFolder& folder, const StudyState& state) {
+    replaceFile(folder.path() / "results.csv", studyCsv(state.rows));
+}
+
+/// A case's failures, each text once: what fails in one often fails in all.
+void tell(const StudyCase& studyCase, std::span<const StudyRow> rows, std::set<std::string>& said,
+          Progress& progress) {
+    for (const StudyRow& row : rows)
+        if (!row.error.empty() && said.insert(errorOf(row)).second)
+            progress.say(
+                fmt::format("{} {}: {}", studyCase.scene, fmt::join(studyCase.changes, " "), errorOf(row)));
+}
+
+void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const CaseOptions& options,
+                  Progress& progress) {
+    const auto start = std::chrono::steady_clock::now();
+    auto lastTable = start;
+    size_t done = 0;
+    std::set<std::string> said;
+    progress.step(fmt::format("{} cases, {} at a time", state.open.size(), jobs));
+    runCases(state.open, jobs, options, [&](const StudyCase& studyCase, const json& outcome) {
+        folder.store(studyCase, outcome);
+        const size_t before = state.rows.size();
+        state.add(studyCase, outcome);
+        ++done;
+        tell(studyCase, std::span<const StudyRow>(state.rows).subspan(before), said, progress);
+        progress.step(fmt::format("{} of {} cases, {} failed, about {} left", done, state.open.size(),
+                                  state.failed, timeLeft(start, done, state.open.size())));
+        const auto now = std::chrono::steady_clock::now();
+        if (now - lastTable < kBetweenTables) return;
+        writeTable(folder, state);
+        lastTable = now;
+    });
+}
+
+} // namespace
+
+int runStudy(const StudyArguments& arguments) {
+    Progress progress;
+    progress.step("reading the study");
+    const Study study = readStudy(findStudy(arguments.study));
+    requireConsent(caseCount(study), arguments);
+    checkTechniques(study);
+    const int jobs = arguments.jobs > 0 ? arguments.jobs : coreCount();
+    const CaseOptions options = caseOptions(study, arguments, jobs);
+    checkCaseOptions(options);
+    const StudyFolder folder(outputFolder(study, arguments), study);
+    const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
+    StudyState state = readState(folder, cases);
+    const size_t known = cases.size() - state.open.size();
+    const auto start = std::chrono::steady_clock::now();
+    if (!state.open.empty()) runOpenCases(folder, state, jobs, options, progress);
+    // In the study's order, whatever order they were done in.
+    state = readState(folder, cases);
+    writeTable(folder, state);
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
+    fmt::print("{} cases: {} worked out in {:.0f} s, {} known before, {} failed\n{}\n", cases.size(),
+               cases.size() - known, spent.count(), known, state.failed + state.open.size(),
+               (folder.path() / "results.csv").string());
+    if (state.failed > 0) return kExitBadInput;
+    return state.open.empty() ? kExitDone : kExitMachine;
+}
+
+int runStudyReport(const StudyArguments& arguments) {
+    const Study study = readStudy(findStudy(arguments.study));
+    requireConsent(caseCount(study), arguments);
+    const StudyFolder folder = StudyFolder::open(outputFolder(study, arguments), study);
+    const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
+    const StudyState state = readState(folder, cases);
+    if (state.rows.empty())
+        throw InputError(folder.path().string(), "holds no finished case of this study",
+                         fmt::format("'plumbline study run {}' before", arguments.study));
+    writeTable(folder, state);
+    writeStudyReport(study, state.rows, cases.size(), state.open.size(), folder.path() / "report");
+    fmt::print("{}\n", (folder.path() / "report" / "index.html").string());
+    return kExitDone;
+}
+
+int runStudyCase(int parent) {
+    return serveStudyCase(parent);
+}
+
+#else
+
+namespace {
+[[noreturn]] void refuse() {
+    throw MachineError("study", "this program was built without OpenGL (preset no-gl)", "a build with it");
+}
+} // namespace
+
+int runStudy(const StudyArguments&) {
+    refuse();
+}
+int runStudyReport(const StudyArguments&) {
+    refuse();
+}
+int runStudyCase(int) {
+    refuse();
+}
+
+#endif
+
+} // namespace plumbline

@@ -1,0 +1,136 @@
+// The part of shared.h that needs realtime/.
+#include "scenes/core/error.h"
+#include "validate/cli/shared.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+namespace plumbline {
+namespace {
+
+// The one search that variants of a surface are drawn with in `all`: one row tells of a surface, twelve only lengthen the table.
+constexpr const char* kSearchForVariants = "linear_binary";
+
+/// Every search on every surface it composes with that is no variant of another one; variants with one search.
+std::vector<TechniqueRequest> allTechniques() {
+    std::set<std::string> variants;
+    for (const SurfaceInfo& surface : listSurfaces())
+        if (!surface.variantOf.empty()) variants.insert(surface.name);
+    std::vector<TechniqueRequest> requests;
+    for (const TechniqueInfo& info : listTechniques()) {
+        TechniqueRequest request;
+        request.search = info.name;
+        if (info.surfaces.empty()) requests.push_back(request);
+        for (const std::string& surface : info.surfaces) {
+            if (variants.contains(surface) && info.name != kSearchForVariants) continue;
+            request.surface = surface;
+            requests.push_back(request);
+        }
+    }
+    // The control goes first: where it fails, no other result means anything.
+    std::stable_partition(requests.begin(), requests.end(), drawsMicroTriangles);
+    return requests;
+}
+
+/// Throws for a surface the technique doesn't compose with; says nothing where its manifest can't be read.
+void requireSurface(const TechniqueRequest& request) {
+    std::vector<std::string> surfaces;
+    std::map<std::string, std::string> refusals;
+    try {
+        const TechniqueInfo info = techniqueInfo(request);
+        surfaces = info.surfaces;
+        refusals = info.refusals;
+    } catch (const InputError&) {
+        return;
+    }
+    if (surfaces.empty()) surfaces = {"flat"}; // what a request without '@' says
+    if (std::find(surfaces.begin(), surfaces.end(), request.surface) != surfaces.end()) return;
+    const auto reason = refusals.find(request.surface);
+    throw InputError("--technique",
+                     fmt::format("'{}' has no surface '{}'{}", request.search, request.surface,
+                                 reason == refusals.end() ? "" : ": " + reason->second),
+                     listOf(surfaces), didYouMean(request.surface, surfaces));
+}
+
+/// A typing error must not cost a whole run: names that aren't there are refused at once, faults inside a
+/// technique's folder are reported beside the results of the others.
+void requireExists(const TechniqueRequest& request) {
+    std::vector<std::string> names;
+    for (const TechniqueInfo& info : listTechniques())
+        names.push_back(info.name);
+    std::error_code ignored;
+    if (std::find(names.begin(), names.end(), request.search) == names.end() &&
+        !std::filesystem::is_directory(request.search, ignored)) {
+        (void)techniqueInfo(request); // says more where there is a folder of that name with a broken manifest
+        throw InputError("--technique", fmt::format("there is no technique '{}'", request.search),
+                         listOf(names) + ", or a folder", didYouMean(request.search, names));
+    }
+    requireSurface(request);
+}
+
+void refuseDuplicates(const std::vector<TechniqueRequest>& requests,
+                      const std::map<std::string, std::string>& settings) {
+    std::set<std::string> names;
+    for (const TechniqueRequest& request : requests)
+        if (const std::string name = displayName(request, settings); !names.insert(name).second)
+            throw InputError("--technique", fmt::format("'{}' is named twice", name), "each technique once",
+                             "a folder of the same name as another technique needs another one");
+}
+
+} // namespace
+
+GlOptions glOptions(const RealtimeArguments& arguments) {
+    GlOptions options;
+    options.device = arguments.glDevice;
+    if (arguments.glBackend == "egl")
+        options.backend = GlBackend::Egl;
+    else if (arguments.glBackend == "osmesa")
+        options.backend = GlBackend::Osmesa;
+    else if (arguments.glBackend != "auto")
+        throw InputError("--gl", fmt::format("found '{}'", arguments.glBackend), "auto, egl or osmesa");
+    return options;
+}
+
+std::vector<TechniqueRequest> chosenTechniques(const std::vector<std::string>& texts,
+                                               const std::map<std::string, std::string>& settings) {
+    const bool all = texts.empty() || std::find(texts.begin(), texts.end(), "all") != texts.end();
+    std::vector<TechniqueRequest> requests = all ? allTechniques() : std::vector<TechniqueRequest>{};
+    for (const std::string& text : texts) {
+        if (text == "all") continue;
+        requests.push_back(parseTechnique(text));
+        requireExists(requests.back());
+    }
+    refuseDuplicates(requests, settings);
+    return requests;
+}
+
+void checkSettings(const std::map<std::string, std::string>& settings,
+                   const std::vector<TechniqueRequest>& requests) {
+    if (settings.empty()) return;
+    std::set<std::string> known;
+    for (const TechniqueRequest& request : requests) {
+        try {
+            for (const std::string& name : knownSettings(request))
+                known.insert(name);
+        } catch (const InputError&) {
+            return; // its manifest can't be read, so nobody knows what it takes; drawing it will say so
+        }
+    }
+    const std::vector<std::string> names(known.begin(), known.end());
+    for (const auto& [key, value] : settings)
+        if (!known.contains(key))
+            throw InputError("--set", fmt::format("no technique of this run takes '{}'", key), listOf(names),
+                             didYouMean(key, names));
+}
+
+bool drawsMicroTriangles(const TechniqueRequest& request) {
+    try {
+        return techniqueInfo(request).drawsMicroTriangles;
+    } catch (const InputError&) {
+        return false;
+    }
+}
+
+} // namespace plumbline

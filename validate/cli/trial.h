@@ -1,0 +1,27 @@
+// What validate and study do for each technique: draw it, hold it against the reference.
+#pragma once
+
+#ifdef PLUMBLINE_GL
+#include "validate/cli/shared.h"
+#include "validate/cli/technique_drawer.h"
+
+namespace plumbline {
+
+/// One technique's frame and figures.
+struct Trial {
+    TechniqueOutcome outcome;
+    Frame frame;
+    std::vector<std::string> warnings;
+    int exitCode = kExitDone;
+};
+
+/// Draws it. What InputError or MachineError says becomes the outcome's error. `microMeshes`: of the reference, for the control
+/// technique; may be null if that isn't asked for.
+Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
+                   TechniqueDrawer& drawer, const std::vector<MicroMesh>* microMeshes);
+
+/// Holds a frame that was drawn against the reference, and warns of pixels that hold no numbers.
+void compareTrial(Trial& trial, const Frame& reference, const Scene& scene);
+
+} // namespace plumbline
+#endif

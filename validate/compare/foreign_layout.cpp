@@ -1,0 +1,205 @@
+#include "validate/compare/foreign_layout.h"
+
+#include "scenes/core/error.h"
+#include "scenes/frame/frame.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace plumbline {
+namespace {
+
+/// Mitsuba 3's rays start on the near plane (src/sensors/perspective.cpp), so its depth counts from there; this is the plane's default.
+constexpr double kMitsubaNearClip = 0.01;
+
+struct KnownChannel {
+    FrameLayout layout;
+    std::string_view ending; // of a whole word: "Depth.Z" is also ViewLayer.Depth.Z
+    std::string_view ours;
+};
+
+// Blender: the passes' names of a multilayer file (manual, "Passes"); its Combined.A is 1 all over unless the film is transparent.
+// Mitsuba: <name>.<letters> with the names of the manual's examples (src/integrators/aov.cpp).
+// pbrt: GBufferFilm::GetImage (src/pbrt/film.cpp); Ns is the shading normal, which a mesh file's normals end up in.
+constexpr std::array kKnownChannels{
+    KnownChannel{FrameLayout::Blender, "Depth.Z", "Z"},
+    KnownChannel{FrameLayout::Blender, "Normal.X", "N.X"},
+    KnownChannel{FrameLayout::Blender, "Normal.Y", "N.Y"},
+    KnownChannel{FrameLayout::Blender, "Normal.Z", "N.Z"},
+    KnownChannel{FrameLayout::Blender, "Position.X", "P.X"},
+    KnownChannel{FrameLayout::Blender, "Position.Y", "P.Y"},
+    KnownChannel{FrameLayout::Blender, "Position.Z", "P.Z"},
+    KnownChannel{FrameLayout::Blender, "UV.U", "st.S"},
+    KnownChannel{FrameLayout::Blender, "UV.V", "st.T"},
+    KnownChannel{FrameLayout::Blender, "IndexOB.X", "id"},
+    KnownChannel{FrameLayout::Blender, "Combined.R", "R"},
+    KnownChannel{FrameLayout::Blender, "Combined.G", "G"},
+    KnownChannel{FrameLayout::Blender, "Combined.B", "B"},
+    KnownChannel{FrameLayout::Mitsuba, "T", "Z"},
+    KnownChannel{FrameLayout::Mitsuba, "nn.X", "N.X"},
+    KnownChannel{FrameLayout::Mitsuba, "nn.Y", "N.Y"},
+    KnownChannel{FrameLayout::Mitsuba, "nn.Z", "N.Z"},
+    KnownChannel{FrameLayout::Mitsuba, "sh_normal.X", "N.X"},
+    KnownChannel{FrameLayout::Mitsuba, "sh_normal.Y", "N.Y"},
+    KnownChannel{FrameLayout::Mitsuba, "sh_normal.Z", "N.Z"},
+    KnownChannel{FrameLayout::Mitsuba, "position.X", "P.X"},
+    KnownChannel{FrameLayout::Mitsuba, "position.Y", "P.Y"},
+    KnownChannel{FrameLayout::Mitsuba, "position.Z", "P.Z"},
+    KnownChannel{FrameLayout::Mitsuba, "pos.X", "P.X"},
+    KnownChannel{FrameLayout::Mitsuba, "pos.Y", "P.Y"},
+    KnownChannel{FrameLayout::Mitsuba, "pos.Z", "P.Z"},
+    KnownChannel{FrameLayout::Mitsuba, "uv.U", "st.S"},
+    KnownChannel{FrameLayout::Mitsuba, "uv.V", "st.T"},
+    KnownChannel{FrameLayout::Pbrt, "P.X", "P.X"},
+    KnownChannel{FrameLayout::Pbrt, "P.Y", "P.Y"},
+    KnownChannel{FrameLayout::Pbrt, "P.Z", "P.Z"},
+    KnownChannel{FrameLayout::Pbrt, "Ns.X", "N.X"},
+    KnownChannel{FrameLayout::Pbrt, "Ns.Y", "N.Y"},
+    KnownChannel{FrameLayout::Pbrt, "Ns.Z", "N.Z"},
+    KnownChannel{FrameLayout::Pbrt, "u", "st.S"},
+    KnownChannel{FrameLayout::Pbrt, "v", "st.T"},
+    KnownChannel{FrameLayout::Pbrt, "R", "R"},
+    KnownChannel{FrameLayout::Pbrt, "G", "G"},
+    KnownChannel{FrameLayout::Pbrt, "B", "B"},
+};
+
+bool endsInWords(std::string_view name, std::string_view ending) {
+    return name == ending || (name.ends_with(ending) && name[name.size() - ending.size() - 1] == '.');
+}
+
+bool contains(std::span<const std::string> names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// By channels that only one of them writes.
+FrameLayout recognise(std::span<const std::string> names) {
+    if (contains(names, "dzdx") && contains(names, "Ns.X") && contains(names, "P.X"))
+        return FrameLayout::Pbrt;
+    for (const std::string& name : names) {
+        if (isFrameChannel(name)) continue;
+        for (const char* ending : {"Depth.Z", "IndexOB.X", "Position.X", "Combined.R"})
+            if (endsInWords(name, ending)) return FrameLayout::Blender;
+        if (name.ends_with(".T")) return FrameLayout::Mitsuba;
+    }
+    return FrameLayout::Own;
+}
+
+/// Blender's compositor puts its result beside the layers it is made from.
+bool isComposite(const std::string& name) {
+    return name.starts_with("Composite.");
+}
+
+bool matches(const KnownChannel& known, const std::string& name) {
+    return known.layout == FrameLayout::Pbrt ? name == known.ending : endsInWords(name, known.ending);
+}
+
+using ChannelsByOurs = std::map<std::string, ChannelMapping>;
+
+/// `mapped`: those there is no question about any more.
+ChannelsByOurs planKnown(FrameLayout layout, std::span<const std::string> names, const ChannelsByOurs& mapped,
+                         const std::string& where) {
+    ChannelsByOurs channels;
+    for (const std::string& name : names)
+        for (const KnownChannel& known : kKnownChannels) {
+            const std::string ours(known.ours);
+            if (known.layout != layout || !matches(known, name) || isComposite(name) || mapped.contains(ours))
+                continue;
+            ChannelMapping mapping{name, ours};
+            if (layout == FrameLayout::Mitsuba && ours == "Z") mapping.distanceFrom = kMitsubaNearClip;
+            const auto [entry, isNew] = channels.emplace(ours, mapping);
+            if (!isNew)
+                throw InputError(
+                    where, fmt::format("both {} and {} could be {}", entry->second.theirs, name, ours),
+                    "one of them", fmt::format("of the test frame choose with --map \"{}={}\"", name, ours));
+        }
+    return channels;
+}
+
+ChannelsByOurs planOwn(std::span<const std::string> names) {
+    ChannelsByOurs channels;
+    for (const std::string& name : names)
+        if (isFrameChannel(name)) channels.emplace(name, ChannelMapping{name, name});
+    return channels;
+}
+
+ChannelMapping parseMapping(const std::string& text) {
+    constexpr const char* kExpected =
+        "THEIRS=OURS, OURS a channel of a frame, also with a minus sign, or distance, or distance+NEAR";
+    const std::string where = fmt::format("--map \"{}\"", text);
+    const size_t equals = text.rfind('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
+        throw InputError(where, "names no pair of channels", kExpected);
+    ChannelMapping mapping{text.substr(0, equals), text.substr(equals + 1), true};
+    constexpr std::string_view kDistance = "distance";
+    if (mapping.ours.starts_with(kDistance)) {
+        const std::string plane = mapping.ours.substr(kDistance.size());
+        double near = 0;
+        const char* end = plane.data() + plane.size();
+        if (!plane.empty()) {
+            const auto [stopped, error] = std::from_chars(plane.data() + 1, end, near);
+            if (plane[0] != '+' || error != std::errc() || stopped != end || !std::isfinite(near))
+                throw InputError(where, fmt::format("'{}' can't be read", mapping.ours), kExpected);
+        }
+        mapping.ours = "Z";
+        mapping.distanceFrom = near;
+        return mapping;
+    }
+    mapping.negated = mapping.ours.starts_with('-');
+    if (mapping.negated) mapping.ours.erase(0, 1);
+    channelInfo(mapping.ours, where); // throws for one there is not
+    return mapping;
+}
+
+} // namespace
+
+std::vector<ChannelMapping> parseChannelMap(std::span<const std::string> texts) {
+    std::vector<ChannelMapping> mappings;
+    for (const std::string& text : texts) {
+        mappings.push_back(parseMapping(text));
+        for (size_t earlier = 0; earlier + 1 < mappings.size(); ++earlier)
+            if (mappings[earlier].ours == mappings.back().ours)
+                throw InputError("--map", fmt::format("{} is named twice", mappings.back().ours),
+                                 "each channel of ours at most once");
+    }
+    return mappings;
+}
+
+const char* nameOf(FrameLayout layout) {
+    switch (layout) {
+    case FrameLayout::Own:
+        break;
+    case FrameLayout::Blender:
+        return "a frame of Blender";
+    case FrameLayout::Mitsuba:
+        return "a frame of Mitsuba's aov integrator";
+    case FrameLayout::Pbrt:
+        return "a frame of pbrt's gbuffer film";
+    }
+    return "a frame with the names of the channel table";
+}
+
+ChannelPlan planChannels(std::span<const std::string> names, std::span<const ChannelMapping> mappings,
+                         const std::string& where) {
+    ChannelPlan plan;
+    plan.layout = recognise(names);
+    for (const ChannelMapping& mapping : mappings) {
+        if (!contains(names, mapping.theirs))
+            throw InputError(where, fmt::format("has no channel '{}'", mapping.theirs), listOf(names),
+                             didYouMean(mapping.theirs, names));
+        plan.channels.emplace(mapping.ours, mapping);
+    }
+    plan.channels.merge(plan.layout == FrameLayout::Own
+                            ? planOwn(names)
+                            : planKnown(plan.layout, names, plan.channels, where));
+    if (plan.channels.empty())
+        throw InputError(where, "has no channel of a frame; its channels are " + listOf(names),
+                         "Z or P.X P.Y P.Z, A or id, and the rest of the channel table",
+                         "of the test frame --map THEIRS=OURS names them");
+    return plan;
+}
+
+} // namespace plumbline

@@ -1,0 +1,77 @@
+// A measured number, or the reason why there is none: the currency of every metric.
+//
+// A metric that can't be computed is absent with its reason, never 0 and never NaN.
+#pragma once
+
+#include "scenes/core/nearest_rank.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace plumbline {
+
+class Figure {
+  public:
+    Figure() : reason_("not computed") {}
+    /// A value; one that isn't finite becomes absent, so that no result file can ever hold NaN or infinity.
+    Figure(double value) { // NOLINT(google-explicit-constructor): a number is a figure
+        if (std::isfinite(value))
+            value_ = value;
+        else
+            reason_ = "the result is not finite";
+    }
+    static Figure absent(std::string reason) {
+        Figure figure;
+        figure.reason_ = std::move(reason);
+        return figure;
+    }
+    /// part / whole; absent with `reasonIfEmpty` for an empty whole.
+    static Figure ratio(uint64_t part, uint64_t whole, const std::string& reasonIfEmpty) {
+        if (whole == 0) return absent(reasonIfEmpty);
+        return {static_cast<double>(part) / static_cast<double>(whole)};
+    }
+
+    explicit operator bool() const { return value_.has_value(); }
+    double operator*() const { return value_.value(); }
+    /// Why there is no value; empty if there is one.
+    const std::string& reason() const { return reason_; }
+
+    friend bool operator==(const Figure&, const Figure&) = default;
+
+  private:
+    std::optional<double> value_;
+    std::string reason_;
+};
+
+/// One named result of a metric: a count of pixels, or a figure. Keys are those of results.json.
+struct MetricValue {
+    std::string key;
+    std::variant<uint64_t, Figure> value;
+};
+using MetricValues = std::vector<MetricValue>;
+
+/// A figure that counts something, without a decimal point.
+inline std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
+    if (figure) return static_cast<uint64_t>(*figure);
+    return figure;
+}
+
+/// Nearest-rank percentile (scenes/core/nearest_rank.h). `values`: in any order, not empty; left in another one.
+inline double nearestRankInPlace(std::span<double> values, unsigned percent) {
+    const auto place = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
+    std::nth_element(values.begin(), place, values.end());
+    return *place;
+}
+inline double nearestRank(std::vector<double> values, unsigned percent) {
+    return nearestRankInPlace(values, percent);
+}
+
+} // namespace plumbline

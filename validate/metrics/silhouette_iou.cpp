@@ -1,0 +1,102 @@
+#include "validate/metrics/silhouette_iou.h"
+
+#include <set>
+
+namespace plumbline {
+namespace {
+
+std::set<int> idsOf(const FramePair& pair, ObjectSelection selection) {
+    std::set<int> ids;
+    for (const size_t index : selection)
+        ids.insert(pair.objects()[index].id);
+    return ids;
+}
+
+/// What a pixel adds when the truth there is what the reference shows.
+Outcomes certainOutcome(bool referenceSelected, bool testSelected, bool same) {
+    Outcomes outcome;
+    if (!referenceSelected && !testSelected)
+        outcome.nothing = true;
+    else if (!referenceSelected || !testSelected)
+        outcome.miss = true;
+    else
+        (same ? outcome.hit : outcome.twoMisses) = true;
+    return outcome;
+}
+
+Outcomes uncertainOutcomes(bool testSelected, bool severalSelected) {
+    Outcomes outcomes;
+    outcomes.miss = true;
+    if (testSelected) {
+        outcomes.hit = true;
+        outcomes.twoMisses = severalSelected;
+    } else {
+        outcomes.nothing = true;
+    }
+    return outcomes;
+}
+
+/// Every pixel that adds to the sums or might.
+RatioRange rangeOfIou(const FramePair& pair, ObjectSelection selection) {
+    const std::set<int> ids = idsOf(pair, selection);
+    RatioRange range;
+    for (const size_t index : selection) {
+        const int id = pair.objects()[index].id;
+        for (const uint32_t pixel : pair.pixelsOf(index)) {
+            const int inReference = pair.referenceIds()[pixel], inTest = pair.testIds()[pixel];
+            const bool referenceSelected = ids.contains(inReference), testSelected = ids.contains(inTest);
+            // Where both show objects of the selection the pixel is listed with each: taken with the
+            // reference's.
+            const bool elsewhere = referenceSelected && id != inReference;
+            if (!elsewhere && !pair.isUncertain(pixel))
+                range.add(certainOutcome(referenceSelected, testSelected, inReference == inTest));
+        }
+    }
+    for (const uint32_t pixel : pair.uncertainPixels())
+        range.add(uncertainOutcomes(ids.contains(pair.testIds()[pixel]), ids.size() > 1));
+    return range;
+}
+
+} // namespace
+
+SilhouetteIou computeSilhouetteIou(const FramePair& pair, ObjectSelection selection) {
+    SilhouetteIou result;
+    for (const size_t index : selection) {
+        const int id = pair.objects()[index].id;
+        for (const uint32_t pixel : pair.pixelsOf(index)) {
+            const bool inReference = pair.referenceIds()[pixel] == id, inTest = pair.testIds()[pixel] == id;
+            result.referencePx += inReference;
+            result.testPx += inTest;
+            result.intersectionPx += inReference && inTest;
+            result.missingPx += inReference && !inTest;
+            result.extraPx += inTest && !inReference;
+        }
+    }
+    result.unionPx = result.intersectionPx + result.missingPx + result.extraPx;
+    result.iou = Figure::ratio(result.intersectionPx, result.unionPx, "neither frame shows it");
+
+    if (const std::string reason = pair.missingInReference("uncertain"); !reason.empty()) {
+        result.iouRange = Interval::absent(reason);
+        result.uncertainPx = Figure::absent(reason);
+        return result;
+    }
+    const RatioRange range = rangeOfIou(pair, selection);
+    result.iouRange = range.of(result.iou);
+    result.uncertainPx = static_cast<double>(range.uncertainPx());
+    return result;
+}
+
+MetricValues valuesOf(const SilhouetteIou& result) {
+    return {{"iou", result.iou},
+            {"iou_low", result.iouRange.low},
+            {"iou_high", result.iouRange.high},
+            {"missing_px", result.missingPx},
+            {"extra_px", result.extraPx},
+            {"reference_px", result.referencePx},
+            {"test_px", result.testPx},
+            {"intersection_px", result.intersectionPx},
+            {"union_px", result.unionPx},
+            {"uncertain_px", wholeNumber(result.uncertainPx)}};
+}
+
+} // namespace plumbline

@@ -1,0 +1,28 @@
+// Texture coordinates: how many texels lie between the places the two frames see.
+//
+// Domain: pixels both frames cover with the same object of the selection, where both st are finite. Per pixel
+//     e = | ((s_test - s_reference) * map width, (t_test - t_reference) * map height) |          unit: texels
+// Along an axis on which the map repeats the difference is taken modulo one tile, to the nearest (in [-1/2,
+// 1/2] tiles): st is unwrapped but jumps at the seam of a closed surface. An error of more than half a tile
+// along such an axis is therefore seen as what it looks like, not as what it is. Along a clamped axis the
+// difference is taken as it is.
+#pragma once
+
+#include "validate/metrics/figure.h"
+#include "validate/metrics/frame_pair.h"
+
+namespace plumbline {
+
+struct StError {
+    uint64_t domainPx = 0;
+    uint64_t invalidPx = 0; // shared, but an st is NaN or infinite
+    Figure meanTexels, p95Texels;
+};
+
+/// Absent if a frame lacks st.S or st.T, or an object of the selection has no map of known size.
+StError computeStError(const FramePair& pair, ObjectSelection selection);
+
+/// Under the keys of results.json.
+MetricValues valuesOf(const StError& result);
+
+} // namespace plumbline

@@ -1,0 +1,36 @@
+#include "validate/results/text_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace plumbline {
+namespace {
+
+/// Of UTF-8: bytes that don't continue a character.
+size_t characters(const std::string& text) {
+    return static_cast<size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+} // namespace
+
+std::string TextTable::text() const {
+    std::string text;
+    for (const auto& row : rows_) {
+        for (size_t column = 0; column < row.size(); ++column)
+            text += column == 0 ? fmt::format("{:<{}}", row[column], widthOf(column))
+                                : fmt::format("  {:>{}}", row[column], widthOf(column));
+        text += "\n";
+    }
+    return text;
+}
+
+size_t TextTable::widthOf(size_t column) const {
+    size_t width = 0;
+    for (const auto& row : rows_)
+        width = std::max(width, characters(row[column]));
+    return width;
+}
+
+} // namespace plumbline
