@@ -1,14 +1,14 @@
 #include "realtime/realtime.h"
 
-#include "scenes/core/error.h"
-#include "scenes/frame/scene_metadata.h"
 #include "realtime/draw/frame_target.h"
-#include "realtime/gl/frame_timer.h"
 #include "realtime/draw/gpu_scene.h"
 #include "realtime/draw/micro_triangles.h"
 #include "realtime/draw/shadow_maps.h"
 #include "realtime/draw/technique_program.h"
 #include "realtime/draw/view.h"
+#include "realtime/gl/frame_timer.h"
+#include "scenes/core/error.h"
+#include "scenes/frame/scene_metadata.h"
 
 #include <fmt/format.h>
 
@@ -115,7 +115,8 @@ struct RealtimeRenderer::Impl {
             [&] { drawer.draw(*gpu); });
     }
 
-    /// Warm-up and timed runs; the last frame drawn is the result. The light passes are part of what a frame takes.
+    /// Warm-up and timed runs; the last frame drawn is the result. The light passes are part of what a frame
+    /// takes.
     FrameTime drawFrame(const std::function<void()>& drawFromLights,
                         const std::function<void()>& drawFromCamera) const {
         clearGlErrors();

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "scenes/frame/frame.h"
-#include "scenes/surface/micro_mesh.h"
 #include "scenes/scene/scene.h"
+#include "scenes/surface/micro_mesh.h"
 
 #include <functional>
 #include <map>

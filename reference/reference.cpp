@@ -1,16 +1,16 @@
 #include "reference/reference.h"
 
-#include "scenes/surface/displaced_surface.h"
+#include "reference/certify/certify.h"
+#include "reference/rates/rate.h"
+#include "reference/tessellate/lattice.h"
+#include "reference/tessellate/tessellate.h"
+#include "reference/trace/embree_scene.h"
+#include "reference/trace/render.h"
 #include "scenes/core/error.h"
 #include "scenes/core/free_memory.h"
 #include "scenes/frame/scene_metadata.h"
+#include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/seams.h"
-#include "reference/certify/certify.h"
-#include "reference/trace/embree_scene.h"
-#include "reference/tessellate/lattice.h"
-#include "reference/rates/rate.h"
-#include "reference/trace/render.h"
-#include "reference/tessellate/tessellate.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,8 @@ void addCertificate(const Certificate& certificate, std::map<std::string, std::s
 
 } // namespace
 
-// Runs until the error aimed at is met. Rates are planned from the grids of each face that are worst at its first rate; the second plan knows by how much that was off.
+// Runs until the error aimed at is met. Rates are planned from the grids of each face that are worst at its
+// first rate; the second plan knows by how much that was off.
 constexpr int kMostRuns = 3;
 
 struct ReferenceScene::Impl {

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "scenes/frame/frame.h"
-#include "scenes/surface/micro_mesh.h"
 #include "scenes/scene/scene.h"
+#include "scenes/surface/micro_mesh.h"
 
 #include <cstdint>
 #include <map>
@@ -18,7 +18,8 @@ namespace plumbline {
 
 struct ReferenceOptions {
     Base base = Base::Limit;
-    /// Aim of the certificate: the 99th percentile of the micro-triangles' distance from the true surface, in pixels.
+    /// Aim of the certificate: the 99th percentile of the micro-triangles' distance from the true surface, in
+    /// pixels.
     double errorPx = 0.05;
     /// Segments per control edge, a power of two in [1, 1024], the same for all; 0 = chosen, face by face.
     int rate = 0;
@@ -30,9 +31,10 @@ struct ReferenceOptions {
 
 /// How far the traced micro-triangles are from the surface P(u,v) they stand for, measured.
 ///
-/// Each pixel that shows the surface has the bound of the grid of 16 x 16 micro-cells it sees (MicroGrid::errorWorld): no place
-/// of the surface is farther from the one of the same (u,v) on the micro-triangles. The relief's part of it comes from the texels
-/// themselves (points inside, edges, creases), the base's from samples, with a margin. Percentiles are nearest-rank over those pixels; 0 without any.
+/// Each pixel that shows the surface has the bound of the grid of 16 x 16 micro-cells it sees
+/// (MicroGrid::errorWorld): no place of the surface is farther from the one of the same (u,v) on the
+/// micro-triangles. The relief's part of it comes from the texels themselves (points inside, edges, creases),
+/// the base's from samples, with a margin. Percentiles are nearest-rank over those pixels; 0 without any.
 struct Certificate {
     double worldP50 = 0, worldP99 = 0, worldMax = 0; // world units
     double pxP50 = 0, pxP99 = 0, pxMax = 0; // pixels: seen from the camera, as if across the line of sight

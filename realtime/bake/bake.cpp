@@ -1,7 +1,7 @@
 #include "realtime/bake/bake.h"
 
-#include "scenes/core/error.h"
 #include "realtime/bake/bake_kinds.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

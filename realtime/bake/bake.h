@@ -1,11 +1,12 @@
 // The kinds of baked maps, by name, and the one way to make them.
 //
-// A kind is what a technique's manifest asks for under `inputs` and `plumbline bake --kind` takes. Bakes see a height map
-// alone, no scene and no OpenGL; they run on all threads and give the same bits on any number of them.
+// A kind is what a technique's manifest asks for under `inputs` and `plumbline bake --kind` takes. Bakes see
+// a height map alone, no scene and no OpenGL; they run on all threads and give the same bits on any number of
+// them.
 #pragma once
 
-#include "scenes/maps/height_map.h"
 #include "realtime/bake/baked_map.h"
+#include "scenes/maps/height_map.h"
 
 #include <span>
 #include <string>
@@ -14,8 +15,8 @@
 
 namespace plumbline {
 
-/// Extent of one tile of the relief, world units: what turns texture space into space. Only ratios matter to every kind
-/// that asks for it.
+/// Extent of one tile of the relief, world units: what turns texture space into space. Only ratios matter to
+/// every kind that asks for it.
 struct BakeScale {
     double s = 1, t = 1; // of one map width, one map height
     double depth = 1;    // of relief depth 1
@@ -44,8 +45,8 @@ std::span<const BakeKind> bakeKinds();
 const BakeKind& bakeKind(std::string_view name);
 bool isBakeKind(std::string_view name);
 
-/// Throws InputError for an unknown kind, a scale that isn't positive and finite, slices outside [1, 1024]; MachineError if
-/// the map doesn't fit into memory.
+/// Throws InputError for an unknown kind, a scale that isn't positive and finite, slices outside [1, 1024];
+/// MachineError if the map doesn't fit into memory.
 BakedMap bakeMap(const HeightMap& map, const BakeRequest& request);
 
 } // namespace plumbline

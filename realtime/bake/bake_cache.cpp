@@ -1,9 +1,9 @@
 #include "realtime/bake/bake_cache.h"
 
-#include "scenes/core/content_hash.h"
-#include "scenes/core/error.h"
 #include "realtime/bake/baked_map_file.h"
 #include "realtime/bake/scale_ratios.h"
+#include "scenes/core/content_hash.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,10 @@
-// Baked maps kept on disk, so that a map is made once: a file each, named after everything its values depend on.
+// Baked maps kept on disk, so that a map is made once: a file each, named after everything its values depend
+// on.
 //
-// The folder is $PLUMBLINE_CACHE, else $XDG_CACHE_HOME/plumbline, else $HOME/.cache/plumbline. It may be deleted at any time,
-// and used by any number of processes at once: files appear whole, and two that make the same map write the same values.
-// A file that isn't to the last bit what was written is made anew. Without a folder maps are made each time.
+// The folder is $PLUMBLINE_CACHE, else $XDG_CACHE_HOME/plumbline, else $HOME/.cache/plumbline. It may be
+// deleted at any time, and used by any number of processes at once: files appear whole, and two that make the
+// same map write the same values. A file that isn't to the last bit what was written is made anew. Without a
+// folder maps are made each time.
 #pragma once
 
 #include "realtime/bake/bake.h"
@@ -23,12 +25,13 @@ struct BakeOutcome {
     std::string warning;        // why it isn't kept, or had to be made anew; else empty
 };
 
-/// As the variables say, whether it exists or not; nothing if none of them is set. Empty ones count as not set, and so does an
-/// XDG_CACHE_HOME that isn't absolute, as the XDG Base Directory Specification has it.
+/// As the variables say, whether it exists or not; nothing if none of them is set. Empty ones count as not
+/// set, and so does an XDG_CACHE_HOME that isn't absolute, as the XDG Base Directory Specification has it.
 std::optional<std::filesystem::path> bakeCacheFolder();
 
-/// 32 hexadecimal digits of: the format of files, kind and its builder's version, size, wrap and depths of the map, and, where
-/// the kind takes them, the scale's ratios and the slices. Throws InputError like bakeMap.
+/// 32 hexadecimal digits of: the format of files, kind and its builder's version, size, wrap and depths of
+/// the map, and, where the kind takes them, the scale's ratios and the slices. Throws InputError like
+/// bakeMap.
 std::string bakeCacheKey(const HeightMap& map, const BakeRequest& request);
 
 /// Throws what bakeMap throws; never for the cache's sake.

@@ -1,7 +1,7 @@
 // A map worked out from a height map before drawing: cone ratios, distances, normals, bounds.
 //
-// Texture space: s, t in map widths and heights, row 0 = bottom, as the height map it was made from; relief depth d,
-// 0 on top and 1 deepest.
+// Texture space: s, t in map widths and heights, row 0 = bottom, as the height map it was made from; relief
+// depth d, 0 on top and 1 deepest.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,8 @@
 namespace plumbline {
 
 struct BakedMap {
-    /// One level: slices x height x width x channels values, row 0 of each slice = bottom, channels innermost.
+    /// One level: slices x height x width x channels values, row 0 of each slice = bottom, channels
+    /// innermost.
     struct Level {
         int width = 0, height = 0;
         std::vector<float> values;

@@ -1,4 +1,5 @@
-// A baked map in a file, for the cache (bake_cache.h): exact bits, and a checksum that tells whether all of them are there.
+// A baked map in a file, for the cache (bake_cache.h): exact bits, and a checksum that tells whether all of
+// them are there.
 //
 //   8   "PLUMBAKE"
 //   4   version of this format
@@ -29,8 +30,8 @@ struct StoredMap {
 /// `key`: 32 letters. Write-then-rename; throws InputError if the file can't be written.
 void writeBakedMap(const std::filesystem::path& file, const std::string& key, const StoredMap& stored);
 
-/// Nothing if there is no such file, or it isn't, to the last bit, what was written under this key. Throws MachineError if it
-/// doesn't fit into memory.
+/// Nothing if there is no such file, or it isn't, to the last bit, what was written under this key. Throws
+/// MachineError if it doesn't fit into memory.
 std::optional<StoredMap> readBakedMap(const std::filesystem::path& file, const std::string& key);
 
 } // namespace plumbline

@@ -1,7 +1,7 @@
 #include "realtime/bake/baked_map_picture.h"
 
-#include "scenes/image/exr_file.h"
 #include "scenes/core/free_memory.h"
+#include "scenes/image/exr_file.h"
 
 #include <fmt/format.h>
 

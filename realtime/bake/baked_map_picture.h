@@ -13,10 +13,11 @@ namespace plumbline {
 ///   normal              n.X n.Y n.Z D
 ///   max_mipmap          least most
 ///   distance_field      slice000.box slice000.centre slice001.box …
-///   any other           R G B A, as many as it has; of more slices than one, slice0.R …; cone maps call their two slices texel
+///   any other           R G B A, as many as it has; of more slices than one, slice0.R …; cone maps call
+///   their two slices texel
 ///                       and cell
-/// The attribute `kind` is added to those given. Write-then-rename. Throws InputError if the file can't be written, MachineError
-/// if memory is short.
+/// The attribute `kind` is added to those given. Write-then-rename. Throws InputError if the file can't be
+/// written, MachineError if memory is short.
 void writeBakedPicture(const std::filesystem::path& file, const BakedMap& map,
                        std::map<std::string, std::string> attributes);
 

@@ -1,9 +1,9 @@
 #include "realtime/bake/cone_check.h"
 
-#include "scenes/maps/bilinear.h"
-#include "scenes/core/error.h"
-#include "scenes/maps/map_texels.h"
 #include "realtime/bake/cone_map.h"
+#include "scenes/core/error.h"
+#include "scenes/maps/bilinear.h"
+#include "scenes/maps/map_texels.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -18,7 +18,8 @@ namespace {
 constexpr int kMostSteps = 200;
 constexpr double kLeastSlope = 0.01, kMostSlope = 10; // st per depth
 
-// Clearance, in relief depth, at which a ray has arrived for good: well above rounding, well below what leaps are sorted by.
+// Clearance, in relief depth, at which a ray has arrived for good: well above rounding, well below what leaps
+// are sorted by.
 constexpr double kTouching = 1e-9;
 
 struct CheckRay {
@@ -140,8 +141,8 @@ struct Tally {
     }
 };
 
-/// Where the walk and the look-ups of the visited points say different things of a point on the surface, the visited ones are believed: a
-/// ray that was found outside may have touched.
+/// Where the walk and the look-ups of the visited points say different things of a point on the surface, the
+/// visited ones are believed: a ray that was found outside may have touched.
 struct Scratch {
     std::vector<InsideInterval> intervals, part;
 };

@@ -1,11 +1,12 @@
-// Steps random rays by a cone map, as the shaders do, and tells by the exact walk (relief_walk.h) which steps leapt over relief.
+// Steps random rays by a cone map, as the shaders do, and tells by the exact walk (relief_walk.h) which steps
+// leapt over relief.
 //
 // Relief space: s, t in map widths and heights, depth d, 0 on top and 1 deepest. No scene and no OpenGL.
 #pragma once
 
-#include "scenes/maps/height_map.h"
 #include "realtime/bake/baked_map.h"
 #include "realtime/bake/relief_walk.h"
+#include "scenes/maps/height_map.h"
 
 #include <array>
 #include <cstdint>
@@ -43,10 +44,11 @@ struct ConeCheck {
     }
 };
 
-/// Half of the rays start at depth 0, half anywhere above the relief; slopes of 0.01 to 10 st per depth, log-uniform, in all directions.
-/// A step of a conservative map leaps when any point of it is inside the relief; `relaxed`: when it passes a way in and out again. A ray ends
-/// at the first visited point inside. Steps go on from where the last one ended; a clearance below 1e-9 ends the ray, too.
-/// The same for a seed on any number of threads. Throws InputError for a map that isn't a cone map, or of another size.
+/// Half of the rays start at depth 0, half anywhere above the relief; slopes of 0.01 to 10 st per depth,
+/// log-uniform, in all directions. A step of a conservative map leaps when any point of it is inside the
+/// relief; `relaxed`: when it passes a way in and out again. A ray ends at the first visited point inside.
+/// Steps go on from where the last one ended; a clearance below 1e-9 ends the ray, too. The same for a seed
+/// on any number of threads. Throws InputError for a map that isn't a cone map, or of another size.
 ConeCheck checkCones(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, bool relaxed,
                      uint64_t rays, uint64_t seed);
 

@@ -1,10 +1,10 @@
 #include "realtime/bake/cone_map.h"
 
-#include "scenes/core/error.h"
-#include "scenes/core/free_memory.h"
 #include "realtime/bake/bake_kinds.h"
 #include "realtime/bake/cone_near.h"
 #include "realtime/bake/cone_search.h"
+#include "scenes/core/error.h"
+#include "scenes/core/free_memory.h"
 
 #include <tbb/parallel_for.h>
 

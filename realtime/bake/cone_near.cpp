@@ -7,7 +7,8 @@
 namespace plumbline {
 namespace {
 
-// A direction may be this far outside a half-plane it is on the border of; as a share of the lengths involved.
+// A direction may be this far outside a half-plane it is on the border of; as a share of the lengths
+// involved.
 constexpr double kOnBorder = 1e-12;
 
 /// Directions e with normal . e >= 0 for each normal.
@@ -82,8 +83,8 @@ double steepestIn(const std::array<Vec2, 4>& gradients, const Directions& direct
     return atLeast;
 }
 
-/// Can a chord fall faster than `atLeast` by gradient g, in a direction along which gradient `exit` grows? Other limits left aside, the best
-/// direction is against g, or else at a right angle to `exit`.
+/// Can a chord fall faster than `atLeast` by gradient g, in a direction along which gradient `exit` grows?
+/// Other limits left aside, the best direction is against g, or else at a right angle to `exit`.
 bool maySteepen(const Vec2& g, const Vec2& exit, double atLeast) {
     const double square = atLeast * atLeast;
     if (glm::dot(g, g) <= square) return false;
@@ -103,7 +104,8 @@ double nearSlope(const HeightMap& map, const ConeRule& rule, int column, int row
                 atLeast = steepestIn(near.gradients(s, t), directions, atLeast);
                 continue;
             }
-            // A ray leaves in patch (s, t): its depth grows there along e, gradient . e > 0 for a corner of its box.
+            // A ray leaves in patch (s, t): its depth grows there along e, gradient . e > 0 for a corner of
+            // its box.
             if (!exitPossible(near.at(s, t), s, t, rule.rayStart)) continue;
             for (const Vec2& exit : near.gradients(s, t)) {
                 if (exit == Vec2(0)) continue;

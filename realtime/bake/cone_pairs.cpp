@@ -6,7 +6,8 @@
 namespace plumbline {
 namespace {
 
-// From four half-diagonals on a texel looks small: the closed form of phi is within 4 % of the offset's length.
+// From four half-diagonals on a texel looks small: the closed form of phi is within 4 % of the offset's
+// length.
 constexpr double kFarHalfDiagonals = 4;
 
 // Takes back what rounding may have added to a length: far above 2^-52, far below a float's last bit.
@@ -65,7 +66,8 @@ double ConePairs::computeNearDistance(int ks, int kt) const {
         for (int qs = std::max(ks - 1, 0); qs <= ks; ++qs) {
             if (qs == 0 && qt == 0) continue; // touches the origin
             const bool far = offsetSquared(qs + 1, qt + 1) >= closedFormFrom_;
-            // A near square may look wide: the middle of its outermost directions loses least, cos 45 degrees at worst.
+            // A near square may look wide: the middle of its outermost directions loses least, cos 45 degrees
+            // at worst.
             const Vec2 direction = far ? st(qs + 0.5, qt + 0.5)
                                        : glm::normalize(st(qs + 1, qt)) + glm::normalize(st(qs, qt + 1));
             least = std::min(least, glm::dot(offset, glm::normalize(direction)));

@@ -1,9 +1,10 @@
-// What a cone map is made of: for two places of a height map, how steeply the second rises above the first, and whether the second
-// matters to a cone that stands on the first.
+// What a cone map is made of: for two places of a height map, how steeply the second rises above the first,
+// and whether the second matters to a cone that stands on the first.
 //
-// An offset k = q - p counts texels, wrapped images included (a repeated map is an endless row of itself). Lengths are in st units
-// (map widths and heights), heights in relief depth. Slopes are depth per st length: a cone of ratio c admits slopes up to 1 / c.
-// Everything is in double; the same functions serve the fast search (cone_search.h) and the plain double loop of the tests.
+// An offset k = q - p counts texels, wrapped images included (a repeated map is an endless row of itself).
+// Lengths are in st units (map widths and heights), heights in relief depth. Slopes are depth per st length:
+// a cone of ratio c admits slopes up to 1 / c. Everything is in double; the same functions serve the fast
+// search (cone_search.h) and the plain double loop of the tests.
 #pragma once
 
 #include "scenes/maps/height_map.h"
@@ -13,7 +14,8 @@
 
 namespace plumbline {
 
-/// Which kind of cone. Quadrants of direction: E, W, N, S = +s, -s, +t, -t, each 45 degrees to both sides in st.
+/// Which kind of cone. Quadrants of direction: E, W, N, S = +s, -s, +t, -t, each 45 degrees to both sides in
+/// st.
 struct ConeRule {
     int sectors = 1;      // 1: all directions in one; 4: E, W, N, S
     bool relaxed = false; // only places where a ray could leave the relief matter
@@ -21,19 +23,21 @@ struct ConeRule {
 };
 inline constexpr int kAllDirections = -1; // instead of a sector
 
-/// The two slices of a cone map (cone_map.h): cones of texel centres, and of whole cells for the bilinear surface.
+/// The two slices of a cone map (cone_map.h): cones of texel centres, and of whole cells for the bilinear
+/// surface.
 enum class ConeSlice { Texels, Cells };
 
-/// Box of the gradients of a bilinear patch, depth per texel: (s.x to s.y) x (t.x to t.y). The patch takes all of it, as its slope in s
-/// depends on t alone and the other way round. `least`: its least depth.
+/// Box of the gradients of a bilinear patch, depth per texel: (s.x to s.y) x (t.x to t.y). The patch takes
+/// all of it, as its slope in s depends on t alone and the other way round. `least`: its least depth.
 struct CellSlopes {
     Vec2 s, t;
     double least;
 };
 CellSlopes cellSlopes(const HeightMap::Cell& cell);
 
-/// Can a ray leave the relief in a cell, when the place it leaves at is k + [-1,1]^2 texels from where its step began? An exit needs a
-/// depth that grows along the ray: gradient . offset > 0; for a ray from depth 0, which has sunk by the depth of the place, > that depth.
+/// Can a ray leave the relief in a cell, when the place it leaves at is k + [-1,1]^2 texels from where its
+/// step began? An exit needs a depth that grows along the ray: gradient . offset > 0; for a ray from depth 0,
+/// which has sunk by the depth of the place, > that depth.
 bool exitPossible(const CellSlopes& cell, int ks, int kt, double rayStart);
 
 class ConePairs {
@@ -41,7 +45,8 @@ class ConePairs {
     /// Keeps a reference to the map.
     ConePairs(const HeightMap& map, ConeSlice slice, ConeRule rule);
 
-    /// The squared length that a drop over offset k is divided by: |k|^2 in st units, or phi(k)^2 of cone_map.h for cells.
+    /// The squared length that a drop over offset k is divided by: |k|^2 in st units, or phi(k)^2 of
+    /// cone_map.h for cells.
     double distanceSquared(int ks, int kt) const {
         const double squared = offsetSquared(ks, kt);
         return squared >= closedFormFrom_ ? squared - halfDiagonalSquared_ : nearDistanceSquared(ks, kt);

@@ -55,7 +55,8 @@ ConeSearch::ConeSearch(const ConePairs& pairs, const DepthPyramid& pyramid)
     tiles_ = {tiles(pairs.map().wrapS()), tiles(pairs.map().wrapT())};
 }
 
-/// An upper bound of the slopes to a block: its highest point at its least distance, or its plane, whichever is less.
+/// An upper bound of the slopes to a block: its highest point at its least distance, or its plane, whichever
+/// is less.
 ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i& at,
                                       const Vec2i& shift) const {
     Block block{level, at, shift, 0};
@@ -127,8 +128,8 @@ void ConeSearch::visitLeaf(Query& query, const Block& block) const {
     }
 }
 
-/// A quadrant of a clamped map sees the border's texels again, farther out: those that in the map are in another quadrant. What is seen
-/// first, on the quadrant's edge, decides; column by column outwards.
+/// A quadrant of a clamped map sees the border's texels again, farther out: those that in the map are in
+/// another quadrant. What is seen first, on the quadrant's edge, decides; column by column outwards.
 void ConeSearch::visitBeyondBorder(Query& query) const {
     if (query.sector == kAllDirections) return;
     const int along = query.sector / 2, across = 1 - along, sign = query.sector % 2 == 0 ? 1 : -1;

@@ -1,4 +1,5 @@
-// The steepest rise from a texel: exactly the largest of all pairs (cone_pairs.h), found by branch and bound over a DepthPyramid.
+// The steepest rise from a texel: exactly the largest of all pairs (cone_pairs.h), found by branch and bound
+// over a DepthPyramid.
 #pragma once
 
 #include "realtime/bake/cone_pairs.h"
@@ -8,8 +9,9 @@
 
 namespace plumbline {
 
-/// A squared slope as it is kept: 1 where no pair exceeds the cap, else the second float above, so that slopes that differ by less than
-/// a float's last bit are one, which the search can stop at, and rounding never makes a cone wider.
+/// A squared slope as it is kept: 1 where no pair exceeds the cap, else the second float above, so that
+/// slopes that differ by less than a float's last bit are one, which the search can stop at, and rounding
+/// never makes a cone wider.
 float keptSlopeSquared(double slopeSquared);
 /// The cone ratio of a kept squared slope, rounded down; 1 at most.
 float coneRatio(float keptSlopeSquared);

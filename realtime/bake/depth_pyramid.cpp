@@ -11,7 +11,8 @@ namespace {
 // What rounding may have added to a residual, in relief depth, and to a reach, as a share: far above 2^-52.
 constexpr double kResidualSlack = 1e-14, kReachSlack = 1e-9;
 
-/// Directions of an octant: the ratio of its smaller to its larger component, and how far the larger goes beyond |k|.
+/// Directions of an octant: the ratio of its smaller to its larger component, and how far the larger goes
+/// beyond |k|.
 struct OctantRange {
     double leastRatio, mostRatio, beyond;
 };

@@ -1,8 +1,8 @@
-// A quadtree over a height map that says of a block of texels how high it can reach: by its least depth, and by a plane below which
-// none of its texels lies. Relief depth and texels; no wrapping, that is the caller's.
+// A quadtree over a height map that says of a block of texels how high it can reach: by its least depth, and
+// by a plane below which none of its texels lies. Relief depth and texels; no wrapping, that is the caller's.
 //
-// For relaxed cones it also says so of the texels alone that matter from a given side: an octant of offsets k from the cone's texel to
-// here, named by the bits k_s < 0, k_t < 0, |k_t| > |k_s|.
+// For relaxed cones it also says so of the texels alone that matter from a given side: an octant of offsets k
+// from the cone's texel to here, named by the bits k_s < 0, k_t < 0, |k_t| > |k_s|.
 #pragma once
 
 #include "realtime/bake/cone_pairs.h"
@@ -18,8 +18,8 @@ class DepthPyramid {
   public:
     static constexpr int kLeafSize = 4;
     static constexpr int kOctants = 8;
-    /// Octants say nothing of cells' pairs nearer than this many texels (the larger of |k_s|, |k_t|): from near, a cell is seen from many
-    /// sides at once.
+    /// Octants say nothing of cells' pairs nearer than this many texels (the larger of |k_s|, |k_t|): from
+    /// near, a cell is seen from many sides at once.
     static constexpr int kNearCells = 6;
 
     explicit DepthPyramid(const ConePairs& pairs);
@@ -52,7 +52,8 @@ class DepthPyramid {
         const Level& l = levels_[static_cast<size_t>(level)];
         return &l.bounds[blockIndex(l, at) * static_cast<size_t>(classes_)];
     }
-    /// Do the gradients of the cells around a block's texels let a ray leave there, from low to high away from where it began? (Relaxed only.)
+    /// Do the gradients of the cells around a block's texels let a ray leave there, from low to high away
+    /// from where it began? (Relaxed only.)
     bool exitPossible(int level, const Vec2i& at, const Vec2i& low, const Vec2i& high) const {
         const Level& l = levels_[static_cast<size_t>(level)];
         const CellSlopes& slopes = l.slopes[blockIndex(l, at)];

@@ -1,29 +1,34 @@
 // Distances to the relief on a grid of boxes, for sphere tracing.
 //
-// Voxel (i, j, k) is the box [i, i+1]/W x [j, j+1]/H of st around the centre of texel (i, j), and [k, k+1]/slices of relief
-// depth. It is solid if any point of it lies on or below the bilinear relief. Space: one map width is sx/sz long, one map
-// height sy/sz, the relief depth 1; all distances are in this unit, the relief's depth.
+// Voxel (i, j, k) is the box [i, i+1]/W x [j, j+1]/H of st around the centre of texel (i, j), and [k,
+// k+1]/slices of relief depth. It is solid if any point of it lies on or below the bilinear relief. Space:
+// one map width is sx/sz long, one map height sy/sz, the relief depth 1; all distances are in this unit, the
+// relief's depth.
 //
-// Channel 0, the least distance between any point of this voxel and any point of a solid one: with sides h and k voxels
-// between two on each axis, sqrt(sum (h max(|k| - 1, 0))^2). Every point of the surface lies in a solid voxel, so no point of
-// this voxel is nearer to the surface than that: a technique looks up the nearest voxel and subtracts nothing.
-// Where a ray is outside the grid it takes the nearest voxel, and the distance still holds:
-//   above the top (d < 0)      everything solid has d >= 0, so the point is no nearer to it than its place on the top is
-//   beside a clamped border    the relief goes on as the border's texels, and the border's voxel is solid wherever a voxel
-//                              beyond it is (its footprint holds that profile), in reach of every voxel on the map
+// Channel 0, the least distance between any point of this voxel and any point of a solid one: with sides h
+// and k voxels between two on each axis, sqrt(sum (h max(|k| - 1, 0))^2). Every point of the surface lies in
+// a solid voxel, so no point of this voxel is nearer to the surface than that: a technique looks up the
+// nearest voxel and subtracts nothing. Where a ray is outside the grid it takes the nearest voxel, and the
+// distance still holds:
+//   above the top (d < 0)      everything solid has d >= 0, so the point is no nearer to it than its place on
+//   the top is beside a clamped border    the relief goes on as the border's texels, and the border's voxel
+//   is solid wherever a voxel
+//                              beyond it is (its footprint holds that profile), in reach of every voxel on
+//                              the map
 //   below the last slice       solid, as the last slice is: the distance is 0
 //
-// Channel 1, the field of the documents: from centre to centre, 0 in solid voxels, which here are those whose centre is on or
-// below the texel's depth. What is below the last slice counts as solid, so that a floor of depth 1 is a floor. It is no
-// bound: the surface may be nearer by half a voxel's diagonal at either end, and anywhere between two texels.
+// Channel 1, the field of the documents: from centre to centre, 0 in solid voxels, which here are those whose
+// centre is on or below the texel's depth. What is below the last slice counts as solid, so that a floor of
+// depth 1 is a floor. It is no bound: the surface may be nearer by half a voxel's diagonal at either end, and
+// anywhere between two texels.
 //
-// Both are exact, axis by axis (Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, 2012): in a
-// column the nearest solid voxel is known, then squares are minimised along s and along t. A sum is always (depth + s) + t;
-// rounding is monotonic, so the minimum over s may be taken before t is added, and the result has the bits of the minimum
-// over all solid voxels, however the work is cut.
-#include "scenes/core/free_memory.h"
+// Both are exact, axis by axis (Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, 2012):
+// in a column the nearest solid voxel is known, then squares are minimised along s and along t. A sum is
+// always (depth + s) + t; rounding is monotonic, so the minimum over s may be taken before t is added, and
+// the result has the bits of the minimum over all solid voxels, however the work is cut.
 #include "realtime/bake/bake_kinds.h"
 #include "realtime/bake/scale_ratios.h"
+#include "scenes/core/free_memory.h"
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
@@ -50,8 +55,8 @@ std::vector<double> squaredGaps(int count, double side, int touching) {
     return squares;
 }
 
-/// Least depth of the bilinear relief over the box around texel (i, j): at a corner of one of its four pieces, each a
-/// quarter of a patch.
+/// Least depth of the bilinear relief over the box around texel (i, j): at a corner of one of its four
+/// pieces, each a quarter of a patch.
 double leastDepthAround(const HeightMap& map, int i, int j) {
     const auto depth = [&](int column, int row) { return static_cast<double>(map.texel(column, row)); };
     double least = depth(i, j);
@@ -101,8 +106,8 @@ struct Axis {
     int index(int i) const { return wrap == Wrap::Repeat ? (i + size) % size : std::clamp(i, 0, size - 1); }
 };
 
-/// best[x] = min(best[x], the values at `steps` on both sides + gap), while a gap can still win over the worst of them.
-/// `at(steps)`: the first of `lanes` values there. `least`: no value is smaller.
+/// best[x] = min(best[x], the values at `steps` on both sides + gap), while a gap can still win over the
+/// worst of them. `at(steps)`: the first of `lanes` values there. `least`: no value is smaller.
 template <class At>
 void searchOutward(double* best, int lanes, int reach, const std::vector<double>& gaps, double least,
                    const At& at) {

@@ -1,19 +1,22 @@
-// A scale as the ratios that matter: distances and slopes of a relief don't change when the whole of it grows.
+// A scale as the ratios that matter: distances and slopes of a relief don't change when the whole of it
+// grows.
 #pragma once
 
-#include "scenes/core/error.h"
 #include "realtime/bake/bake.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 
 namespace plumbline {
 
-/// Relief depth 1 over one map width, and over one map height; a slope D_s of depth per width is D_s * perWidth in space.
+/// Relief depth 1 over one map width, and over one map height; a slope D_s of depth per width is D_s *
+/// perWidth in space.
 struct ScaleRatios {
     double perWidth, perHeight;
 };
 
-/// Throws InputError for ratios outside [1e-9, 1e9], where slopes and distances would leave what a float holds.
+/// Throws InputError for ratios outside [1e-9, 1e9], where slopes and distances would leave what a float
+/// holds.
 inline ScaleRatios scaleRatios(const BakeScale& scale) {
     constexpr double kLargest = 1e9;
     const ScaleRatios ratios{scale.depth / scale.s, scale.depth / scale.t};

@@ -1,10 +1,10 @@
 // The float targets a frame is drawn into, and the way from there to a Frame.
 #pragma once
 
-#include "scenes/frame/frame.h"
-#include "scenes/scene/scene.h"
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_objects.h"
+#include "scenes/frame/frame.h"
+#include "scenes/scene/scene.h"
 
 #include <string>
 #include <vector>
@@ -13,7 +13,8 @@ namespace plumbline {
 
 /// Draw buffers; shaders/shading.glsl says what each holds. 8 is what every driver offers.
 inline constexpr int kTargets = 5;
-/// As many as a scene file may have. Shadows share one float, a bit a light: whole numbers up to 2^24 are exact.
+/// As many as a scene file may have. Shadows share one float, a bit a light: whole numbers up to 2^24 are
+/// exact.
 inline constexpr int kMaxLights = 16;
 
 class FrameTarget {
@@ -24,8 +25,8 @@ class FrameTarget {
     /// Binds the targets and clears them to a miss everywhere.
     void begin() const;
     /// Reads every channel back. `origin` is added to positions and, by object, `stOrigins` to st; `channels`
-    /// (rows of the channel table) says which to keep, all if empty; those of the curvature are there for a base that
-    /// bends.
+    /// (rows of the channel table) says which to keep, all if empty; those of the curvature are there for a
+    /// base that bends.
     Frame read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
                const std::vector<std::string>& channels, bool bentBase) const;
 

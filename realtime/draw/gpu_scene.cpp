@@ -1,8 +1,8 @@
 #include "realtime/draw/gpu_scene.h"
 
+#include "realtime/bake/bake_cache.h"
 #include "scenes/core/error.h"
 #include "scenes/core/free_memory.h"
-#include "realtime/bake/bake_cache.h"
 
 #include <fmt/format.h>
 
@@ -21,8 +21,8 @@ constexpr GLint kHeightMapUnit = 0, kColorMapUnit = 1;
 
 constexpr GLuint kCurvatureAttribute = 5;
 
-/// As the vertex shaders' attributes 0 to 7 have it, the curvature as one of three. Triangles share no vertices: each knows the st of
-/// its own corners.
+/// As the vertex shaders' attributes 0 to 7 have it, the curvature as one of three. Triangles share no
+/// vertices: each knows the st of its own corners.
 struct VertexData {
     Vec3f position, normal, positionS, positionT;
     Vec2f st;

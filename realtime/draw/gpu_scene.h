@@ -1,13 +1,13 @@
 // The scene's objects on the GPU: proxy meshes, height maps, colour maps. Shared by all techniques.
 #pragma once
 
-#include "scenes/surface/proxy_mesh.h"
-#include "scenes/scene/scene.h"
 #include "realtime/draw/baked_input.h"
-#include "realtime/technique/curvature_set.h"
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_objects.h"
 #include "realtime/gl/gl_program.h"
+#include "realtime/technique/curvature_set.h"
+#include "scenes/scene/scene.h"
+#include "scenes/surface/proxy_mesh.h"
 
 #include <map>
 #include <memory>
@@ -40,9 +40,9 @@ class GpuScene {
     /// it doesn't fit. A context must be current.
     GpuScene(const Scene& scene, const GlContext& context);
 
-    /// Gives every relief its map of each kind, from this renderer, the cache or by baking; draw() binds these until the next
-    /// call. Throws InputError
-    /// for an object that can't have one, MachineError for one that doesn't fit.
+    /// Gives every relief its map of each kind, from this renderer, the cache or by baking; draw() binds
+    /// these until the next call. Throws InputError for an object that can't have one, MachineError for one
+    /// that doesn't fit.
     BakeCost prepareBaked(const std::vector<std::string>& kinds);
     const Bounds& boundsWorld() const { return bounds_; }
     const std::vector<GpuObject>& objects() const { return objects_; }

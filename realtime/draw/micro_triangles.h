@@ -1,9 +1,9 @@
 // Draws the reference's micro-meshes: the control technique's geometry.
 #pragma once
 
-#include "scenes/surface/micro_mesh.h"
 #include "realtime/gl/gl_objects.h"
 #include "realtime/gl/gl_program.h"
+#include "scenes/surface/micro_mesh.h"
 
 #include <map>
 #include <utility>

@@ -1,9 +1,9 @@
 #include "realtime/draw/shadow_maps.h"
 
-#include "scenes/core/error.h"
-#include "scenes/core/free_memory.h"
 #include "realtime/draw/baked_input.h"
 #include "realtime/draw/technique_program.h"
+#include "scenes/core/error.h"
+#include "scenes/core/free_memory.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/type_ptr.hpp>

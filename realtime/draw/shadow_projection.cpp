@@ -7,13 +7,15 @@
 namespace plumbline {
 namespace {
 
-// Extents below this fraction of the scene's diagonal are widened to it: a flat scene seen along its plane has none.
+// Extents below this fraction of the scene's diagonal are widened to it: a flat scene seen along its plane
+// has none.
 constexpr double kSmallestExtent = 1e-6;
 // Room in front of and behind the scene when polygons are clipped. What is stored doesn't see it.
 constexpr double kClipMargin = 1e-3;
 // Near plane of a cube's faces as a fraction of the far one, as for the camera (view.cpp).
 constexpr double kNearFraction = 1e-6;
-// A dozen float operations lie between a vertex and a distance, each right to 2^-24 of the coordinates it has to do with.
+// A dozen float operations lie between a vertex and a distance, each right to 2^-24 of the coordinates it has
+// to do with.
 constexpr double kRounding = 0x1p-20;
 
 std::array<Vec3, 8> corners(const Bounds& bounds) {
@@ -50,8 +52,9 @@ Vec4 rowAlong(const Vec3& direction, const Vec3& originWorld, double low, double
     return {direction * scale, (glm::dot(direction, originWorld) - low) * scale + offset};
 }
 
-/// The picture's right and top, of the smallest area: the box's outline is a hexagon whose sides are axes of the world seen
-/// along the light, and the smallest rectangle around a polygon has a side along one of its own.
+/// The picture's right and top, of the smallest area: the box's outline is a hexagon whose sides are axes of
+/// the world seen along the light, and the smallest rectangle around a polygon has a side along one of its
+/// own.
 struct PictureAxes {
     Vec3 right, up;
 };

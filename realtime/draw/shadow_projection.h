@@ -1,11 +1,11 @@
-// Where the texels of a light's shadow map lie, after Williams, Casting curved shadows on curved surfaces (1978), as RP-351,
-// section 3.5 has it for reliefs.
+// Where the texels of a light's shadow map lie, after Williams, Casting curved shadows on curved surfaces
+// (1978), as RP-351, section 3.5 has it for reliefs.
 //
-// World units. A directional light sees the scene through an orthographic camera fitted to its bounds: one square layer of
-// texels, and a map holds planar distances along the light. A point light sees it through the six faces of a cube, +x, -x, +y,
-// -y, +z, -z of the world: six layers, and a map holds distances from the light. On the face of axis a = ±e_i the picture's
-// right is ∓e_(i+1) and its top e_(i+2), so that all six are right-handed; pointPlace of shadow_map.glsl finds face and place
-// by the same rule.
+// World units. A directional light sees the scene through an orthographic camera fitted to its bounds: one
+// square layer of texels, and a map holds planar distances along the light. A point light sees it through the
+// six faces of a cube, +x, -x, +y, -y, +z, -z of the world: six layers, and a map holds distances from the
+// light. On the face of axis a = ±e_i the picture's right is ∓e_(i+1) and its top e_(i+2), so that all six
+// are right-handed; pointPlace of shadow_map.glsl finds face and place by the same rule.
 #pragma once
 
 #include "realtime/draw/view.h"
@@ -21,7 +21,8 @@ struct ShadowProjection {
     glm::mat4 placeFromRelative{0};
     /// The scene lies between these distances, with the camera's margin (kDepthMargin).
     double nearest = 0, farthest = 1;
-    /// Half a texel's diagonal across the light's rays; for a point light at distance 1 along the axis of the cube's face.
+    /// Half a texel's diagonal across the light's rays; for a point light at distance 1 along the axis of the
+    /// cube's face.
     double halfDiagonal = 0;
     /// What float may lose of a distance.
     double rounding = 0;

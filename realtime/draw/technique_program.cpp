@@ -1,8 +1,8 @@
 #include "realtime/draw/technique_program.h"
 
+#include "realtime/draw/baked_input.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
-#include "realtime/draw/baked_input.h"
 
 #include <fmt/format.h>
 
@@ -87,8 +87,8 @@ std::string reliefSettings(const Technique& technique) {
                        technique.correctsDepth());
 }
 
-/// A program that may declare the shadow maps' sampler, with its unit set: two kinds of sampler at unit 0, where all begin, are an error
-/// of the draw even if neither is read.
+/// A program that may declare the shadow maps' sampler, with its unit set: two kinds of sampler at unit 0,
+/// where all begin, are an error of the draw even if neither is read.
 std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
     auto program = std::make_unique<GlProgram>(sources.vertex, sources.fragment);
     program->use();
@@ -96,8 +96,8 @@ std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
     return program;
 }
 
-/// Whether `search` names a function that `harness` defines. Asked of the text: a compiler drops a look-up whose result some
-/// setting makes worthless.
+/// Whether `search` names a function that `harness` defines. Asked of the text: a compiler drops a look-up
+/// whose result some setting makes worthless.
 bool callsFunctionOf(const std::filesystem::path& search, const std::filesystem::path& harness) {
     const std::string text = readText(harness), searchText = readText(search);
     const std::regex definition("(?:^|\\n)[a-z]\\w* (\\w+)\\(");

@@ -2,14 +2,15 @@
 // precision.
 #pragma once
 
+#include "realtime/gl/gl_program.h"
 #include "scenes/scene/camera.h"
 #include "scenes/scene/scene.h"
-#include "realtime/gl/gl_program.h"
 
 namespace plumbline {
 
-/// Room before and behind the scene's range of depths from a camera, and of distances from a light, as a fraction of its diagonal: a hit
-/// of a technique may lie outside of the true surface's bounds. What lies further still is kept, but not put in order.
+/// Room before and behind the scene's range of depths from a camera, and of distances from a light, as a
+/// fraction of its diagonal: a hit of a technique may lie outside of the true surface's bounds. What lies
+/// further still is kept, but not put in order.
 constexpr double kDepthMargin = 0.5;
 
 /// What camera.glsl declares.

@@ -1,8 +1,8 @@
-// EGL without a window: Mesa's surfaceless platform, or one device of EGL_EXT_device_enumeration. libEGL is this machine's,
-// opened at run time: it brings the driver of the GPU there.
-#include "scenes/core/error.h"
+// EGL without a window: Mesa's surfaceless platform, or one device of EGL_EXT_device_enumeration. libEGL is
+// this machine's, opened at run time: it brings the driver of the GPU there.
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_library.h"
+#include "scenes/core/error.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -112,8 +112,8 @@ std::vector<EGLDeviceEXT> eglDevices() {
     return devices;
 }
 
-/// EGL hands out one display per platform and device to the whole process. It stays initialised: eglTerminate would end it
-/// for every other context, and unload the driver with threads and statics of its own.
+/// EGL hands out one display per platform and device to the whole process. It stays initialised: eglTerminate
+/// would end it for every other context, and unload the driver with threads and statics of its own.
 EGLDisplay openDisplay(int device, const std::string& backend) {
     const auto getPlatformDisplay = eglFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
     const char* clientExtensions = egl().queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);

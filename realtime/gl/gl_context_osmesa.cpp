@@ -1,8 +1,8 @@
 // OSMesa, Mesa's off-screen library. Opened at run time and privately: it exports every gl* symbol, and Mesa
 // dropped it in version 25.1, so that it must stay optional.
-#include "scenes/core/error.h"
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_library.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
-// A library of the GL stack, opened when a context is asked for: the program starts, and does all that needs no OpenGL, on
-// machines without it.
+// A library of the GL stack, opened when a context is asked for: the program starts, and does all that needs
+// no OpenGL, on machines without it.
 #pragma once
 
 #include <span>
@@ -7,7 +7,8 @@
 
 namespace plumbline {
 
-/// A shared library that stays open to the end of the program: drivers' threads and statics don't survive unloading.
+/// A shared library that stays open to the end of the program: drivers' threads and statics don't survive
+/// unloading.
 class GlLibrary {
   public:
     /// Opens the first of `names` there is, privately. Throws MachineError that begins with `backend`.

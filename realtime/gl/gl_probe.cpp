@@ -1,5 +1,5 @@
-#include "scenes/core/error.h"
 #include "realtime/gl/gl_context.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

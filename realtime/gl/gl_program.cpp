@@ -1,7 +1,7 @@
 #include "realtime/gl/gl_program.h"
 
-#include "scenes/core/error.h"
 #include "realtime/gl/shader_log.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

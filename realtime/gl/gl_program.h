@@ -20,7 +20,8 @@ class ShaderSource {
     /// Appends text under a name in brackets, such as "(parameters)".
     void addText(const std::string& name, const std::string& text);
 
-    /// Everything after a first line `#version VERSION` and `preamble`, each piece after a #line of its own (kLinesPerFile in shader_log.h).
+    /// Everything after a first line `#version VERSION` and `preamble`, each piece after a #line of its own
+    /// (kLinesPerFile in shader_log.h).
     std::string assemble(std::string_view version = "410 core", std::string_view preamble = {}) const;
     /// Names by number; 0 is the preamble.
     const std::vector<std::string>& files() const { return files_; }

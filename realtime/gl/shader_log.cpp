@@ -13,7 +13,8 @@ namespace {
 constexpr size_t kLongestLine = 2000;
 constexpr size_t kLongestFlatLog = 600;
 
-/// Line number and the text behind the place, if the line begins with a place of this form. `form` ends in %n.
+/// Line number and the text behind the place, if the line begins with a place of this form. `form` ends in
+/// %n.
 std::optional<ShaderMessage> parsePlace(const std::string& line, const char* form) {
     int number = 0, end = 0;
     if (std::sscanf(line.c_str(), form, &number, &end) != 1 || end == 0 || number < 0) return std::nullopt;

@@ -7,8 +7,8 @@
 
 namespace plumbline {
 
-/// Lines of file k of a shader are numbered from k * kLinesPerFile + 1: Mesa forgets the source number of a #line
-/// directive in most of its messages, but no driver loses the line.
+/// Lines of file k of a shader are numbered from k * kLinesPerFile + 1: Mesa forgets the source number of a
+/// #line directive in most of its messages, but no driver loses the line.
 inline constexpr int kLinesPerFile = 1000000;
 
 /// One message of a log.
@@ -23,8 +23,8 @@ struct ShaderMessage {
 /// "ERROR: 0:12: …"; lines of any other form are left out, and warnings of the third.
 std::vector<ShaderMessage> parseShaderLog(const std::string& log);
 
-/// The first error of a log as "file:line" and text, with the number of further errors in the text; nothing if no line of
-/// the log is understood. `files`: names by number.
+/// The first error of a log as "file:line" and text, with the number of further errors in the text; nothing
+/// if no line of the log is understood. `files`: names by number.
 struct LocatedMessage {
     std::string where, what;
 };

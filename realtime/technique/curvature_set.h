@@ -1,4 +1,5 @@
-// Which quadrics of the proxy's vertices (scenes/surface/quadric_fit.h) a technique is given as the curvature of its base.
+// Which quadrics of the proxy's vertices (scenes/surface/quadric_fit.h) a technique is given as the curvature
+// of its base.
 #pragma once
 
 namespace plumbline {

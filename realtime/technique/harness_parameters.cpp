@@ -72,8 +72,9 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
         choiceParameter("shadow", shadows,
                         "cast shadows: a second search along the light; none (attached shadow only); or "
                         "a map drawn from the light (RP-351, section 3.5)"));
-    // The margin of Watt and Policarpo (2005), chapter 5, listing 5.3. Without one (as in their Fig. 5.11) lit
-    // points shadow themselves: the searches from the camera and from the light stop at slightly different depths.
+    // The margin of Watt and Policarpo (2005), chapter 5, listing 5.3. Without one (as in their Fig. 5.11)
+    // lit points shadow themselves: the searches from the camera and from the light stop at slightly
+    // different depths.
     parameters.push_back(
         numberParameter("shadow_bias", Type::Float, 0, 1, 0.02, "relief depth",
                         "what stops the light must be this much above a point of a relief to shadow it"));

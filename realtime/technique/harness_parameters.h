@@ -7,8 +7,8 @@
 
 namespace plumbline {
 
-/// `shadow` offers what both manifests allow, the first of them its default, and a map. Throws InputError where they have
-/// nothing in common.
+/// `shadow` offers what both manifests allow, the first of them its default, and a map. Throws InputError
+/// where they have nothing in common.
 std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface);
 
 } // namespace plumbline

@@ -1,11 +1,11 @@
 #include "realtime/technique/manifest.h"
 
+#include "realtime/bake/bake.h"
+#include "realtime/technique/glsl_words.h"
+#include "realtime/technique/manifest_fields.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/frame/frame.h"
-#include "realtime/technique/glsl_words.h"
-#include "realtime/bake/bake.h"
-#include "realtime/technique/manifest_fields.h"
 
 #include <algorithm>
 

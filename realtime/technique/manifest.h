@@ -46,7 +46,8 @@ struct Manifest {
     std::string title, citation;
     Geometry geometry = Geometry::Proxy;
     std::vector<std::string>
-        inputs; // "height", kinds of baked maps, parameters that choose between such kinds; of a surface, "quadric" (without cross term), "quadric_full" or nothing
+        inputs; // "height", kinds of baked maps, parameters that choose between such kinds; of a surface,
+                // "quadric" (without cross term), "quadric_full" or nothing
     std::vector<std::string> surfaces;           // of a technique: those it composes with
     std::map<std::string, std::string> refusals; // of a technique: why not, by surface
     std::string variantOf;                       // of a surface: the one it does otherwise; may be empty

@@ -1,10 +1,10 @@
-// A manifest's TOML table field by field: each is asked for by name and type, what is wrong is told with its line, and what nobody asked
-// for is an error.
+// A manifest's TOML table field by field: each is asked for by name and type, what is wrong is told with its
+// line, and what nobody asked for is an error.
 #pragma once
 
-#include "scenes/core/error.h"
 #include "realtime/gl/gl_program.h"
 #include "realtime/technique/manifest.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 #include <toml++/toml.h>

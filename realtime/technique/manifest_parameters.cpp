@@ -1,8 +1,8 @@
 // [[parameter]] of a manifest.
-#include "scenes/core/math.h"
-#include "realtime/technique/glsl_words.h"
 #include "realtime/bake/bake.h"
+#include "realtime/technique/glsl_words.h"
 #include "realtime/technique/manifest_fields.h"
+#include "scenes/core/math.h"
 
 #include <algorithm>
 #include <cmath>

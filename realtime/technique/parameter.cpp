@@ -1,6 +1,6 @@
 // Values of parameters: text in, text out.
-#include "scenes/core/error.h"
 #include "realtime/technique/manifest.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "realtime/technique/technique.h"
 
-#include "scenes/core/error.h"
 #include "realtime/draw/baked_input.h"
 #include "realtime/technique/harness_parameters.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 

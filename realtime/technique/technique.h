@@ -2,9 +2,9 @@
 // value.
 #pragma once
 
+#include "realtime/realtime.h"
 #include "realtime/technique/curvature_set.h"
 #include "realtime/technique/manifest.h"
-#include "realtime/realtime.h"
 
 #include <map>
 #include <optional>

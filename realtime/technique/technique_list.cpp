@@ -1,7 +1,7 @@
 // Techniques and surfaces by name: the library's folders, the text a user types, what `list` shows.
+#include "realtime/technique/technique.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
-#include "realtime/technique/technique.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "reference/certify/certify.h"
 
-#include "scenes/core/nearest_rank.h"
 #include "reference/certify/edge_screen.h"
 #include "reference/certify/uncertain.h"
+#include "scenes/core/nearest_rank.h"
 
 #include <algorithm>
 #include <array>

@@ -1,12 +1,12 @@
 // The certificate of a traced frame, and its uncertain channels.
 #pragma once
 
-#include "scenes/frame/frame.h"
-#include "scenes/scene/scene.h"
-#include "reference/trace/embree_scene.h"
 #include "reference/rates/rate.h"
 #include "reference/reference.h"
+#include "reference/trace/embree_scene.h"
 #include "reference/trace/render.h"
+#include "scenes/frame/frame.h"
+#include "scenes/scene/scene.h"
 
 namespace plumbline {
 
@@ -17,7 +17,8 @@ std::vector<float> errorsPx(const Camera& camera, const FrameEvidence& evidence,
 void measureCertificate(const Frame& frame, const FrameEvidence& evidence, const std::vector<float>& errorsPx,
                         Certificate& certificate);
 
-/// The error seen of each face, px: what 99 % of its pixels don't exceed; 0 for a face that isn't seen. Per object, per face.
+/// The error seen of each face, px: what 99 % of its pixels don't exceed; 0 for a face that isn't seen. Per
+/// object, per face.
 FaceErrorsPx measureFaces(const std::vector<TracedObject>& objects, const Frame& frame,
                           const FrameEvidence& evidence, const std::vector<float>& errorsPx);
 

@@ -1,5 +1,6 @@
-// Contour edges of a micro-mesh as seen from somewhere: edges with a micro-triangle that faces the viewer on one side and
-// one that faces away, or nothing, on the other. What is seen through a point changes only where a contour passes.
+// Contour edges of a micro-mesh as seen from somewhere: edges with a micro-triangle that faces the viewer on
+// one side and one that faces away, or nothing, on the other. What is seen through a point changes only where
+// a contour passes.
 #pragma once
 
 #include "scenes/core/math.h"
@@ -32,8 +33,8 @@ class ContourFinder {
     void forEach(const Viewpoint& viewpoint, const std::function<void(const ContourEdge&)>& visit) const;
 
   private:
-    /// A side of a micro-triangle with area, whose partner isn't known from the lattice: on the border of a patch, or beside
-    /// triangles without area.
+    /// A side of a micro-triangle with area, whose partner isn't known from the lattice: on the border of a
+    /// patch, or beside triangles without area.
     struct LooseSide {
         uint64_t hash; // of the two ends' positions
         uint32_t a, b, third;

@@ -11,7 +11,8 @@ namespace {
 constexpr double kPiecePixels = 0.5;
 // ... or short against the distance at which they matter.
 constexpr double kPieceOfReach = 0.25;
-// Pixels beside an edge at which "beside" is looked at: above what a float ray tells apart (2^-24 of 1e4 pixels), below the pieces.
+// Pixels beside an edge at which "beside" is looked at: above what a float ray tells apart (2^-24 of 1e4
+// pixels), below the pieces.
 constexpr double kBeside = 0x1p-7;
 // Nearer to the viewer than that, as a fraction of the other end's depth, an edge is cut off.
 constexpr double kNear = 1e-6;

@@ -1,9 +1,9 @@
 // Contour edges on a screen: which of the screen's points lie within an edge's error of it.
 #pragma once
 
+#include "reference/certify/contours.h"
 #include "scenes/scene/camera.h"
 #include "scenes/scene/light.h"
-#include "reference/certify/contours.h"
 
 #include <optional>
 #include <vector>
@@ -53,8 +53,8 @@ struct EdgePiece {
     Vec3 outside(double ofReach) const;
 };
 
-/// Pieces of an edge that are short against their reach and a pixel; none where it isn't in front of the viewer. `largest`: no
-/// reach is above this.
+/// Pieces of an edge that are short against their reach and a pixel; none where it isn't in front of the
+/// viewer. `largest`: no reach is above this.
 void forEachPiece(const Screen& screen, const ContourEdge& edge, double largestReach,
                   const std::function<void(const EdgePiece&)>& visit);
 

@@ -172,7 +172,8 @@ class ShadowMarker {
                 isMarked(uncertain_[point.pixel]))
                 return;
             if (nearest.z > point.at.z + piece.errorWorld) return; // the contour is behind the point
-            // In the light: the micro-triangle may come between. In shadow: light may come past its edge, if nothing else stops it.
+            // In the light: the micro-triangle may come between. In shadow: light may come past its edge, if
+            // nothing else stops it.
             if (!point.shadow) return mark(uncertain_[point.pixel]);
             if (!known) {
                 open = isOpenBeyond(piece);

@@ -1,8 +1,8 @@
 #include "reference/export/mesh_file.h"
 
+#include "reference/export/mesh_numbers.h"
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
-#include "reference/export/mesh_numbers.h"
 
 #include <fmt/format.h>
 

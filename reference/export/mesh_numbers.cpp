@@ -26,7 +26,8 @@ struct VertexBits {
     }
 };
 
-/// A hash table of vertices by value with open addressing; holds indices into the mesh, which stays where it is.
+/// A hash table of vertices by value with open addressing; holds indices into the mesh, which stays where it
+/// is.
 class VertexTable {
   public:
     VertexTable(const MicroMesh& mesh, size_t mostVertices)
@@ -47,8 +48,8 @@ class VertexTable {
     std::vector<uint32_t> slots_;
 };
 
-/// Only these can be repeated: those inside a square patch's grid are alone at their (u, v), those beyond a triangle's long side
-/// aren't.
+/// Only these can be repeated: those inside a square patch's grid are alone at their (u, v), those beyond a
+/// triangle's long side aren't.
 bool mayBeRepeated(const MicroMesh& mesh, const MicroGrid& grid, int column, int row) {
     return column == 0 || row == 0 || column == grid.columns - 1 || row == grid.rows - 1 ||
            mesh.lattices[grid.patch].triangular;

@@ -13,13 +13,13 @@ struct MeshNumbers {
     uint64_t triangleCount = 0;     // with three corners in different places
 };
 
-/// Vertices are one if position, normal and st are, bit for bit: grids repeat those on their borders, a lattice those
-/// of its coarser sides. Where texture coordinates jump a place keeps a vertex for each of them.
-/// The mesh must have attributes (MicroMesh::normalsWorld, st).
+/// Vertices are one if position, normal and st are, bit for bit: grids repeat those on their borders, a
+/// lattice those of its coarser sides. Where texture coordinates jump a place keeps a vertex for each of
+/// them. The mesh must have attributes (MicroMesh::normalsWorld, st).
 MeshNumbers numberVertices(const MicroMesh& mesh);
 
-/// Calls visit(a, b, c) with indices into the micro-mesh for every micro-triangle whose corners are in three places,
-/// grid by grid, counter-clockwise seen from outside.
+/// Calls visit(a, b, c) with indices into the micro-mesh for every micro-triangle whose corners are in three
+/// places, grid by grid, counter-clockwise seen from outside.
 template <class Visit>
 void forTriangles(const MicroMesh& mesh, Visit&& visit) {
     const auto keep = [&](uint32_t a, uint32_t b, uint32_t c) {

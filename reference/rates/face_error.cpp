@@ -1,7 +1,7 @@
 #include "reference/rates/face_error.h"
 
-#include "scenes/core/nearest_rank.h"
 #include "reference/tessellate/tile.h"
+#include "scenes/core/nearest_rank.h"
 
 #include <algorithm>
 #include <cmath>

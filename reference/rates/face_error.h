@@ -1,9 +1,10 @@
-// The error a face would have at a rate, without tessellating it: measured in some of the grids it would be cut into.
+// The error a face would have at a rate, without tessellating it: measured in some of the grids it would be
+// cut into.
 #pragma once
 
-#include "scenes/surface/base_surface.h"
-#include "scenes/scene/scene.h"
 #include "reference/tessellate/lattice.h"
+#include "scenes/scene/scene.h"
+#include "scenes/surface/base_surface.h"
 
 #include <vector>
 
@@ -28,7 +29,8 @@ class FaceErrorProbe {
     /// One square patch, which may have other rates along u than along v.
     bool isSquare(size_t face) const { return !first(face).triangular && !first(face).subFace; }
     int smallestRate(size_t face) const { return first(face).subFace ? 2 : 1; }
-    /// Texels of the relief that the face's edges cross: 0 and 2, and 1 and 3; of a face that isn't square, all of them twice.
+    /// Texels of the relief that the face's edges cross: 0 and 2, and 1 and 3; of a face that isn't square,
+    /// all of them twice.
     Vec2 texelsAcross(size_t face) const;
 
     /// Of all its grids, the one whose error all but 2 % don't exceed.

@@ -1,8 +1,8 @@
 #include "reference/rates/face_role.h"
 
+#include "reference/certify/edge_screen.h"
 #include "scenes/scene/camera.h"
 #include "scenes/surface/displaced_surface.h"
-#include "reference/certify/edge_screen.h"
 
 #include <tbb/parallel_for.h>
 
@@ -18,8 +18,8 @@ namespace {
 constexpr int kLooks = 4;
 // Between the places looked at the surface bulges; a sphere around them is made that much larger.
 constexpr double kBulge = 1.25;
-// Cosine between normal and view from which a face of a closed object is hidden, whatever its relief: slopes of a relief are seldom
-// steeper than that, and where they are the certificate tells.
+// Cosine between normal and view from which a face of a closed object is hidden, whatever its relief: slopes
+// of a relief are seldom steeper than that, and where they are the certificate tells.
 constexpr double kTurnedAway = -0.35;
 
 struct Ball {
@@ -57,7 +57,8 @@ bool isOutside(const Ball& ball, const std::vector<Halfspace>& volume) {
                        [&](const Halfspace& half) { return half.above(ball.centre) < -ball.radius; });
 }
 
-/// Whether a ball's shadow can reach the volume: it doesn't if the ball is beyond a plane and its shadow goes on away from it.
+/// Whether a ball's shadow can reach the volume: it doesn't if the ball is beyond a plane and its shadow goes
+/// on away from it.
 bool shadowReaches(const Ball& ball, const Light& light, const std::vector<Halfspace>& volume) {
     return std::none_of(volume.begin(), volume.end(), [&](const Halfspace& half) {
         if (half.above(ball.centre) >= -ball.radius) return false;
@@ -115,7 +116,8 @@ class Placer {
         return std::none_of(uses.begin(), uses.end(), [](int count) { return count == 1; });
     }
 
-    /// The largest scale among places, none taken nearer to the camera than a fraction of the face's own size.
+    /// The largest scale among places, none taken nearer to the camera than a fraction of the face's own
+    /// size.
     double nearestScale(const std::vector<Vec3>& points, double radius) const {
         constexpr double kNearestOfRadius = 0.1;
         double largest = 0;

@@ -1,8 +1,8 @@
 // What the picture needs a face for: to be seen, to cast shadows into it, or nothing.
 #pragma once
 
-#include "scenes/surface/base_surface.h"
 #include "scenes/scene/scene.h"
+#include "scenes/surface/base_surface.h"
 
 #include <vector>
 
@@ -19,8 +19,9 @@ struct FacePlace {
     double pixelsPerWorld = 0; // at its nearest place to the camera that is in the picture; 0 unless seen
 };
 
-/// Per face of one object. Judged from spheres around the faces with all their relief can reach. A closed object's faces that turn
-/// away from the camera everywhere, by more than kTurnedAway, count as not seen, unless its relief goes along an axis.
+/// Per face of one object. Judged from spheres around the faces with all their relief can reach. A closed
+/// object's faces that turn away from the camera everywhere, by more than kTurnedAway, count as not seen,
+/// unless its relief goes along an axis.
 std::vector<FacePlace> placeFaces(const Scene& scene, const BaseSurface& surface, const Relief* relief);
 
 } // namespace plumbline

@@ -1,8 +1,8 @@
 #include "reference/rates/rate.h"
 
-#include "scenes/core/error.h"
 #include "reference/rates/face_error.h"
 #include "reference/rates/face_role.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -14,15 +14,17 @@ namespace plumbline {
 
 namespace {
 
-// Shadows of what isn't seen itself may be that many times less exact: the certificate marks them all the same.
+// Shadows of what isn't seen itself may be that many times less exact: the certificate marks them all the
+// same.
 constexpr double kCasterSlack = 4;
-// An error falls to between a half and a quarter when a rate is doubled; a face found too coarse goes up by as many rungs as the
-// geometric mean of both asks for.
+// An error falls to between a half and a quarter when a rate is doubled; a face found too coarse goes up by
+// as many rungs as the geometric mean of both asks for.
 constexpr double kFallPerRung = 2.8;
-// Texels a cell has at first: coarse enough for maps finer than the picture, fine enough that few of them are in a cell whose
-// error is not measured.
+// Texels a cell has at first: coarse enough for maps finer than the picture, fine enough that few of them are
+// in a cell whose error is not measured.
 constexpr double kFirstTexels = 2;
-// Two doublings below half a texel must leave less than this share of the error, or the face isn't made finer.
+// Two doublings below half a texel must leave less than this share of the error, or the face isn't made
+// finer.
 constexpr double kFalling = 0.7;
 // Doubling one axis must leave less than this share of the error to be worth more than doubling both.
 constexpr double kWorthAlone = 0.6;
@@ -126,7 +128,8 @@ class LadderBuilder {
         return rate.x >= 2 * texels.x && rate.y >= 2 * texels.y;
     }
 
-    /// The next rate: one axis doubled if that gains nearly as much as both, the one with more texels a cell first.
+    /// The next rate: one axis doubled if that gains nearly as much as both, the one with more texels a cell
+    /// first.
     template <typename RungAt>
     Ladder::Rung finer(const Ladder::Rung& here, size_t face, RungAt rungAt) const {
         const Vec2i doubled = glm::min(here.rate * 2, Vec2i(kMostRate));

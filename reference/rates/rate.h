@@ -1,9 +1,10 @@
-// How finely each object is tessellated: by face, as finely as the error aimed at asks for, as coarsely as memory allows.
+// How finely each object is tessellated: by face, as finely as the error aimed at asks for, as coarsely as
+// memory allows.
 #pragma once
 
-#include "scenes/surface/base_surface.h"
-#include "scenes/scene/scene.h"
 #include "reference/tessellate/lattice.h"
+#include "scenes/scene/scene.h"
+#include "scenes/surface/base_surface.h"
 
 #include <memory>
 #include <string>
@@ -11,8 +12,8 @@
 
 namespace plumbline {
 
-/// Bytes of memory a micro-triangle costs at the peak, acceleration structure included; measured by `plumbline bench` (Embree's
-/// grid BVH takes 8-13 bytes, vertices 12 bytes each at 17^2 per 16^2 cells).
+/// Bytes of memory a micro-triangle costs at the peak, acceleration structure included; measured by
+/// `plumbline bench` (Embree's grid BVH takes 8-13 bytes, vertices 12 bytes each at 17^2 per 16^2 cells).
 inline constexpr double kBytesPerMicroTriangle = 20;
 
 struct RatePlan {
@@ -32,12 +33,13 @@ using FaceErrorsPx = std::vector<std::vector<float>>;
 
 /// Plans rates for an error of `errorPx`, all within `memoryBytes`.
 ///
-/// A face begins at two texels of its relief a cell, along u and along v, or at 1 without one; then the axis that gains more is doubled
-/// until the error bound (tile.h) is at most the aim, or falls no more. It is measured in all the grids of the first rate; at finer ones
-/// within the grid that all but 2 % of those don't exceed, and its worst part. It counts in pixels at the face's nearest place, for a
-/// face that is seen. One that only casts shadows may be kCasterSlack times worse, in pixels of the
-/// nearest place of anything seen; one that does neither stays at the smallest rate. If that doesn't fit, the aim is doubled until it
-/// does; then texels are given up, the largest faces first.
+/// A face begins at two texels of its relief a cell, along u and along v, or at 1 without one; then the axis
+/// that gains more is doubled until the error bound (tile.h) is at most the aim, or falls no more. It is
+/// measured in all the grids of the first rate; at finer ones within the grid that all but 2 % of those don't
+/// exceed, and its worst part. It counts in pixels at the face's nearest place, for a face that is seen. One
+/// that only casts shadows may be kCasterSlack times worse, in pixels of the nearest place of anything seen;
+/// one that does neither stays at the smallest rate. If that doesn't fit, the aim is doubled until it does;
+/// then texels are given up, the largest faces first.
 class RatePlanner {
   public:
     RatePlanner(const Scene& scene, std::vector<PlannedObject> objects, double errorPx, uint64_t memoryBytes);

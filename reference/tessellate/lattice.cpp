@@ -22,7 +22,8 @@ void forEachFace(const BaseSurface& surface, Visit visit) {
         if (patch.corner == 0) visit(patch.face, patch);
 }
 
-/// With the sides its edges have. A sub-face has half of two edges, and two spokes that only its own face sees.
+/// With the sides its edges have. A sub-face has half of two edges, and two spokes that only its own face
+/// sees.
 PatchLattice latticeBetween(const BaseSurface& surface, const Rates& rates, const BaseSurface::Patch& patch) {
     PatchLattice lattice = latticeOf(patch, rates.faces[static_cast<size_t>(patch.face)]);
     const std::span<const int> edges = surface.faceEdges(patch.face);

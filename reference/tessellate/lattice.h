@@ -1,9 +1,9 @@
 // The lattice of a patch: where its micro-vertices stand, and how it is cut into the grids of a MicroMesh.
 //
-// A patch has columns x rows cells, both powers of two. A side that it shares with a coarser neighbour has fewer
-// samples than the lattice has steps there: the lattice's vertices on that side stand on the nearest of those
-// samples, so that neighbours meet in the very same vertices. The cells along such a side are no rectangles any more
-// and some of their triangles have no area.
+// A patch has columns x rows cells, both powers of two. A side that it shares with a coarser neighbour has
+// fewer samples than the lattice has steps there: the lattice's vertices on that side stand on the nearest of
+// those samples, so that neighbours meet in the very same vertices. The cells along such a side are no
+// rectangles any more and some of their triangles have no area.
 #pragma once
 
 #include "scenes/surface/base_surface.h"
@@ -28,15 +28,15 @@ inline int blocksInRow(const PatchLattice& lattice, int blockRow) {
     return blocksAlong(lattice.columns) - (lattice.triangular ? blockRow : 0);
 }
 
-/// The step a lattice vertex stands on along a side of `cells` steps that has `segments` segments: the nearest multiple of
-/// cells / segments.
+/// The step a lattice vertex stands on along a side of `cells` steps that has `segments` segments: the
+/// nearest multiple of cells / segments.
 inline int snappedStep(int step, int cells, int segments) {
     const int stride = cells / segments;
     return (step + stride / 2) / stride * stride;
 }
 
-/// Where vertex (column, row) stands, in steps of the lattice: (u, v) is that over (columns, rows). Beyond a triangle's long
-/// side it is the point on it in the same column, which leaves no area there.
+/// Where vertex (column, row) stands, in steps of the lattice: (u, v) is that over (columns, rows). Beyond a
+/// triangle's long side it is the point on it in the same column, which leaves no area there.
 inline Vec2i latticePlace(const PatchLattice& lattice, int column, int row) {
     const int columns = lattice.columns, rows = lattice.rows;
     if (lattice.triangular && column + row >= columns) {
@@ -56,8 +56,8 @@ inline Vec2 latticeUv(const PatchLattice& lattice, int column, int row) {
     return {static_cast<double>(place.x) / lattice.columns, static_cast<double>(place.y) / lattice.rows};
 }
 
-/// Micro-triangles, vertices and grids of a lattice, without making them. Micro-triangles are those with area in
-/// parameter space were no side snapped.
+/// Micro-triangles, vertices and grids of a lattice, without making them. Micro-triangles are those with area
+/// in parameter space were no side snapped.
 struct MicroMeshSize {
     uint64_t microTriangles = 0;
     uint64_t vertices = 0;
@@ -67,10 +67,11 @@ MicroMeshSize sizeOf(const PatchLattice& lattice);
 
 /// Segments per control edge an object is cut into: powers of two, kMostRate at most.
 struct Rates {
-    /// Of each face: along its edges 0 and 2, and along 1 and 3, for a face that is one square patch; else two
-    /// equal numbers for all its edges, at least 2 where the face is cut into sub-faces.
+    /// Of each face: along its edges 0 and 2, and along 1 and 3, for a face that is one square patch; else
+    /// two equal numbers for all its edges, at least 2 where the face is cut into sub-faces.
     std::vector<Vec2i> faces;
-    /// Of each edge: the smallest its faces have along it, but at least 2 beside a face that is cut into sub-faces.
+    /// Of each edge: the smallest its faces have along it, but at least 2 beside a face that is cut into
+    /// sub-faces.
     std::vector<int> edges;
 };
 

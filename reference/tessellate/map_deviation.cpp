@@ -7,11 +7,11 @@ namespace plumbline {
 
 namespace {
 
-// Coordinates this close to a crease count as on it: far above the rounding of st * width (2^-52 of some 1e4), far below
-// anything seen.
+// Coordinates this close to a crease count as on it: far above the rounding of st * width (2^-52 of some
+// 1e4), far below anything seen.
 constexpr double kOnCrease = 1e-9;
-// A triangle over more texels than that along an axis gets the map's whole range for a bound: the walk over its texels would cost more
-// than cells of that size are worth.
+// A triangle over more texels than that along an axis gets the map's whole range for a bound: the walk over
+// its texels would cost more than cells of that size are worth.
 constexpr double kMostTexels = 64;
 
 double lookUp(const HeightMap& map, const Vec2& texel) {
@@ -49,8 +49,9 @@ double bow(const Vec2& along) {
     return std::abs(along.x * along.y) / 4;
 }
 
-/// A bound on the deviation over any triangle within a box of few texels; infinite for more. With g0 the middle of the box of
-/// gradients, f less its plane is sum w_k (integral of (g - g0) . (x - x_k)), and sum w_k |x - x_k| is at most half the box's side.
+/// A bound on the deviation over any triangle within a box of few texels; infinite for more. With g0 the
+/// middle of the box of gradients, f less its plane is sum w_k (integral of (g - g0) . (x - x_k)), and sum
+/// w_k |x - x_k| is at most half the box's side.
 double deviationAtMost(const HeightMap& map, const Vec2& low, const Vec2& high) {
     constexpr double kFew = 3;
     if (high.x - low.x > kFew || high.y - low.y > kFew) return kInfinity;
@@ -86,8 +87,8 @@ struct LinearTriangle {
     }
 };
 
-/// Largest |q| over [0, 1] of the parabola with the values `first` and `last` at its ends and the leading coefficient
-/// `square`.
+/// Largest |q| over [0, 1] of the parabola with the values `first` and `last` at its ends and the leading
+/// coefficient `square`.
 double largestOfParabola(double first, double last, double square) {
     double largest = std::max(std::abs(first), std::abs(last));
     const double slope = last - first - square; // q = first + slope x + square x^2

@@ -12,8 +12,8 @@ namespace plumbline {
 
 namespace {
 
-// Under Seams::Open faces agree about a place when they put it less than this apart, as a fraction of its coordinates: far above
-// the rounding of two evaluations (2^-50) and below what a float tells apart.
+// Under Seams::Open faces agree about a place when they put it less than this apart, as a fraction of its
+// coordinates: far above the rounding of two evaluations (2^-50) and below what a float tells apart.
 constexpr double kSamePlace = 0x1p-30;
 
 /// What one face says of a shared place.
@@ -202,7 +202,8 @@ class SharedVertexBuilder {
         return vertex;
     }
 
-    /// Faces that agree with the first keep the place, as their mean; groups of others get vertices of their own.
+    /// Faces that agree with the first keep the place, as their mean; groups of others get vertices of their
+    /// own.
     template <typename StepOf>
     void openPlace(size_t number, std::span<const FaceEdge> faces, const std::vector<Opinion>& opinions,
                    StepOf stepOf) {

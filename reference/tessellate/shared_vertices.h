@@ -1,11 +1,11 @@
-// The micro-vertices that patches share: on the edges and corners of the control mesh, and on the spokes of faces that
-// are cut into sub-faces. Each is computed once, so that the micro-triangles close bit for bit.
+// The micro-vertices that patches share: on the edges and corners of the control mesh, and on the spokes of
+// faces that are cut into sub-faces. Each is computed once, so that the micro-triangles close bit for bit.
 #pragma once
 
-#include "scenes/surface/base_surface.h"
-#include "scenes/scene/scene.h"
-#include "scenes/surface/shared_samples.h"
 #include "reference/tessellate/lattice.h"
+#include "scenes/scene/scene.h"
+#include "scenes/surface/base_surface.h"
+#include "scenes/surface/shared_samples.h"
 
 #include <vector>
 
@@ -20,21 +20,22 @@ struct MicroVertex {
 
 class SharedVertices {
   public:
-    /// Displaced by the mean of what the faces around say, along the mean of their directions: where texture coordinates
-    /// tear the surface, or a crease has two normals, it is welded. Under Seams::Open faces that disagree about a place
-    /// each have their own. `attributes`: fill normals and st, the first face's. Parallel.
+    /// Displaced by the mean of what the faces around say, along the mean of their directions: where texture
+    /// coordinates tear the surface, or a crease has two normals, it is welded. Under Seams::Open faces that
+    /// disagree about a place each have their own. `attributes`: fill normals and st, the first face's.
+    /// Parallel.
     SharedVertices(const BaseSurface& surface, const Relief* relief, const Rates& rates, bool attributes);
 
-    /// On a side of a patch (numbered as PatchLattice::sides), `segment` of its segments from the end where u or v is
-    /// smaller (on a triangle's long side: v).
+    /// On a side of a patch (numbered as PatchLattice::sides), `segment` of its segments from the end where u
+    /// or v is smaller (on a triangle's long side: v).
     const MicroVertex& at(int patch, int side, int segment) const;
 
   private:
     friend class SharedVertexBuilder;
 
     struct Spokes {
-        size_t
-            first; // into vertices_: spoke k of the face has `cells` of them from the edge on, the centre left out
+        size_t first;  // into vertices_: spoke k of the face has `cells` of them from the edge on, the centre
+                       // left out
         size_t centre; // one for all spokes
     };
 
@@ -46,7 +47,8 @@ class SharedVertices {
     std::vector<int> faceRates_; // of faces cut into sub-faces; else 0
     std::vector<Spokes> spokes_; // per face
     std::vector<MicroVertex> vertices_;
-    /// Seams::Open: number of the vertex a face has of its own, by face corner, where it isn't the shared one.
+    /// Seams::Open: number of the vertex a face has of its own, by face corner, where it isn't the shared
+    /// one.
     std::vector<std::vector<std::pair<int, size_t>>>
         ownVertices_;                 // per face corner k: (step, vertex), ascending
     std::vector<size_t> firstCorner_; // per face, into ownVertices_; empty if none gapes

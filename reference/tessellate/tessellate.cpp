@@ -1,8 +1,8 @@
 #include "reference/tessellate/tessellate.h"
 
-#include "scenes/surface/displaced_surface.h"
 #include "reference/tessellate/shared_vertices.h"
 #include "reference/tessellate/tile.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>

@@ -1,15 +1,15 @@
 // One object's surface at given rates, displaced: BaseSurface + Relief -> MicroMesh. World space.
 #pragma once
 
+#include "reference/tessellate/lattice.h"
+#include "scenes/scene/scene.h"
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/micro_mesh.h"
-#include "scenes/scene/scene.h"
-#include "reference/tessellate/lattice.h"
 
 namespace plumbline {
 
-/// What patches share is computed once (shared_vertices.h). `attributes`: fill normals and st too. Parallel (TBB); the
-/// result doesn't depend on the number of threads.
+/// What patches share is computed once (shared_vertices.h). `attributes`: fill normals and st too. Parallel
+/// (TBB); the result doesn't depend on the number of threads.
 MicroMesh tessellate(const BaseSurface& surface, const Relief* relief, const Rates& rates, bool attributes);
 
 } // namespace plumbline

@@ -9,9 +9,9 @@ namespace plumbline {
 
 namespace {
 
-// The base is smooth within a patch and measured on a few cells of a grid, at the middles of edges: where a cell is not small
-// against the patch its largest bow is not in the middle, and between the cells measured it may be larger. A cubic's largest bow is up to
-// 1.3 times that of its middle.
+// The base is smooth within a patch and measured on a few cells of a grid, at the middles of edges: where a
+// cell is not small against the patch its largest bow is not in the middle, and between the cells measured it
+// may be larger. A cubic's largest bow is up to 1.3 times that of its middle.
 constexpr double kBowMargin = 1.5;
 // Cells between two that are measured.
 constexpr int kBowStride = 8;
@@ -88,8 +88,8 @@ class TileMeasure {
         if (relief_)
             map += (tile_.bend.x + tile_.bend.y) * coarsest_ *
                    (relief_->map->mostDepth() - relief_->map->leastDepth());
-        // Along a tear the true surface is a wall between the two heights, and no point of it is farther from a welded cell
-        // than that cell is wide.
+        // Along a tear the true surface is a wall between the two heights, and no point of it is farther from
+        // a welded cell than that cell is wide.
         const double rounding = kFloatRounding * coordinate;
         return {bow + depth * map + covariance + std::min(tear, largestCell_) + rounding,
                 tear > 4 * rounding};

@@ -1,7 +1,7 @@
 #include "reference/trace/embree_scene.h"
 
-#include "scenes/core/error.h"
 #include "reference/trace/embree.h"
+#include "scenes/core/error.h"
 
 #include <fmt/format.h>
 
@@ -25,18 +25,19 @@ void check(RTCDevice device) {
     if (code != RTC_ERROR_NONE) fail(code, "building the scene failed");
 }
 
-// Leaks. ROBUST decides on which side of an edge a ray passes by the sign of a Pluecker product, the same number but for its
-// sign in both triangles of the edge, so no ray passes between them. Around a vertex, though, the products of the fan's edges
-// are each rounded by themselves. Within rounding of the vertex their signs need not fit any order, and then no triangle of
-// the fan takes the ray.
+// Leaks. ROBUST decides on which side of an edge a ray passes by the sign of a Pluecker product, the same
+// number but for its sign in both triangles of the edge, so no ray passes between them. Around a vertex,
+// though, the products of the fan's edges are each rounded by themselves. Within rounding of the vertex their
+// signs need not fit any order, and then no triangle of the fan takes the ray.
 //
-// So a ray with nothing in its way is traced again in parallel, on either side of itself. If both of such a pair meet
-// something, so does the ray. One of a pair isn't enough: beside the outline of a surface one of them meets it, and the
-// outline would grow by the distance between the two.
+// So a ray with nothing in its way is traced again in parallel, on either side of itself. If both of such a
+// pair meet something, so does the ray. One of a pair isn't enough: beside the outline of a surface one of
+// them meets it, and the outline would grow by the distance between the two.
 
-// The distance to either side, as a fraction of the largest coordinate in play. Vertices less the ray's origin, and the
-// products of them, are off by some 2^-24 of it each, half a dozen of them in a sum. Measured, of 10^6 rays aimed at vertices
-// (tests/reference/trace/leak_test.cpp) 200 still slip through at 2^-24, one or two at 2^-22 and none at 2^-21.
+// The distance to either side, as a fraction of the largest coordinate in play. Vertices less the ray's
+// origin, and the products of them, are off by some 2^-24 of it each, half a dozen of them in a sum.
+// Measured, of 10^6 rays aimed at vertices (tests/reference/trace/leak_test.cpp) 200 still slip through at
+// 2^-24, one or two at 2^-22 and none at 2^-21.
 constexpr float kShiftFraction = 0x1p-20f;
 
 // Angle of the first pair in the plane across the ray: none that a mesh would have rows of vertices along.
@@ -46,7 +47,8 @@ float largestCoordinate(const Vec3f& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Origins of the rays beside a ray. [0] and [1] are opposite each other; so are [2] and [3], at a right angle to them.
+/// Origins of the rays beside a ray. [0] and [1] are opposite each other; so are [2] and [3], at a right
+/// angle to them.
 std::array<Vec3f, 4> originsBeside(const Vec3f& origin, const Vec3f& direction, float shift) {
     // Duff et al. 2017, Building an Orthonormal Basis, Revisited.
     const float sign = std::copysign(1.0f, direction.z);

@@ -1,7 +1,7 @@
 #include "reference/trace/facing.h"
 
-#include "scenes/surface/displaced_surface.h"
 #include "reference/tessellate/map_deviation.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@ namespace plumbline {
 
 namespace {
 
-// Texels looked at along an axis; a surface that may be met anywhere over more of them isn't certain of anything.
+// Texels looked at along an axis; a surface that may be met anywhere over more of them isn't certain of
+// anything.
 constexpr double kMostTexels = 24;
 // Rays flatter than that to the surface are taken to run along it this steeply.
 constexpr double kFlattest = 1e-3;

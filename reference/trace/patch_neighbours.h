@@ -13,8 +13,9 @@ class PatchNeighbours {
   public:
     explicit PatchNeighbours(const BaseSurface& surface);
 
-    /// `uv` outside the patch: the place about as far inside the patch beyond the side that was crossed. A guess to start a
-    /// search from: the two patches' scales may differ. Nothing beyond a boundary, or an edge of more than two faces.
+    /// `uv` outside the patch: the place about as far inside the patch beyond the side that was crossed. A
+    /// guess to start a search from: the two patches' scales may differ. Nothing beyond a boundary, or an
+    /// edge of more than two faces.
     std::optional<PatchPlace> beyond(int patch, const Vec2& uv) const;
 
   private:

@@ -7,13 +7,14 @@ namespace plumbline {
 
 namespace {
 
-// Newton doubles the digits: from a micro-triangle's few it is there in two or three steps, one more for each crease between
-// texels that is crossed.
+// Newton doubles the digits: from a micro-triangle's few it is there in two or three steps, one more for each
+// crease between texels that is crossed.
 constexpr int kMostSteps = 12;
 // Starts of a search for a place the ray meets earlier.
 constexpr int kStartsBefore = 6;
-// Settled: off the ray by less than that, as a fraction of the coordinates. At 1 degree to the surface the depth is then 60 times that
-// off, 2^-26: the last bits of the frame's floats. (Rounding of the evaluation is near 2^-50.)
+// Settled: off the ray by less than that, as a fraction of the coordinates. At 1 degree to the surface the
+// depth is then 60 times that off, 2^-26: the last bits of the frame's floats. (Rounding of the evaluation is
+// near 2^-50.)
 constexpr double kSettled = 0x1p-32;
 bool isInside(const Vec2& uv, bool triangular) {
     return uv.x >= 0 && uv.y >= 0 && (triangular ? uv.x + uv.y <= 1 : uv.x <= 1 && uv.y <= 1);

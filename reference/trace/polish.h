@@ -1,11 +1,11 @@
 // A hit on a micro-triangle moved onto the surface P(u,v) it stands for.
 #pragma once
 
-#include "scenes/surface/base_surface.h"
-#include "scenes/surface/displaced_surface.h"
+#include "reference/trace/patch_neighbours.h"
 #include "scenes/core/math.h"
 #include "scenes/scene/scene.h"
-#include "reference/trace/patch_neighbours.h"
+#include "scenes/surface/base_surface.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <optional>
 
@@ -29,14 +29,15 @@ class Polisher {
     Polisher(const BaseSurface& surface, const Relief* relief, const PatchNeighbours& neighbours)
         : surface_(surface), relief_(relief), neighbours_(neighbours), evaluator_(surface) {}
 
-    /// Newton's method on P(u,v) = origin + t direction, in double, from a micro-triangle's hit at `start` and `distance`.
-    /// Nothing where it doesn't settle, or farther than `reachWorld` from there: at a silhouette, where the micro-triangles
-    /// show what the surface hasn't, and where creases let it hop to and fro.
+    /// Newton's method on P(u,v) = origin + t direction, in double, from a micro-triangle's hit at `start`
+    /// and `distance`. Nothing where it doesn't settle, or farther than `reachWorld` from there: at a
+    /// silhouette, where the micro-triangles show what the surface hasn't, and where creases let it hop to
+    /// and fro.
     std::optional<PolishedHit> polish(const Ray& rayWorld, const PatchPlace& start, double distance,
                                       double reachWorld);
 
-    /// The first of the places the ray meets within `reachWorld` before a polished hit, or that hit: looked for from a few starts
-    /// along the ray.
+    /// The first of the places the ray meets within `reachWorld` before a polished hit, or that hit: looked
+    /// for from a few starts along the ray.
     PolishedHit first(const Ray& rayWorld, const PolishedHit& hit, double reachWorld);
 
     /// The surface at a place.

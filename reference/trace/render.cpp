@@ -1,10 +1,10 @@
 #include "reference/trace/render.h"
 
-#include "scenes/surface/displaced_surface.h"
 #include "reference/trace/embree.h"
 #include "reference/trace/facing.h"
 #include "reference/trace/polish.h"
 #include "reference/trace/resolve_hit.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -28,8 +28,8 @@ constexpr size_t kBandPixels = size_t(1) << 18;
 // room to spare.
 constexpr double kShadowOffsetFraction = 0x1p-20;
 
-// The true surface is looked for this many times the grid's error bound along the normal away from the micro-triangle. Along the ray that
-// is more, up to what a ray at kGrazingCosine to the facet would need.
+// The true surface is looked for this many times the grid's error bound along the normal away from the
+// micro-triangle. Along the ray that is more, up to what a ray at kGrazingCosine to the facet would need.
 constexpr double kPolishReach = 2;
 constexpr double kGrazingCosine = 0.02;
 
@@ -39,7 +39,8 @@ constexpr double kBelowReach = 4;
 // Sheets behind the place seen that are looked at for another object: own ones are passed, all but the last.
 constexpr int kSheetsPassed = 4;
 
-// Cells of a torn patch's border that the wall between it and its neighbour may shadow or hide: the one it stands in for and the next.
+// Cells of a torn patch's border that the wall between it and its neighbour may shadow or hide: the one it
+// stands in for and the next.
 constexpr double kTearCells = 2;
 
 struct PixelHit {
@@ -185,7 +186,8 @@ class FrameTracer {
         return error / std::max(std::abs(glm::dot(facetNormal, ray.direction)), kGrazingCosine);
     }
 
-    /// Whether behind the micro-triangle seen another object's comes within both's errors. Own sheets in between are passed.
+    /// Whether behind the micro-triangle seen another object's comes within both's errors. Own sheets in
+    /// between are passed.
     bool isCloseToAnother(const PixelHit& hit) const {
         const Ray ray = rayOf(hit.pixel);
         const double own = alongRay(errorOf(hit), hit.facetNormal, ray);
@@ -229,7 +231,8 @@ class FrameTracer {
         return std::min(uv.x, 1 - uv.x) < nearU || std::min(uv.y, 1 - uv.y) < nearV;
     }
 
-    /// Whether within the error's reach the surface turns one side towards a direction that has this cosine to the facet.
+    /// Whether within the error's reach the surface turns one side towards a direction that has this cosine
+    /// to the facet.
     bool facesThroughout(const PixelHit& hit, const SurfaceSample& surface, const Vec3& towards,
                          double side) const {
         if (isBesideTear(hit)) return false;
@@ -241,7 +244,8 @@ class FrameTracer {
     /// Writes one pixel.
     void shade(const PixelHit& hit, Polisher& polisher, RayCounts& counts) {
         const SceneObject& object = *objects_[hit.object].object;
-        // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the facet faces.
+        // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the
+        // facet faces.
         const double side = glm::dot(hit.facetNormal, rays_.towardsCamera(hit.position)) < 0 ? -1 : 1;
         const SurfaceSample sampled = surfaceAt(hit, polisher, side);
         const DisplacedSample& surface = sampled.displaced;
@@ -279,8 +283,8 @@ class FrameTracer {
         channels_[Id][hit.pixel] = static_cast<float>(hit.object + 1);
     }
 
-    /// The ray leaves the true surface on the side where the light is, from above the micro-triangles that stand for it there:
-    /// they are within their error of it, so that none shadows the place it stands for.
+    /// The ray leaves the true surface on the side where the light is, from above the micro-triangles that
+    /// stand for it there: they are within their error of it, so that none shadows the place it stands for.
     Ray shadowRay(const PixelHit& hit, const Vec3& position, const Vec3& facing,
                   const LightSample& light) const {
         const double reach =
@@ -288,8 +292,8 @@ class FrameTracer {
         return {position + facing * (errorOf(hit) + kShadowOffsetFraction * reach), light.toLightWorld};
     }
 
-    /// Whether a shadow ray that is blocked is so because it begins beneath micro-triangles that stand too high beside the place:
-    /// what it meets first is their inner side, not farther than their error explains.
+    /// Whether a shadow ray that is blocked is so because it begins beneath micro-triangles that stand too
+    /// high beside the place: what it meets first is their inner side, not farther than their error explains.
     bool startsBelow(const PixelHit& hit, const Ray& ray, double side) const {
         const auto blocker = embree_.intersect(ray.origin, ray.direction);
         if (!blocker || blocker->object != hit.object) return false;

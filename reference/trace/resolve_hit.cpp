@@ -24,14 +24,15 @@ struct Candidate {
     double beta = 0, gamma = 0;
     Vec3 position{0};
     double distance = 0;
-    /// World units: how far the ray passes beside the point, and how far that is from Embree's distance, beyond its error. 0
-    /// for a ray that meets the triangle where Embree says. A triangle the ray misses by rounding is right before one it
-    /// meets, but elsewhere.
+    /// World units: how far the ray passes beside the point, and how far that is from Embree's distance,
+    /// beyond its error. 0 for a ray that meets the triangle where Embree says. A triangle the ray misses by
+    /// rounding is right before one it meets, but elsewhere.
     double mismatch = kInfinity;
 };
 
-/// Moeller and Trumbore 1997, in double. Rays that graze an edge pass outside every triangle by rounding: the nearest point of
-/// the triangle is taken (clamped one coordinate after the other, which is near enough for a hair's breadth).
+/// Moeller and Trumbore 1997, in double. Rays that graze an edge pass outside every triangle by rounding: the
+/// nearest point of the triangle is taken (clamped one coordinate after the other, which is near enough for a
+/// hair's breadth).
 Candidate intersect(const Triangle& triangle, const Ray& ray, double distance) {
     Candidate hit;
     hit.triangle = triangle;

@@ -13,7 +13,8 @@
 
 namespace plumbline {
 
-/// Bad input or usage. `expected` and `hint` may be empty; `hint` is a whole clause ("did you mean 'torus'?").
+/// Bad input or usage. `expected` and `hint` may be empty; `hint` is a whole clause ("did you mean
+/// 'torus'?").
 class InputError : public std::runtime_error {
   public:
     InputError(std::string_view where, std::string_view what, std::string_view expected = {},

@@ -22,8 +22,12 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr float kInfinityF = std::numeric_limits<float>::infinity();
 inline constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
 
-inline double radians(double degrees) { return degrees * (kPi / 180.0); }
-inline double degrees(double radians) { return radians * (180.0 / kPi); }
+inline double radians(double degrees) {
+    return degrees * (kPi / 180.0);
+}
+inline double degrees(double radians) {
+    return radians * (180.0 / kPi);
+}
 
 /// Ray in world space; `direction` is unit, so `t` is a distance in world units.
 struct Ray {

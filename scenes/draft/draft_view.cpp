@@ -9,7 +9,8 @@
 namespace plumbline {
 namespace {
 
-/// A choice earlier in its list is kept if it is this good against the best: what is usual before what is barely better.
+/// A choice earlier in its list is kept if it is this good against the best: what is usual before what is
+/// barely better.
 constexpr double kGoodEnough = 0.95;
 
 /// Direction from the object to a camera: from +Z towards +X by the azimuth, then up.
@@ -19,7 +20,8 @@ Vec3 viewDirection(double azimuthDegrees, double elevationDegrees) {
             std::cos(azimuth) * std::cos(elevation)};
 }
 
-/// Of a surface that looks to `direction`: its area as seen from there, of pieces that face it, as a share of the area.
+/// Of a surface that looks to `direction`: its area as seen from there, of pieces that face it, as a share of
+/// the area.
 double shareSeen(const SurfaceSurvey& survey, const Vec3& direction) {
     double seen = 0;
     for (const SurfacePiece& piece : survey.pieces)
@@ -34,9 +36,10 @@ View viewAlong(const Vec3& toCamera) {
 
 /// The nearest camera that looks along `view` and has all the points inside the picture's margin.
 ///
-/// With x, y along right and up, w along forward, c the camera's w and k the tangent of half the angle left by the margin, a
-/// point is inside if |x - cx| <= k (w - c). So with a = max(x - k w) and b = max(-x - k w): a <= cx - k c and b <= -cx - k c,
-/// which some cx fulfils as long as c <= -(a + b) / (2 k); cx = (a - b) / 2 is in the middle. Likewise y.
+/// With x, y along right and up, w along forward, c the camera's w and k the tangent of half the angle left
+/// by the margin, a point is inside if |x - cx| <= k (w - c). So with a = max(x - k w) and b = max(-x - k w):
+/// a <= cx - k c and b <= -cx - k c, which some cx fulfils as long as c <= -(a + b) / (2 k); cx = (a - b) / 2
+/// is in the middle. Likewise y.
 void placeCamera(Camera& camera, const View& view, const std::vector<Vec3>& points) {
     const double tangentY = std::tan(0.5 * radians(camera.fovYDegrees)) * (1 - 2 * kDraftMargin);
     const Vec2 k(tangentY * camera.width / camera.height, tangentY);

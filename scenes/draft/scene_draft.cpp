@@ -1,7 +1,7 @@
 #include "scenes/draft/scene_draft.h"
 
-#include "scenes/draft/draft_view.h"
 #include "scenes/core/error.h"
+#include "scenes/draft/draft_view.h"
 #include "scenes/scene/scene_limits.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ constexpr double kDepthShare = 0.04;
 constexpr double kTightShare = 0.5;
 /// One map width is this share of the object's diagonal.
 constexpr double kMapShare = 1.0 / 3;
-/// Centres farther away than so many radii are moved: single precision, which rays and shaders have, would show (2^-24 of
-/// 100 radii is a few thousandths of a pixel).
+/// Centres farther away than so many radii are moved: single precision, which rays and shaders have, would
+/// show (2^-24 of 100 radii is a few thousandths of a pixel).
 constexpr double kFarAway = 100;
 
 Scheme chooseScheme(const ControlMesh& mesh, std::string& reason) {
@@ -102,8 +102,8 @@ Vec2 chooseTile(const ControlMesh& mesh, const SurfaceSurvey& survey, const Heig
                  fromPixels = pixelSide(camera) * std::sqrt(width * height);
     const double side = std::max(fromObject, fromPixels);
     const Vec2 wanted = *survey.uvScale / (side * Vec2(std::sqrt(width / height), std::sqrt(height / width)));
-    // Whole numbers: where texture coordinates close around the mesh, the map does too. Never below 1: coordinates that repeat
-    // themselves are as their author meant them.
+    // Whole numbers: where texture coordinates close around the mesh, the map does too. Never below 1:
+    // coordinates that repeat themselves are as their author meant them.
     Vec2 tile = glm::max(Vec2(1), glm::round(wanted));
     reason = fromObject >= fromPixels ? "tile: one map is about a third of the object, texels about square, "
                                         "whole numbers so that seams close."

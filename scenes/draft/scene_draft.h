@@ -1,5 +1,6 @@
-// A first scene for a mesh and a height map that somebody brings: where the camera and the light stand, how deep the relief
-// is and how often the map repeats. Every choice comes with its reason, for the comments of the scene file.
+// A first scene for a mesh and a height map that somebody brings: where the camera and the light stand, how
+// deep the relief is and how often the map repeats. Every choice comes with its reason, for the comments of
+// the scene file.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -30,12 +31,14 @@ struct SceneDraft {
     } reasons;
 };
 
-/// `mesh` as readObj gives it. Throws InputError: a mesh without uvs, one its scheme doesn't take (checkControlMesh,
-/// checkLimitTopology), one too small or too large for a scene file, uvs without area and no tile given.
+/// `mesh` as readObj gives it. Throws InputError: a mesh without uvs, one its scheme doesn't take
+/// (checkControlMesh, checkLimitTopology), one too small or too large for a scene file, uvs without area and
+/// no tile given.
 SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const DraftWishes& wishes);
 
-/// The scene file of a draft. `meshFile`, `mapFile`: as the file is to name them, relative to its folder. `storesHeight`: what the
-/// map's values are. Throws InputError for a path that isn't UTF-8, as a TOML file must be.
+/// The scene file of a draft. `meshFile`, `mapFile`: as the file is to name them, relative to its folder.
+/// `storesHeight`: what the map's values are. Throws InputError for a path that isn't UTF-8, as a TOML file
+/// must be.
 std::string sceneText(const SceneDraft& draft, const std::filesystem::path& meshFile,
                       const std::filesystem::path& mapFile, const HeightMap& map, bool storesHeight);
 

@@ -51,8 +51,9 @@ std::optional<Vec2> uvScaleAt(const BaseSample& sample) {
     return scale;
 }
 
-/// Larger principal curvature: positive where the surface bends away from its normal, as a sphere does. From the first and the
-/// second fundamental form (do Carmo, Differential Geometry of Curves and Surfaces, 3-3), with n's derivatives for -II.
+/// Larger principal curvature: positive where the surface bends away from its normal, as a sphere does. From
+/// the first and the second fundamental form (do Carmo, Differential Geometry of Curves and Surfaces, 3-3),
+/// with n's derivatives for -II.
 double outwardCurvature(const BaseSample& sample) {
     const double e = glm::dot(sample.positionU, sample.positionU),
                  f = glm::dot(sample.positionU, sample.positionV),

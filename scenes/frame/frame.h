@@ -36,7 +36,8 @@ inline std::string uncertainShadowChannel(std::string_view lightName) {
     return "uncertain.shadow." + std::string(lightName);
 }
 
-/// Planes of float, row 0 = top row. A channel exists once it was added; a frame of another renderer may lack some.
+/// Planes of float, row 0 = top row. A channel exists once it was added; a frame of another renderer may lack
+/// some.
 class Frame {
   public:
     Frame() = default;
@@ -57,7 +58,8 @@ class Frame {
     /// Names of the lights that have a "shadow.<light>" channel.
     std::vector<std::string> lightNames() const;
 
-    /// Written into the file's header as strings: program version, scene hash, camera, base, technique, parameters.
+    /// Written into the file's header as strings: program version, scene hash, camera, base, technique,
+    /// parameters.
     std::map<std::string, std::string> metadata;
 
   private:

@@ -12,7 +12,8 @@ namespace plumbline {
 ///   program                   name and version
 ///   scene, scene_hash         name and Scene::hash
 ///   scene_changes             Scene::changes, separated by ", "; only if there are any
-///   camera                    one line: projection, position, target, up, field of view or view height, size in
+///   camera                    one line: projection, position, target, up, field of view or view height, size
+///   in
 ///                             pixels
 ///   lights                    names, separated by spaces
 ///   light.<name>              "to_light x y z": direction towards it, world; or "position x y z", world

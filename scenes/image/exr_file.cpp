@@ -1,8 +1,8 @@
 #include "scenes/image/exr_file.h"
 
 #include "scenes/core/error.h"
-#include "scenes/image/exr_header.h"
 #include "scenes/core/replace_file.h"
+#include "scenes/image/exr_header.h"
 
 #include <fmt/format.h>
 
@@ -84,7 +84,8 @@ struct PartChannel {
 };
 using PartChannels = std::map<std::string, PartChannel>;
 
-/// Channels an earlier part has too get their part's name in front: layers written as parts may all be R, G and B.
+/// Channels an earlier part has too get their part's name in front: layers written as parts may all be R, G
+/// and B.
 PartChannels listChannels(const Imf::MultiPartInputFile& input, const std::string& where) {
     PartChannels channels;
     for (int part = 0; part < input.parts(); ++part) {

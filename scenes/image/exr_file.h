@@ -20,10 +20,11 @@ struct ExrPlanes {
 /// Chooses among the names of a file's channels those to read; it may throw to refuse the file.
 using ExrSelection = std::function<std::vector<std::string>(const std::vector<std::string>& channelNames)>;
 
-/// Scan-line or tiled (of mipmaps and ripmaps the finest level), in one part or in several of one size. A channel that an earlier part has too
-/// is called "PART.CHANNEL". The data window may begin anywhere but must be the display window: a crop leaves pixels nobody
-/// knows anything about. Throws InputError for a file that is missing, not an EXR, truncated, damaged, deep, an environment map, a stereo
-/// picture, of parts of several sizes, with a subsampled channel among those chosen, or larger than 1 Gpixel; sizes are checked
+/// Scan-line or tiled (of mipmaps and ripmaps the finest level), in one part or in several of one size. A
+/// channel that an earlier part has too is called "PART.CHANNEL". The data window may begin anywhere but must
+/// be the display window: a crop leaves pixels nobody knows anything about. Throws InputError for a file that
+/// is missing, not an EXR, truncated, damaged, deep, an environment map, a stereo picture, of parts of
+/// several sizes, with a subsampled channel among those chosen, or larger than 1 Gpixel; sizes are checked
 /// before any memory is taken.
 ExrPlanes readExr(const std::filesystem::path& file, const ExrSelection& select);
 

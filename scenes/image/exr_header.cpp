@@ -19,7 +19,8 @@ constexpr uint32_t kFlagDeep = 0x800, kFlagMultiPart = 0x1000;
 constexpr int64_t kMostPixels = int64_t(1) << 30;
 // Tables of chunks grow with the height alone, so a picture of 1 x 2^30 is refused too.
 constexpr int64_t kLongestSide = int64_t(1) << 20;
-/// The library holds whole headers in memory. Those of real files have kilobytes, with a preview or a list of names a few megabytes.
+/// The library holds whole headers in memory. Those of real files have kilobytes, with a preview or a list of
+/// names a few megabytes.
 constexpr uint64_t kLargestHeader = uint64_t(16) << 20;
 constexpr size_t kMostParts = 1024;
 

@@ -7,8 +7,9 @@
 
 namespace plumbline {
 
-/// Throws InputError for a file that is missing, not an EXR, deep, cropped, larger than 1 Gpixel, an environment map, a stereo
-/// picture, of parts of several sizes, with a header of more than 16 MB, or so short that its claimed pixels can't be in it.
+/// Throws InputError for a file that is missing, not an EXR, deep, cropped, larger than 1 Gpixel, an
+/// environment map, a stereo picture, of parts of several sizes, with a header of more than 16 MB, or so
+/// short that its claimed pixels can't be in it.
 void checkExrHeader(const std::filesystem::path& file);
 
 } // namespace plumbline

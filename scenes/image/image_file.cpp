@@ -2,10 +2,10 @@
 
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "scenes/core/replace_file.h"
 #include "scenes/image/exr_file.h"
 #include "scenes/image/image_module.h"
 #include "scenes/image/picture_check.h"
-#include "scenes/core/replace_file.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 #include "scenes/maps/height_map.h"
 
-#include "scenes/maps/bilinear.h"
 #include "scenes/core/error.h"
+#include "scenes/maps/bilinear.h"
 
 #include <fmt/format.h>
 

@@ -1,9 +1,9 @@
 // The relief depth d(s,t): the only C++ definition of displacement (the GLSL twin is
 // realtime/shaders/height_map.glsl; a test holds the two together).
 //
-// Conventions, once: d in [0,1], 0 = top of the relief layer, 1 = deepest. Row 0 is the bottom row (image rows are
-// flipped on load). Texel (i,j) has its centre at ((i+0.5)/width, (j+0.5)/height). Bilinear at the base level, exact:
-// no mip level, no 8-bit filter weights.
+// Conventions, once: d in [0,1], 0 = top of the relief layer, 1 = deepest. Row 0 is the bottom row (image
+// rows are flipped on load). Texel (i,j) has its centre at ((i+0.5)/width, (j+0.5)/height). Bilinear at the
+// base level, exact: no mip level, no 8-bit filter weights.
 #pragma once
 
 #include "scenes/core/math.h"
@@ -17,8 +17,8 @@ enum class Wrap { Repeat, Clamp };
 
 class HeightMap {
   public:
-    /// `depths`: width x height values in [0,1], row 0 = bottom. Throws InputError naming `name` for a size that
-    /// doesn't fit, or a value that is NaN or outside [0,1].
+    /// `depths`: width x height values in [0,1], row 0 = bottom. Throws InputError naming `name` for a size
+    /// that doesn't fit, or a value that is NaN or outside [0,1].
     HeightMap(std::string name, int width, int height, std::vector<float> depths, Wrap wrapS = Wrap::Repeat,
               Wrap wrapT = Wrap::Repeat);
     /// The same depth everywhere.
@@ -41,12 +41,13 @@ class HeightMap {
     };
     Cell cell(int i, int j) const;
 
-    /// Relief depth at texture coordinates st, any real numbers. NaN where there is no texel to speak of: st is NaN,
-    /// or infinite along an axis that repeats (an infinite coordinate clamps to the border texel otherwise).
+    /// Relief depth at texture coordinates st, any real numbers. NaN where there is no texel to speak of: st
+    /// is NaN, or infinite along an axis that repeats (an infinite coordinate clamps to the border texel
+    /// otherwise).
     double depth(const Vec2& st) const;
 
-    /// Depth and its gradient (d_s, d_t) per unit of s and t: of the bilinear patch that holds st; on a crease
-    /// between patches, of the one to the right and above. NaN where depth() is.
+    /// Depth and its gradient (d_s, d_t) per unit of s and t: of the bilinear patch that holds st; on a
+    /// crease between patches, of the one to the right and above. NaN where depth() is.
     struct Sample {
         double depth;
         Vec2 gradient;

@@ -74,8 +74,8 @@ std::vector<int> rotatedVertices(const ControlMesh& mesh, size_t firstCorner, in
     return vertices;
 }
 
-/// Two faces with the same vertices in the same order lie in one place, where nobody can say which of them a ray meets.
-/// Two in opposite orders are the two sides of a sheet.
+/// Two faces with the same vertices in the same order lie in one place, where nobody can say which of them a
+/// ray meets. Two in opposite orders are the two sides of a sheet.
 void checkDistinctFaces(const ControlMesh& mesh, const MeshEdges& edges) {
     const std::vector<size_t> firstCorners = mesh.firstCorners();
     for (const auto& edge : edges.edges()) {

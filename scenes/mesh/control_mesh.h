@@ -12,11 +12,12 @@ namespace plumbline {
 /// How a surface follows from the control mesh.
 enum class Scheme { CatmullClark, Loop, None };
 
-/// What a control mesh says of its limit surface beyond its points: the tags of OpenSubdiv (and RenderMan). Indices
-/// count from 0. Only Scheme::CatmullClark and Scheme::Loop look at them, but for holes.
+/// What a control mesh says of its limit surface beyond its points: the tags of OpenSubdiv (and RenderMan).
+/// Indices count from 0. Only Scheme::CatmullClark and Scheme::Loop look at them, but for holes.
 struct SubdivisionTags {
-    /// Sharpness is >= 0: 0 is smooth, n is sharp for n steps of subdivision and then smooth, kInfinitelySharp and more
-    /// stays sharp (DeRose, Kass, Truong: Subdivision Surfaces in Character Animation, 1998).
+    /// Sharpness is >= 0: 0 is smooth, n is sharp for n steps of subdivision and then smooth,
+    /// kInfinitelySharp and more stays sharp (DeRose, Kass, Truong: Subdivision Surfaces in Character
+    /// Animation, 1998).
     struct Crease {
         int from, to; // vertices of an edge, in any order
         double sharpness;
@@ -34,7 +35,8 @@ struct SubdivisionTags {
     std::vector<Crease> creases; // an edge more than once only with the same sharpness
     std::vector<Corner> corners; // likewise a vertex
     std::vector<Hole> holes;     // these faces shape their neighbours, but are no part of the surface
-    /// True: the boundary is a curve that passes its corners by (VTX_BOUNDARY_EDGE_ONLY). Nothing to boundaryFacesSupportOnly.
+    /// True: the boundary is a curve that passes its corners by (VTX_BOUNDARY_EDGE_ONLY). Nothing to
+    /// boundaryFacesSupportOnly.
     bool boundaryCornersRound = false;
 };
 
@@ -55,9 +57,9 @@ struct ControlMesh {
     std::string uvsMissing, normalsMissing;
     SubdivisionTags tags;
     std::vector<std::string> warnings; // "file:line: …": what the file says and the mesh can't hold
-    /// True: faces on the boundary only support the limit surface and are not part of it, so that a bicubic patch
-    /// reaches exactly to the edge of the rest (OpenSubdiv's VTX_BOUNDARY_NONE). False: the boundary is a curve that
-    /// keeps its corners (VTX_BOUNDARY_EDGE_AND_CORNER).
+    /// True: faces on the boundary only support the limit surface and are not part of it, so that a bicubic
+    /// patch reaches exactly to the edge of the rest (OpenSubdiv's VTX_BOUNDARY_NONE). False: the boundary is
+    /// a curve that keeps its corners (VTX_BOUNDARY_EDGE_AND_CORNER).
     bool boundaryFacesSupportOnly = false;
 
     /// Where each face begins in faceVertices, faceUvs and faceNormals.
@@ -70,11 +72,11 @@ struct ControlMesh {
 /// "name:line: face 3", or without the line for a mesh that has none.
 std::string whereOfFace(const ControlMesh& mesh, int face);
 
-/// Throws InputError naming mesh, face and reason: an index out of range, a face with fewer than 3 vertices or with one
-/// of them twice, two faces with the same vertices in the same order, a coordinate that isn't finite, no face at all,
-/// no area, Loop with a face that is not a triangle, None with a normal of length 0, tags of an edge, a vertex or a
-/// face that isn't there, with two kinds of sharpness, or with one that is negative or not finite. What else may be odd with a
-/// mesh is handled; mesh_defects.h tells of it.
+/// Throws InputError naming mesh, face and reason: an index out of range, a face with fewer than 3 vertices
+/// or with one of them twice, two faces with the same vertices in the same order, a coordinate that isn't
+/// finite, no face at all, no area, Loop with a face that is not a triangle, None with a normal of length 0,
+/// tags of an edge, a vertex or a face that isn't there, with two kinds of sharpness, or with one that is
+/// negative or not finite. What else may be odd with a mesh is handled; mesh_defects.h tells of it.
 void checkControlMesh(const ControlMesh& mesh, Scheme scheme);
 
 } // namespace plumbline

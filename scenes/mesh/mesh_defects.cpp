@@ -12,11 +12,12 @@
 namespace plumbline {
 namespace {
 
-/// Coordinates are rounded to this fraction of the mesh's size at best: heights of faces below it are rounding (a few
-/// units in the last place of a double).
+/// Coordinates are rounded to this fraction of the mesh's size at best: heights of faces below it are
+/// rounding (a few units in the last place of a double).
 constexpr double kRounding = 0x1p-50;
 
-/// Signed volumes this small beside the cube of the mesh's size belong to flat shells, two sheets back to back.
+/// Signed volumes this small beside the cube of the mesh's size belong to flat shells, two sheets back to
+/// back.
 constexpr double kFlatVolume = 1e-9;
 
 /// Places where one kind of defect was found: the first is described, the rest counted.
@@ -162,8 +163,8 @@ class DefectFinder {
                          ": right for a cavity, inside out otherwise; a relief goes the other way");
     }
 
-    /// Signed volume between a face and the mesh's first point. The face is a fan about its centre, so that the two sides
-    /// of a sheet hold nothing between them.
+    /// Signed volume between a face and the mesh's first point. The face is a fan about its centre, so that
+    /// the two sides of a sheet hold nothing between them.
     double volumeUnder(int face, size_t firstCorner) const {
         const auto size = static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
         const Vec3 origin = mesh_.points[0];

@@ -1,8 +1,8 @@
 #include "scenes/mesh/obj_file.h"
 
 #include "scenes/core/error.h"
-#include "scenes/mesh/obj_scan.h"
 #include "scenes/core/read_file.h"
+#include "scenes/mesh/obj_scan.h"
 
 #include <fmt/format.h>
 

@@ -19,10 +19,10 @@ struct ObjScan {
 };
 
 /// `text` is changed in place: comments go, one kind of line end remains, lines continued by a backslash are
-/// joined and followed by empty ones, so that line numbers stay; lines of tags are blanked. Throws InputError "file:line: …" for: bytes
-/// that are no text, an unknown keyword, a number that is malformed or not finite, too few numbers, a face
-/// with fewer than 3 corners, an index that is 0, malformed or out of range (negative ones count back from
-/// the latest), uv or normal indices on some corners of a face but not on all, free-form
+/// joined and followed by empty ones, so that line numbers stay; lines of tags are blanked. Throws InputError
+/// "file:line: …" for: bytes that are no text, an unknown keyword, a number that is malformed or not finite,
+/// too few numbers, a face with fewer than 3 corners, an index that is 0, malformed or out of range (negative
+/// ones count back from the latest), uv or normal indices on some corners of a face but not on all, free-form
 /// surfaces, and tags as obj_tags.h says.
 ObjScan scanObj(const std::string& fileName, std::string& text);
 

@@ -148,8 +148,8 @@ class TagReader {
         result_.tags.boundaryCornersRound = kind == 2;
     }
 
-    /// Chaikin's rule too is known to OpenSubdiv, but its Bfr and its Far disagree about the limit by 0.2 % of a cube
-    /// where sharpness varies along a crease (3.5, measured).
+    /// Chaikin's rule too is known to OpenSubdiv, but its Bfr and its Far disagree about the limit by 0.2 %
+    /// of a cube where sharpness varies along a crease (3.5, measured).
     void refuseChaikin(const Tag& tag) {
         requireCounts(tag, tag.integers.empty() && tag.numbers.empty() && tag.texts.size() == 1, "one word");
         if (tag.texts[0] != "normal")

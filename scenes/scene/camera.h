@@ -38,8 +38,8 @@ Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld);
 class CameraRays {
   public:
     explicit CameraRays(const Camera& camera);
-    /// Ray through (x, y) in pixels; pass i + 0.5 for a centre. Perspective rays start at the camera, orthographic
-    /// ones in the camera's plane.
+    /// Ray through (x, y) in pixels; pass i + 0.5 for a centre. Perspective rays start at the camera,
+    /// orthographic ones in the camera's plane.
     Ray ray(double x, double y) const;
     /// Planar depth of a world point.
     double planarDepth(const Vec3& positionWorld) const {

@@ -2,9 +2,9 @@
 // World space: right-handed, Y up, world units.
 #pragma once
 
-#include "scenes/scene/camera.h"
-#include "scenes/mesh/control_mesh.h"
 #include "scenes/maps/height_map.h"
+#include "scenes/mesh/control_mesh.h"
+#include "scenes/scene/camera.h"
 #include "scenes/scene/light.h"
 
 #include <filesystem>
@@ -24,15 +24,17 @@ struct ColorMap {
     Vec3 sample(const Vec2& st) const;
 };
 
-/// What the relief stands on: the limit surface of the control mesh, or the polygon proxy that real-time techniques are
-/// given (proxy_mesh.h).
+/// What the relief stands on: the limit surface of the control mesh, or the polygon proxy that real-time
+/// techniques are given (proxy_mesh.h).
 enum class Base { Limit, Proxy };
 
-/// Faces that meet in an edge may disagree about its displacement, where texture coordinates jump or a crease has two
-/// normals. Weld: the mean of both, the surface stays closed. Open: each face keeps its own, the surface gapes.
+/// Faces that meet in an edge may disagree about its displacement, where texture coordinates jump or a crease
+/// has two normals. Weld: the mean of both, the surface stays closed. Open: each face keeps its own, the
+/// surface gapes.
 enum class Seams { Weld, Open };
 
-/// P = S + k * (offset - depth * d(st)), st = tile * uv + uvOffset, k the surface's unit normal n(u,v) or one axis for all of it.
+/// P = S + k * (offset - depth * d(st)), st = tile * uv + uvOffset, k the surface's unit normal n(u,v) or one
+/// axis for all of it.
 struct Relief {
     std::shared_ptr<const HeightMap> map; // never null; `constant` in the file becomes a 1x1 map
     double depth = 0;                     // world units, >= 0
@@ -81,8 +83,8 @@ struct Scene {
     std::vector<std::string>
         warnings; // a line each: what a user should know of meshes and maps before trusting figures
     std::vector<std::filesystem::path> files; // read: the scene file, meshes and maps
-    std::string
-        hash; // of what the scene file says (changes made, [require] left out) and every file it names; hexadecimal
+    std::string hash; // of what the scene file says (changes made, [require] left out) and every file it
+                      // names; hexadecimal
     std::vector<std::string>
         changes; // fields that were given other values than the file's: "camera.width=400"
 };

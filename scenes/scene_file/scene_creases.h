@@ -6,9 +6,9 @@
 
 namespace plumbline {
 
-/// Adds to the tags the mesh has from its file; where both speak of an edge or a vertex, the scene file counts. Vertices
-/// count from 1. Keys: scenes/README.md. Throws InputError with the line of the scene file, for scheme None too, where
-/// creases have no meaning.
+/// Adds to the tags the mesh has from its file; where both speak of an edge or a vertex, the scene file
+/// counts. Vertices count from 1. Keys: scenes/README.md. Throws InputError with the line of the scene file,
+/// for scheme None too, where creases have no meaning.
 void readCreases(const TomlTable& object, Scheme scheme, ControlMesh& mesh);
 
 } // namespace plumbline

@@ -18,8 +18,8 @@ Scene readScene(const std::filesystem::path& file, const SceneChanges& changes =
 /// The same of a file that would hold `text`; it needn't exist yet.
 Scene parseScene(const std::filesystem::path& file, const std::string& text);
 
-/// One height map of a scene, by the name it has there. Throws InputError: what readScene refuses, or a name that lists those
-/// there are.
+/// One height map of a scene, by the name it has there. Throws InputError: what readScene refuses, or a name
+/// that lists those there are.
 std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name);
 
 /// A path as it is, or the name of a scene in scenes/library/. Throws InputError that lists the names.

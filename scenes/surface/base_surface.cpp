@@ -1,10 +1,10 @@
 #include "scenes/surface/base_surface.h"
 
 #include "scenes/core/error.h"
+#include "scenes/mesh/vertex_normals.h"
 #include "scenes/surface/limit_check.h"
 #include "scenes/surface/linear_patch.h"
 #include "scenes/surface/topology.h"
-#include "scenes/mesh/vertex_normals.h"
 
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
 #include <opensubdiv/bfr/surface.h>
@@ -40,8 +40,8 @@ Vec3 unitOrZero(const Vec3& vector) {
     return length > 0 ? vector / length : Vec3(0);
 }
 
-/// A point of a triangle's sub-face k, as Bfr cuts one under the bilinear scheme, on the triangle as one patch. Its
-/// barycentric coordinates are themselves interpolated linearly from those of the corners.
+/// A point of a triangle's sub-face k, as Bfr cuts one under the bilinear scheme, on the triangle as one
+/// patch. Its barycentric coordinates are themselves interpolated linearly from those of the corners.
 BaseSurface::FaceTessellation::Sample onTriangle(int patch, int k, double u, double v) {
     const Vec3 corners =
         makeLinearPatch<Vec3>(3, k, false, [](int i) { return Vec3(i == 0, i == 1, i == 2); }).at(u, v);

@@ -2,27 +2,29 @@
 //
 //     P(u,v) = S(u,v) + k(u,v) * (offset - depth * d(st(u,v))),     st = tile * uv + uvOffset
 //
-// with k = n, the unit normal of the base, or an axis of the object, one unit vector for all of it (Relief::axisWorld). World space.
-// Without a relief P = S.
+// with k = n, the unit normal of the base, or an axis of the object, one unit vector for all of it
+// (Relief::axisWorld). World space. Without a relief P = S.
 //
-// S and n are the limit surface's, or, on the proxy base, those of the triangles the real-time module draws: pushed out by
-// `offset` at their vertices, with the vertices' normals interpolated linearly and renormalised. There the offset is in S:
+// S and n are the limit surface's, or, on the proxy base, those of the triangles the real-time module draws:
+// pushed out by `offset` at their vertices, with the vertices' normals interpolated linearly and
+// renormalised. There the offset is in S:
 //
 //     P = S' + k * (-depth * d(st)),     S' = S + k * offset at the vertices, linear in between
 //
-// which is the P above at the vertices; in between, n times offset isn't linear, and the triangles' is meant. Along an axis both are
-// the same everywhere.
+// which is the P above at the vertices; in between, n times offset isn't linear, and the triangles' is meant.
+// Along an axis both are the same everywhere.
 #pragma once
 
-#include "scenes/surface/base_surface.h"
 #include "scenes/scene/scene.h"
+#include "scenes/surface/base_surface.h"
 
 namespace plumbline {
 
 /// The object's base in world space. Throws InputError if it has a relief and its mesh no uvs.
 std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object, Base base = Base::Limit);
 
-/// The relief to displace that base with: the object's own, for the proxy with offset 0; none if the object has none.
+/// The relief to displace that base with: the object's own, for the proxy with offset 0; none if the object
+/// has none.
 std::optional<Relief> reliefOn(const SceneObject& object, Base base);
 
 struct DisplacedSample {
@@ -45,7 +47,8 @@ struct ReliefDirection {
 };
 ReliefDirection sampleReliefDirection(const BaseSample& base, const Relief* relief);
 
-/// S_u and S_v without their parts along k: how the foot of a point of P moves across k. The very S_u and S_v where k is n.
+/// S_u and S_v without their parts along k: how the foot of a point of P moves across k. The very S_u and S_v
+/// where k is n.
 struct AcrossRelief {
     Vec3 byU, byV;
 };

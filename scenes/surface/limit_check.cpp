@@ -14,7 +14,8 @@ namespace {
 
 /// Evaluated from two faces, a place is the same to 1e-15 of the mesh's size, or off by a visible amount.
 constexpr double kGapFraction = 1e-9;
-/// Places compared along an edge: its ends, where faces take the same vertex for a corner and for none, and some between.
+/// Places compared along an edge: its ends, where faces take the same vertex for a corner and for none, and
+/// some between.
 constexpr int kRate = 4;
 
 bool isNonManifold(std::span<const HalfEdge> edge) {
@@ -88,8 +89,8 @@ class LimitTopology {
         return false;
     }
 
-    /// Another face on both edges; -1 if there is none. Looked up in the longer list, as an edge may have any number of
-    /// faces.
+    /// Another face on both edges; -1 if there is none. Looked up in the longer list, as an edge may have any
+    /// number of faces.
     int doubletPartner(int face, size_t before, size_t after) const {
         std::span<const HalfEdge> few = edges_.edges()[before], many = edges_.edges()[after];
         if (few.size() > many.size()) std::swap(few, many);
@@ -110,7 +111,8 @@ class LimitTopology {
     std::vector<bool> touchesSharpEdge_; // of each vertex
 };
 
-/// Faces at vertices of edges that more than one surface meets in, and at vertices that faces share without an edge.
+/// Faces at vertices of edges that more than one surface meets in, and at vertices that faces share without
+/// an edge.
 std::vector<int> facesAtNonManifoldVertices(const ControlMesh& mesh) {
     const MeshEdges edges(mesh);
     std::vector<bool> nonManifold(mesh.points.size());

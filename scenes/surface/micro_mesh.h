@@ -19,9 +19,10 @@ namespace plumbline {
 
 inline constexpr int kMaxGridSide = 17; // 16 cells
 
-/// The lattice of micro-vertices of one patch of the BaseSurface: columns x rows cells over its (u, v), both powers of
-/// two. Each side has `sides` segments, a power of two not above the cells along it: where there are fewer, the lattice's
-/// vertices on that side stand on the nearest end of a segment (reference/tessellate/lattice.h), and meet the neighbour's there.
+/// The lattice of micro-vertices of one patch of the BaseSurface: columns x rows cells over its (u, v), both
+/// powers of two. Each side has `sides` segments, a power of two not above the cells along it: where there
+/// are fewer, the lattice's vertices on that side stand on the nearest end of a segment
+/// (reference/tessellate/lattice.h), and meet the neighbour's there.
 struct PatchLattice {
     uint16_t columns = 0, rows = 0;
     std::array<uint16_t, 4> sides{}; // at v = 0, u = 1, v = 1, u = 0; triangular: v = 0, the long side, u = 0
@@ -33,10 +34,11 @@ struct MicroGrid {
     uint32_t patch;         // of the BaseSurface
     uint16_t columns, rows; // vertices
     uint16_t column0, row0; // place of the first vertex in the patch's lattice
-    /// No point of the surface is farther from the place of the same (u, v) on the grid's micro-triangles, as far as reference/tessellate/tile.h
-    /// can tell; world units.
+    /// No point of the surface is farther from the place of the same (u, v) on the grid's micro-triangles, as
+    /// far as reference/tessellate/tile.h can tell; world units.
     float errorWorld;
-    /// Whether faces disagree about a vertex of it, so that the surface closes with a wall there (Seams::Weld).
+    /// Whether faces disagree about a vertex of it, so that the surface closes with a wall there
+    /// (Seams::Weld).
     bool torn;
 };
 
@@ -44,12 +46,12 @@ struct MicroMesh {
     std::vector<Vec3f> positionsWorld;
     std::vector<MicroGrid> grids;
     std::vector<PatchLattice> lattices; // one per patch
-    /// Per vertex, filled on request only (the control technique and mesh files need them): unit normal of the displaced
-    /// surface, at a crease that of one face, and the patch's own st.
+    /// Per vertex, filled on request only (the control technique and mesh files need them): unit normal of
+    /// the displaced surface, at a crease that of one face, and the patch's own st.
     std::vector<Vec3f> normalsWorld;
     std::vector<Vec2f> st;
-    /// Those with area in parameter space were no side coarser than its lattice; half cells on a triangle's long side
-    /// count once.
+    /// Those with area in parameter space were no side coarser than its lattice; half cells on a triangle's
+    /// long side count once.
     uint64_t microTriangleCount = 0;
 };
 

@@ -10,8 +10,8 @@ struct PatchPlace {
     Vec2 uv{0};
 };
 
-/// Edge k of a face that has a limit surface: `along` in [0,1] runs from its corner k, `inside` away from the edge, in
-/// edge lengths.
+/// Edge k of a face that has a limit surface: `along` in [0,1] runs from its corner k, `inside` away from the
+/// edge, in edge lengths.
 PatchPlace placeOnEdge(const BaseSurface& surface, int face, int k, double along, double inside = 0);
 
 } // namespace plumbline

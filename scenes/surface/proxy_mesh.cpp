@@ -20,7 +20,8 @@ struct Derivatives {
     Vec3 byS{0}, byT{0}, normalByS{0}, normalByT{0};
 };
 
-/// Derivatives by s and t from those by u and v and the Jacobian of st by (u,v); nothing where that is singular.
+/// Derivatives by s and t from those by u and v and the Jacobian of st by (u,v); nothing where that is
+/// singular.
 bool solveDerivatives(const BaseSample& base, const Vec2& tile, Derivatives& result) {
     const Vec2 stU = tile * base.uvU, stV = tile * base.uvV;
     const double determinant = stU.x * stV.y - stU.y * stV.x;
@@ -119,8 +120,8 @@ class ProxyBuilder {
                 if (i != j) places_[placeOf(index(i))].ring.push_back(placeOf(index(j)));
     }
 
-    /// One position per place, moved by the offset along the mean direction of the relief, so that the proxy closes where it
-    /// did.
+    /// One position per place, moved by the offset along the mean direction of the relief, so that the proxy
+    /// closes where it did.
     void pushOut() {
         const double offset = relief_ ? relief_->offset : 0;
         for (Place& place : places_) {

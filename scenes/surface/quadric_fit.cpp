@@ -5,22 +5,24 @@
 namespace plumbline {
 namespace {
 
-// A determinant below this fraction of its largest possible value counts as zero. (The absolute bound of 0.001 in the listing of Watt
-// and Policarpo (2005), chapter 5, would reject every small mesh: a ring of radius 0.3 on a unit sphere has 3e-4.) Of a
-// matrix with ones on its diagonal, whose eigenvalues add up to n, the smallest eigenvalue is then at least 5e-7 for two terms and, as
-// the other two multiply to at most (3/2)^2, 4.4e-7 for three: the same bound serves both.
+// A determinant below this fraction of its largest possible value counts as zero. (The absolute bound of
+// 0.001 in the listing of Watt and Policarpo (2005), chapter 5, would reject every small mesh: a ring of
+// radius 0.3 on a unit sphere has 3e-4.) Of a matrix with ones on its diagonal, whose eigenvalues add up to
+// n, the smallest eigenvalue is then at least 5e-7 for two terms and, as the other two multiply to at most
+// (3/2)^2, 4.4e-7 for three: the same bound serves both.
 constexpr double kSingularFraction = 1e-6;
 // Tangents with a squared sine of their angle below this are one direction.
 constexpr double kSmallestSineSquared = 1e-6;
 
-/// Sums over the ring of products of the rows' x^2, y^2, x y with each other and with the fall below the tangent plane.
+/// Sums over the ring of products of the rows' x^2, y^2, x y with each other and with the fall below the
+/// tangent plane.
 struct Sums {
     std::array<std::array<double, 3>, 3> products{};
     std::array<double, 3> withFall{};
 };
 
-/// Coordinates along two unit tangents that need not be at a right angle, by the Gram inverse (Premecz, Iterative parallax mapping with
-/// slope information, section 1.1).
+/// Coordinates along two unit tangents that need not be at a right angle, by the Gram inverse (Premecz,
+/// Iterative parallax mapping with slope information, section 1.1).
 struct ObliqueAxes {
     ObliqueAxes(const Vec3& alongS, const Vec3& alongT)
         : s(glm::normalize(alongS)), t(glm::normalize(alongT)), cosine(glm::dot(s, t)) {}
@@ -80,7 +82,8 @@ QuadricCoefficients alongOwnTangents(const Vec3& positionS, const Vec3& position
                                      const Vec3& normalT) {
     const double s = glm::length(positionS), t = glm::length(positionT);
     if (!(s > 0 && t > 0)) return {};
-    // The fall along a tangent is minus half the second fundamental form, whose entries are -positionS . normalS and so on.
+    // The fall along a tangent is minus half the second fundamental form, whose entries are -positionS .
+    // normalS and so on.
     return {0.5 * glm::dot(positionS, normalS) / (s * s), 0.5 * glm::dot(positionT, normalT) / (t * t),
             0.5 * (glm::dot(positionS, normalT) + glm::dot(positionT, normalS)) / (s * t)};
 }
@@ -98,7 +101,8 @@ RingFit fitQuadric(const QuadricFrame& frame, std::span<const Vec3> ring) {
 
     fit.threeTerms = fit.twoTerms;
     const double determinant3 = determinant2 - ac * ac - bc * bc + 2 * ab * ac * bc;
-    // The sum of (x y)^2 is that of x^2 y^2: on a ring along the axes ab is 0, and the column of x y rounding alone.
+    // The sum of (x y)^2 is that of x^2 y^2: on a ring along the axes ab is 0, and the column of x y rounding
+    // alone.
     if (!(ab > kSingularFraction && determinant3 > kSingularFraction)) return fit;
     // The adjugate of the symmetric matrix.
     const double a = (1 - bc * bc) * right[0] + (ac * bc - ab) * right[1] + (ab * bc - ac) * right[2];

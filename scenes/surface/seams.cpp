@@ -13,16 +13,16 @@
 namespace plumbline {
 namespace {
 
-/// Two displacements closer than this fraction of the relief's depth are one: a step of an 8-bit map, which nobody can
-/// tell from the map's own rounding.
+/// Two displacements closer than this fraction of the relief's depth are one: a step of an 8-bit map, which
+/// nobody can tell from the map's own rounding.
 constexpr double kTornFraction = 1.0 / 256;
-/// Jumps of st this close to whole numbers, in texels, are whole: single-precision exporters leave about 1e-7 of the
-/// largest coordinate, and maps have up to some thousand texels a side.
+/// Jumps of st this close to whole numbers, in texels, are whole: single-precision exporters leave about 1e-7
+/// of the largest coordinate, and maps have up to some thousand texels a side.
 constexpr double kWholeTexels = 1e-2;
 
 constexpr int kFewestPlaces = 32, kMostPlaces = 2048;
-/// Normals are compared at the ends of an edge and between: they differ all along a crease, at one end where the edge
-/// meets a corner.
+/// Normals are compared at the ends of an edge and between: they differ all along a crease, at one end where
+/// the edge meets a corner.
 constexpr int kNormalSegments = 4;
 
 /// A face's side of an edge of the control mesh.
@@ -103,8 +103,8 @@ class TearFinder {
 
     static double longest(const Vec2& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
-    /// The two sides look up the same texels: st jumps by the same whole number of tiles at both ends, on an axis that
-    /// repeats, or not at all.
+    /// The two sides look up the same texels: st jumps by the same whole number of tiles at both ends, on an
+    /// axis that repeats, or not at all.
     bool joins(const Vec2& a0, const Vec2& b0, const Vec2& a1, const Vec2& b1) const {
         const HeightMap& map = *relief_.map;
         const std::array<Wrap, 2> wraps{map.wrapS(), map.wrapT()};

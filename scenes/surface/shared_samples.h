@@ -1,5 +1,5 @@
-// Numbers for the samples faces of a mesh share: a vertex, or a place on an edge, has one number whichever face it
-// is reached from, so that what is computed there is computed once and surfaces close.
+// Numbers for the samples faces of a mesh share: a vertex, or a place on an edge, has one number whichever
+// face it is reached from, so that what is computed there is computed once and surfaces close.
 #pragma once
 
 #include "scenes/surface/base_surface.h"

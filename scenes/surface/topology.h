@@ -9,8 +9,8 @@
 
 namespace plumbline {
 
-/// Boundaries as ControlMesh::boundaryFacesSupportOnly and the tags say; Scheme::None takes no tags. Throws InputError with OpenSubdiv's own words for a mesh
-/// it refuses.
+/// Boundaries as ControlMesh::boundaryFacesSupportOnly and the tags say; Scheme::None takes no tags. Throws
+/// InputError with OpenSubdiv's own words for a mesh it refuses.
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Scheme scheme);
 
 } // namespace plumbline

@@ -31,13 +31,14 @@ class TomlTable {
     /// `fileName` is for messages.
     static TomlTable parse(const std::string& fileName, const std::string& text);
 
-    /// Puts `value`, as TOML writes it, in the place of a field, or adds the field: "camera.width", "object.torus.relief.depth".
-    /// An element of [[tables]] goes by its `name` or its number from 0; the tables on the way must be there. Messages about
-    /// what was put there begin with `where`. Throws InputError that begins so.
+    /// Puts `value`, as TOML writes it, in the place of a field, or adds the field: "camera.width",
+    /// "object.torus.relief.depth". An element of [[tables]] goes by its `name` or its number from 0; the
+    /// tables on the way must be there. Messages about what was put there begin with `where`. Throws
+    /// InputError that begins so.
     void change(const std::string& where, const std::string& path, const std::string& value);
 
-    /// Adds what the table says, all but the field `except`: neither the order of fields matters nor what is no value (comments,
-    /// blanks, how a table is written).
+    /// Adds what the table says, all but the field `except`: neither the order of fields matters nor what is
+    /// no value (comments, blanks, how a table is written).
     void addTo(ContentHash& hash, std::string_view except) const;
 
     bool has(std::string_view key) const;
@@ -56,8 +57,8 @@ class TomlTable {
     /// One of `choices`.
     std::string choice(std::string_view key, const std::vector<std::string>& choices,
                        std::optional<std::string> fallback = {}) const;
-    /// The field `name`: 1 to 64 of the letters a-z A-Z 0-9 _ -, none of those in `taken`, to which it is added. Names become parts of
-    /// channels, files and columns.
+    /// The field `name`: 1 to 64 of the letters a-z A-Z 0-9 _ -, none of those in `taken`, to which it is
+    /// added. Names become parts of channels, files and columns.
     std::string name(std::set<std::string>& taken) const;
     /// An array of texts.
     std::vector<std::string> texts(std::string_view key,

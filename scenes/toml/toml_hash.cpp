@@ -9,7 +9,8 @@
 namespace plumbline {
 namespace {
 
-// Every value is added with its type and, where it has parts, their number, so that no two trees make one row of bytes.
+// Every value is added with its type and, where it has parts, their number, so that no two trees make one row
+// of bytes.
 class TreeHasher {
   public:
     explicit TreeHasher(ContentHash& hash) : hash_(hash) {}

@@ -36,8 +36,8 @@ struct TomlNode {
     std::set<std::string, std::less<>> known; // asked for, present or not
 };
 
-/// Throws InputError for dotted keys that make more tables within each other than a stack holds of a parser's steps, also through
-/// inline tables; nested values the parser limits itself.
+/// Throws InputError for dotted keys that make more tables within each other than a stack holds of a parser's
+/// steps, also through inline tables; nested values the parser limits itself.
 void checkKeyDepth(const std::string& where, std::string_view text);
 
 /// "camera.width"; either may be empty.

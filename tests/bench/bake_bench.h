@@ -3,8 +3,8 @@
 
 namespace plumbline {
 
-/// Bakes every kind of cone map from the generated height maps at growing sizes, and the distance field where there is one; prints medians.
-/// Sizes whose smaller one took long are left out.
+/// Bakes every kind of cone map from the generated height maps at growing sizes, and the distance field where
+/// there is one; prints medians. Sizes whose smaller one took long are left out.
 void printBakes();
 
 } // namespace plumbline

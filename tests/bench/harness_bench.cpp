@@ -3,9 +3,9 @@
 #include "realtime/draw/baked_input.h"
 #include "realtime/draw/frame_target.h"
 #include "realtime/draw/gpu_scene.h"
-#include "realtime/realtime.h"
 #include "realtime/draw/technique_program.h"
 #include "realtime/draw/view.h"
+#include "realtime/realtime.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/scene_file/scene_file.h"
@@ -67,7 +67,8 @@ void addUncounted(ShaderSource& source, const std::filesystem::path& file) {
     source.addText(file.string(), text);
 }
 
-/// The search and its surface with nothing around them: no normal, shading, shadows or channels, nothing counted.
+/// The search and its surface with nothing around them: no normal, shading, shadows or channels, nothing
+/// counted.
 StageSources bareSources(const Technique& technique) {
     const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
     StageSources sources;
@@ -106,7 +107,8 @@ std::unique_ptr<GlProgram> buildBareProgram(const Technique& technique) {
     return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
 }
 
-/// Instructions of the optimised shader's functions, 0 if the tools aren't there. Declarations, labels and the like don't count.
+/// Instructions of the optimised shader's functions, 0 if the tools aren't there. Declarations, labels and
+/// the like don't count.
 int instructionCount(const ShaderSource& source) {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / fmt::format("plumbline-bench-{}.frag", ::getpid());

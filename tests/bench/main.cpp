@@ -1,5 +1,6 @@
-// ./plumbline bench [--section=NAME] [Google Benchmark's options]: whole processes, then baked maps, then the metrics of a pair,
-// then what the harness adds to searches, then what a report costs, then stages of the reference and their ratios to bare libraries.
+// ./plumbline bench [--section=NAME] [Google Benchmark's options]: whole processes, then baked maps, then the
+// metrics of a pair, then what the harness adds to searches, then what a report costs, then stages of the
+// reference and their ratios to bare libraries.
 #include "scenes/scene_file/scene_file.h"
 #include "tests/bench/bake_bench.h"
 #include "tests/bench/harness_bench.h"
@@ -27,8 +28,9 @@ using plumbline::TemporaryFolder;
 
 constexpr double kValidateSecondsAim = 30; // every technique on every surface
 
-/// A run of the reference at one rate: a torus cage of `around` x 8 faces, and what the project promises on two cores. (Blender 3.4
-/// Cycles takes 6.0 s and 1.47 GB for 4.2 M micro-triangles, 20.2 s and 4.87 GB for 16.8 M.)
+/// A run of the reference at one rate: a torus cage of `around` x 8 faces, and what the project promises on
+/// two cores. (Blender 3.4 Cycles takes 6.0 s and 1.47 GB for 4.2 M micro-triangles, 20.2 s and 4.87 GB
+/// for 16.8 M.)
 struct ReferenceRun {
     int around, rate;
     const char* aim;

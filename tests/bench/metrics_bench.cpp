@@ -20,8 +20,8 @@ namespace {
 constexpr int kWidth = 1920, kHeight = 1080;
 constexpr int kRuns = 9;
 
-/// A ring of 40 % of the picture's pixels in front of a floor that fills the rest of its lower half. `wobble`: pixels by which its
-/// outline, and shares by which the rest, is off.
+/// A ring of 40 % of the picture's pixels in front of a floor that fills the rest of its lower half.
+/// `wobble`: pixels by which its outline, and shares by which the rest, is off.
 Frame paintedFrame(double wobble, bool isReference) {
     Frame frame(kWidth, kHeight);
     for (const char* name : {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S",

@@ -1,11 +1,11 @@
 #include "tests/bench/report_bench.h"
 
 #include "scenes/frame/frame_exr.h"
-#include "validate/compare/frame_metadata.h"
-#include "validate/results/output_files.h"
-#include "validate/report/report.h"
 #include "tests/bench/process_bench.h"
 #include "tests/bench/temporary_folder.h"
+#include "validate/compare/frame_metadata.h"
+#include "validate/report/report.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 #include "tests/bench/stage_bench.h"
 
+#include "reference/tessellate/lattice.h"
+#include "reference/tessellate/tessellate.h"
 #include "reference/trace/embree.h"
 #include "reference/trace/embree_scene.h"
-#include "reference/tessellate/lattice.h"
 #include "reference/trace/render.h"
-#include "reference/tessellate/tessellate.h"
-#include "scenes/surface/displaced_surface.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <benchmark/benchmark.h>
 #include <tbb/blocked_range.h>
@@ -43,7 +43,8 @@ double seconds(Work work) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Times `stage` and, right after each run of it, `bare`: machines drift, and what is asked for is the ratio of both.
+/// Times `stage` and, right after each run of it, `bare`: machines drift, and what is asked for is the ratio
+/// of both.
 template <typename Stage, typename Bare>
 void runPaired(benchmark::State& state, double items, Stage stage, Bare bare) {
     std::vector<double> ratios;
@@ -161,7 +162,8 @@ void raysStage(benchmark::State& state) {
         [&] { traced.traceRays(traced.bare); });
 }
 
-/// The whole frame: rays, hits in double, moved onto the surface, normals by second derivatives, colour. Bare: Embree's rays alone.
+/// The whole frame: rays, hits in double, moved onto the surface, normals by second derivatives, colour.
+/// Bare: Embree's rays alone.
 void traceStage(benchmark::State& state) {
     const TracedTorus traced(static_cast<int>(state.range(0)));
     runPaired(

@@ -1,7 +1,8 @@
-// Everything a user can get wrong in a scene, a mesh, an image or a frame: exit 2, one line, nothing left behind.
+// Everything a user can get wrong in a scene, a mesh, an image or a frame: exit 2, one line, nothing left
+// behind.
 #include "scenes/frame/frame_exr.h"
-#include "tests/validate/metrics/painted_frames.h"
 #include "tests/end_to_end/program.h"
+#include "tests/validate/metrics/painted_frames.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

@@ -1,4 +1,5 @@
-// plumbline bake: what it prints and writes, its cache under two processes at once and under damage, and bad input.
+// plumbline bake: what it prints and writes, its cache under two processes at once and under damage, and bad
+// input.
 #include "scenes/image/exr_file.h"
 #include "scenes/image/image_file.h"
 #include "tests/end_to_end/program.h"
@@ -54,8 +55,8 @@ std::vector<std::string> withScale(std::vector<std::string> arguments) {
     return arguments;
 }
 
-// Heights 1, 3/4, 1/2, 1/4 a row: depths 0, 1/4, 1/2, 3/4 along s. The bounds of the four patches, the last one back to the
-// first under repeat.
+// Heights 1, 3/4, 1/2, 1/4 a row: depths 0, 1/4, 1/2, 3/4 along s. The bounds of the four patches, the last
+// one back to the first under repeat.
 TEST_F(Bake, APictureByHand) {
     writeGrey("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
     const Outcome made =
@@ -88,8 +89,8 @@ TEST_F(Bake, APictureByHand) {
     EXPECT_EQ(keptFiles().size(), 4u);
 }
 
-// Depths 0, 1/4, 1/2, 3/4 along s fall by 1 a map width: by 0.5 world units on 2, so the normal is (1/4, 0, 1). The same along
-// t, on 3 world units: (0, 1/6, 1).
+// Depths 0, 1/4, 1/2, 3/4 along s fall by 1 a map width: by 0.5 world units on 2, so the normal is (1/4, 0,
+// 1). The same along t, on 3 world units: (0, 1/6, 1).
 TEST_F(Bake, TheScaleArrives) {
     const auto slope = [&](const std::string& map, const std::string& channel) {
         EXPECT_EQ(bake(withScale({map, "--kind", "normal", "--stores", "depth", "-o", "n.exr"})).exitCode, 0);

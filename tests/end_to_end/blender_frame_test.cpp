@@ -1,4 +1,5 @@
-// Another renderer, given the exported mesh and camera, must draw the very picture: Blender's Cycles by blender_frame.py.
+// Another renderer, given the exported mesh and camera, must draw the very picture: Blender's Cycles by
+// blender_frame.py.
 #include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
@@ -39,11 +40,12 @@ TEST_F(BlenderFrame, OfTheExportedMeshCoversTheSamePixels) {
     EXPECT_THAT(compared.out, HasSubstr("read as a frame of Blender"));
     const auto results = nlohmann::json::parse(compared.out);
     const auto& figures = results["techniques"][0];
-    // Blender aims within 0.005 pixels of the centre: a contour of some 2000 pixels may change hands in about ten of 212 000.
+    // Blender aims within 0.005 pixels of the centre: a contour of some 2000 pixels may change hands in about
+    // ten of 212 000.
     EXPECT_GE(figures["silhouette"]["iou"], 0.9999);
     EXPECT_GT(figures["silhouette"]["reference_px"], 200000);
-    // The reference's depth is on the surface itself, Blender's on micro-triangles that are so far from it, along rays that may be
-    // slanted. A distance taken for planar depth would be off by 0.1 and more.
+    // The reference's depth is on the surface itself, Blender's on micro-triangles that are so far from it,
+    // along rays that may be slanted. A distance taken for planar depth would be off by 0.1 and more.
     EXPECT_LT(figures["depth"]["p99"], 4 * results["reference"]["error_world_p99"].get<double>());
     EXPECT_LT(results["reference"]["error_world_p99"], 0.005);
     // Likewise; a micro-triangle is a texel wide.

@@ -1,4 +1,5 @@
-// The tarball's tree: the installed program with the libraries it needs, which must do without this machine's.
+// The tarball's tree: the installed program with the libraries it needs, which must do without this
+// machine's.
 #include "tests/end_to_end/installed_program.h"
 
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
-// Both halves of the project against each other: on flat bases the exact search of the shaders and the traced micro-triangles see the same
-// relief. Where they differ the reference must have said that it isn't sure.
-#include "scenes/scene/camera.h"
+// Both halves of the project against each other: on flat bases the exact search of the shaders and the traced
+// micro-triangles see the same relief. Where they differ the reference must have said that it isn't sure.
 #include "scenes/core/data_folder.h"
 #include "scenes/frame/frame_exr.h"
+#include "scenes/scene/camera.h"
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
 
@@ -69,7 +69,8 @@ TEST_F(Circle, ExactCellsSeesWhatTheReferenceTracesUpToWhatItIsUnsureOf) {
     Tally tally;
     for (size_t i = 0; i < truth.pixelCount(); ++i) {
         if (testId[i] == 0) continue;
-        // The shader's relief goes on beyond the polygon's edge, the true one ends there: compared is where the ray meets it before.
+        // The shader's relief goes on beyond the polygon's edge, the true one ends there: compared is where
+        // the ray meets it before.
         const Rectangle& rectangle = rectangles[static_cast<size_t>(testId[i]) - 1];
         if (!rectangle.holds(x[i], z[i])) continue;
         ++tally.compared;
@@ -79,7 +80,8 @@ TEST_F(Circle, ExactCellsSeesWhatTheReferenceTracesUpToWhatItIsUnsureOf) {
             tally.unmarkedObject += !unsure;
             continue;
         }
-        // The reference's hits lie on the surface to 1e-7; the shader computes in float. 0.1 % of the relief is the same sheet.
+        // The reference's hits lie on the surface to 1e-7; the shader computes in float. 0.1 % of the relief
+        // is the same sheet.
         if (std::abs(depth[i] - testDepth[i]) > 1e-3 * 0.12) {
             ++tally.otherDepth;
             tally.unmarkedDepth += !unsureOfSheet;

@@ -1,7 +1,7 @@
 // Usage, and everything that must not depend on OpenGL: reference, compare, list.
 #include "scenes/frame/frame_exr.h"
-#include "tests/validate/metrics/painted_frames.h"
 #include "tests/end_to_end/program.h"
+#include "tests/validate/metrics/painted_frames.h"
 
 #include <nlohmann/json.hpp>
 
@@ -130,9 +130,11 @@ TEST_F(EndToEnd, AFrameWithItself) {
     EXPECT_EQ(technique["objects"].size(), 2u);
 }
 
-// A plane of depth Z = 2 + x/8 over columns 2 … 9 of ten rows (80 pixels), its shadow in columns 2 … 4, moved right by one:
+// A plane of depth Z = 2 + x/8 over columns 2 … 9 of ten rows (80 pixels), its shadow in columns 2 … 4, moved
+// right by one:
 //   silhouette: columns 3 … 9 shared (70), column 2 missing (10), column 10 extra (10): IoU 70/90
-//   depth: the test shows at x what the reference shows at x - 1, so e = -1/8 everywhere: bias -1/8, MAE = RMSE = p50 =
+//   depth: the test shows at x what the reference shows at x - 1, so e = -1/8 everywhere: bias -1/8, MAE =
+//   RMSE = p50 =
 //          p99 = max = 1/8; with a relief 1/2 deep that is 1/4 of it: above 1 % and 5 %, not above 25 %
 //   shadow: reference dark in 3 4 of the shared columns, test in 3 4 5: TP 20, FP 10, FN 0, TN 40:
 //          agreement 60/70, IoU 20/30, F1 40/50, BER = (10/50 + 0)/2 = 0.1

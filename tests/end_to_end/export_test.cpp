@@ -1,6 +1,6 @@
 // Mesh and camera for other renderers, and frames back from them.
-#include "scenes/image/exr_file.h"
 #include "scenes/frame/frame_exr.h"
+#include "scenes/image/exr_file.h"
 #include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,6 @@
 // plumbline history: results kept, exit 1 where they became worse.
-#include "tests/validate/results/sample_results.h"
 #include "tests/end_to_end/program.h"
+#include "tests/validate/results/sample_results.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

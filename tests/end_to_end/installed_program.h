@@ -5,15 +5,16 @@
 
 namespace plumbline::test {
 
-/// stdout and stderr together, of a command of the shell. Without what the environment says of data and libraries.
+/// stdout and stderr together, of a command of the shell. Without what the environment says of data and
+/// libraries.
 struct ShellOutcome {
     int exitCode = -1;
     std::string text;
 };
 ShellOutcome shell(const std::string& command);
 
-/// Installs to folder/prefix and moves that to folder/moved, which is returned. `components`: on top of what is installed by
-/// default.
+/// Installs to folder/prefix and moves that to folder/moved, which is returned. `components`: on top of what
+/// is installed by default.
 std::filesystem::path installAndMove(const std::filesystem::path& folder,
                                      const std::vector<std::string>& components = {});
 

@@ -10,8 +10,9 @@ namespace {
 
 class Interrupt : public EndToEnd {};
 
-// 67 million micro-triangles take several seconds; half a second in, it is tessellating. A second is what a user is promised; a busy
-// machine may need longer to clear a gigabyte away, and without the signal it would go on for longer than this waits.
+// 67 million micro-triangles take several seconds; half a second in, it is tessellating. A second is what a
+// user is promised; a busy machine may need longer to clear a gigabyte away, and without the signal it would
+// go on for longer than this waits.
 TEST_F(Interrupt, TessellationEndsAtOnceAndLeavesNoFile) {
     const Running running = startProgram(
         {"reference", "stone_torus", "--rate", "512", "--memory", "4G", "-o", "out/frame.exr"}, folder_);

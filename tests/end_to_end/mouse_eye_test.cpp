@@ -1,9 +1,9 @@
-// Both halves of the project against each other on curved bases. A quadric with its relief along the axis is exactly what the surface
-// `quadric` takes the base of a fragment for, if the fragment is the quadric's apex. So the eye is put on the apex: every ray enters there, and
-// the exact search and the traced micro-triangles see the same relief all around. Where they differ the reference must have said that it isn't
-// sure.
-#include "scenes/scene/camera.h"
+// Both halves of the project against each other on curved bases. A quadric with its relief along the axis is
+// exactly what the surface `quadric` takes the base of a fragment for, if the fragment is the quadric's apex.
+// So the eye is put on the apex: every ray enters there, and the exact search and the traced micro-triangles
+// see the same relief all around. Where they differ the reference must have said that it isn't sure.
 #include "scenes/frame/frame_exr.h"
+#include "scenes/scene/camera.h"
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
 
@@ -15,17 +15,19 @@ namespace plumbline::test {
 namespace {
 
 constexpr double kReliefDepth = 0.2; // world units, like all lengths here
-// The eye's height above the apex: 2e-5 of the relief. At a millionth of the farthest depth the near plane would cut the apex off.
+// The eye's height above the apex: 2e-5 of the relief. At a millionth of the farthest depth the near plane
+// would cut the apex off.
 constexpr double kHair = 4e-6;
 
 struct Patch {
     const char* name;
     double a, b;     // z = a x^2 + b y^2
     double halfSize; // nearly all rays hit within it
-    /// Largest error of depth that a hair explains, as a fraction of the relief's depth. The flattest ray has a sine of 0.2 and the
-    /// proxy's facets around the apex fall away by up to 0.055, so a ray enters up to 7 hairs from the apex. The base is off by up to
-    /// a hair there, twice that along a ray; and its normal, along which the shader measures depth, is turned by 2 * curvature * 7
-    /// hairs: a place a relief's depth down moves sideways by that, on slopes of about 2.
+    /// Largest error of depth that a hair explains, as a fraction of the relief's depth. The flattest ray has
+    /// a sine of 0.2 and the proxy's facets around the apex fall away by up to 0.055, so a ray enters up to 7
+    /// hairs from the apex. The base is off by up to a hair there, twice that along a ray; and its normal,
+    /// along which the shader measures depth, is turned by 2 * curvature * 7 hairs: a place a relief's depth
+    /// down moves sideways by that, on slopes of about 2.
     double tolerance() const {
         const double curvature = std::max(std::abs(a), std::abs(b)) * kReliefDepth;
         return (2 + 2 * 7 * 2 * curvature) * kHair / kReliefDepth;
@@ -36,8 +38,9 @@ struct Patch {
 class MouseEye : public EndToEnd, public testing::WithParamInterface<Patch> {
   protected:
     std::filesystem::path writeScene() const {
-        // Straight down, so that the rays go all around and none is flatter than 12 degrees. Texel centres fall on lattice vertices: with
-        // W = 64 texels a tile, st W - 1/2 is whole at the corners of the faces.
+        // Straight down, so that the rays go all around and none is flatter than 12 degrees. Texel centres
+        // fall on lattice vertices: with W = 64 texels a tile, st W - 1/2 is whole at the corners of the
+        // faces.
         const Patch& patch = GetParam();
         const std::filesystem::path file = folder_ / "eye.toml";
         writeFile(file, fmt::format(R"(purpose = "A mouse's eye on the apex of a quadric"
@@ -71,8 +74,9 @@ struct Tally {
     double largest = 0;
 };
 
-// Where a ray leaves the layer, d < 0, the shader gives up. Rightly: along a ray from above the apex the height above the base is a
-// quadratic in t that starts at a hair and falls; if it is back at 0 it opens upwards and stays above, and nothing of the relief is above its base.
+// Where a ray leaves the layer, d < 0, the shader gives up. Rightly: along a ray from above the apex the
+// height above the base is a quadratic in t that starts at a hair and falls; if it is back at 0 it opens
+// upwards and stays above, and nothing of the relief is above its base.
 TEST_P(MouseEye, ExactCellsOnAQuadricSeesWhatTheReferenceTraces) {
     const Patch& patch = GetParam();
     const std::filesystem::path file = writeScene();
@@ -120,8 +124,9 @@ TEST_P(MouseEye, ExactCellsOnAQuadricSeesWhatTheReferenceTraces) {
     EXPECT_EQ(tally.unmarkedDepth, 0u);
 }
 
-// Curvature times the relief's depth 0.02 and 0.5: hardly bent, and bent by half the relief's depth within its depth. Concave patches end
-// before they rise to the eye's own height: contours that cross the camera's plane cost the reference half a minute.
+// Curvature times the relief's depth 0.02 and 0.5: hardly bent, and bent by half the relief's depth within
+// its depth. Concave patches end before they rise to the eye's own height: contours that cross the camera's
+// plane cost the reference half a minute.
 INSTANTIATE_TEST_SUITE_P(
     Patches, MouseEye,
     testing::Values(Patch{"slightly_convex", -0.1, -0.1, 0.5}, Patch{"convex", -2.5, -2.5, 0.5},

@@ -18,8 +18,9 @@ struct Outcome {
     std::string out, err;
 };
 
-/// A run that goes on beside the test. `ownGroup`: in a process group of its own, as a shell starts it; Ctrl-C is a signal to
-/// all of that. Its output is outside the working folder, so that tests can list what it left there.
+/// A run that goes on beside the test. `ownGroup`: in a process group of its own, as a shell starts it;
+/// Ctrl-C is a signal to all of that. Its output is outside the working folder, so that tests can list what
+/// it left there.
 struct Running {
     pid_t process = -1;
     std::filesystem::path captured;
@@ -28,8 +29,8 @@ Running startProgram(const std::vector<std::string>& arguments, const std::files
                      const std::map<std::string, std::string>& environment = {}, bool ownGroup = false);
 /// Whether a process is no more, or only waits for its parent to take notice.
 bool isGone(pid_t process);
-/// As kill(2), for one process, or the group it leads. Refuses what isn't the number of a process a test may have started: -1 and 0
-/// would be everybody's.
+/// As kill(2), for one process, or the group it leads. Refuses what isn't the number of a process a test may
+/// have started: -1 and 0 would be everybody's.
 int sendSignal(pid_t process, int signal);
 int sendSignalToGroup(pid_t leader, int signal);
 /// Processes that `process` started.
@@ -39,8 +40,8 @@ bool waitUntil(const std::function<bool()>& condition, double seconds);
 /// Waits for its end; kills it after two minutes.
 Outcome finish(const Running& running);
 
-/// `environment`: variables on top of this process's own. Ended after two minutes: nothing here takes longer than seconds,
-/// so that is a hang.
+/// `environment`: variables on top of this process's own. Ended after two minutes: nothing here takes longer
+/// than seconds, so that is a hang.
 Outcome runProgram(const std::vector<std::string>& arguments, const std::filesystem::path& workingFolder,
                    const std::map<std::string, std::string>& environment = {});
 

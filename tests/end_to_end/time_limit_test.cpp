@@ -19,8 +19,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// No compiler sees that depths are never below -1. llvmpipe leaves any loop after 65535 rounds: they are long ones, so that no
-// machine is through within the limits below.
+// No compiler sees that depths are never below -1. llvmpipe leaves any loop after 65535 rounds: they are long
+// ones, so that no machine is through within the limits below.
 std::string endlessSearch() {
     std::string round;
     for (int i = 0; i < 16; ++i)
@@ -64,8 +64,8 @@ class TimeLimit : public EndToEnd {
 
     json techniques() const { return json::parse(readFile(folder_ / "out/results.json"))["techniques"]; }
 
-    /// Starts a run and waits until it is in the endless shader, the second of three techniques; returns the process that
-    /// draws it.
+    /// Starts a run and waits until it is in the endless shader, the second of three techniques; returns the
+    /// process that draws it.
     pid_t startAndReachTheLoop(const std::string& limitSeconds = "60") {
         running_ = startProgram(validate({"normal_mapping", "./endless", "linear_binary"}, limitSeconds),
                                 folder_, {}, true);

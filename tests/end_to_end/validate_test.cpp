@@ -134,11 +134,12 @@ TEST_F(Validate, AllTechniquesOfTheSmallScene) {
     }
 }
 
-// The control draws the triangles that the reference traces. What may differ is a pixel whose centre lies within the
-// rasteriser's sub-pixel grid of an edge: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of the relief.
-/// The control draws the micro-triangles, the reference's depths are those of the true surface: along a ray at an angle to the
-/// surface they differ by the certificate's error over the cosine; half of the pixels are seen at more than 30 degrees, 99 % at more
-/// than 3.
+// The control draws the triangles that the reference traces. What may differ is a pixel whose centre lies
+// within the rasteriser's sub-pixel grid of an edge: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of
+// the relief.
+/// The control draws the micro-triangles, the reference's depths are those of the true surface: along a ray
+/// at an angle to the surface they differ by the certificate's error over the cosine; half of the pixels are
+/// seen at more than 30 degrees, 99 % at more than 3.
 void expectDepthWithinCertificate(const json& results) {
     const json depth = results["techniques"][0]["depth"], reference = results["reference"];
     EXPECT_LE(depth["p50"], 2 * reference["error_world_p50"].get<double>());
@@ -261,7 +262,8 @@ TEST_F(Validate, OneBaseHasNoGap) {
     EXPECT_FALSE(fs::exists(folder_ / "out/frames/reference_proxy.exr"));
 }
 
-// --- what goes wrong ---------------------------------------------------------------------------------------------------
+// --- what goes wrong
+// ---------------------------------------------------------------------------------------------------
 
 void expectRefused(const Outcome& outcome, int exitCode, const std::string& part) {
     EXPECT_EQ(outcome.signal, 0) << "crashed: " << part;
@@ -423,7 +425,8 @@ TEST_F(Validate, ARefusedSurfaceIsRefusedWithItsReason) {
 
 TEST_F(Validate, AllHoldsVariantsOfASurfaceWithOneSearch) {
     writeSmallScene();
-    // What is in `all` already can't be named beside it: `linear` on the variant isn't, `linear_binary` on it is.
+    // What is in `all` already can't be named beside it: `linear` on the variant isn't, `linear_binary` on it
+    // is.
     const Outcome outcome = validate("out", {"--technique", "all", "--technique", "linear@quadric_nearest",
                                              "--technique", "linear_binary@quadric_nearest"});
     EXPECT_EQ(outcome.exitCode, 2);

@@ -27,8 +27,8 @@ inline std::string missingGl(GlBackend backend = GlBackend::Auto) {
 #define PLUMBLINE_NEEDS_GL(backend)                                                                          \
     if (const std::string reason = missingGl(backend); !reason.empty()) GTEST_SKIP() << reason
 
-/// Orthographic, so that a pixel is a ray known by hand: looks at the origin from `position`, `viewHeight` world units
-/// tall, square.
+/// Orthographic, so that a pixel is a ray known by hand: looks at the origin from `position`, `viewHeight`
+/// world units tall, square.
 inline Camera orthographicCamera(const Vec3& position, const Vec3& up, double viewHeight, int pixels) {
     Camera camera;
     camera.positionWorld = position;
@@ -67,7 +67,8 @@ inline Scene sceneOf(SceneObject object, const Camera& camera) {
     return scene;
 }
 
-/// Where something is drawn every channel holds a number, and no infinite one. Only the first that doesn't is reported.
+/// Where something is drawn every channel holds a number, and no infinite one. Only the first that doesn't is
+/// reported.
 inline void expectNoNan(const Frame& frame) {
     const auto coverage = frame.channel("A");
     for (const std::string& name : frame.channelNames()) {

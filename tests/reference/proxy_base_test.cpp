@@ -1,7 +1,7 @@
 // The picture of the proxy base against rays and triangles worked out by hand.
 #include "reference/reference.h"
-#include "scenes/surface/proxy_mesh.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/surface/proxy_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -59,8 +59,8 @@ ProxyHit nearestHit(const ProxyMesh& proxy, const Ray& ray) {
     return nearest;
 }
 
-/// Coverage, position and normal of every pixel are those of the proxy's triangles. Vertices in float are off by
-/// 6e-8, hits on facets seen edge on by many times that.
+/// Coverage, position and normal of every pixel are those of the proxy's triangles. Vertices in float are off
+/// by 6e-8, hits on facets seen edge on by many times that.
 void expectPolygons(const Scene& scene, int rate, Vec3 ProxyHit::*normal) {
     const ProxyMesh proxy = buildProxyMesh(scene.objects[0]);
     const CameraRays rays(scene.camera);
@@ -83,9 +83,9 @@ void expectPolygons(const Scene& scene, int rate, Vec3 ProxyHit::*normal) {
     EXPECT_GT(covered, 500);
 }
 
-// Without a relief the proxy is drawn as it is, with its interpolated normals. With one of d = 0 nothing is carved, whatever the
-// offset: the same triangles pushed out, and N, the normal of P itself, is theirs. Rates don't matter, as a triangle cut into
-// triangles is the same triangle.
+// Without a relief the proxy is drawn as it is, with its interpolated normals. With one of d = 0 nothing is
+// carved, whatever the offset: the same triangles pushed out, and N, the normal of P itself, is theirs. Rates
+// don't matter, as a triangle cut into triangles is the same triangle.
 TEST(ProxyBase, WithoutDepthThePictureIsThePolygons) {
     for (const int rate : {1, 8}) {
         SCOPED_TRACE(rate);
@@ -96,9 +96,10 @@ TEST(ProxyBase, WithoutDepthThePictureIsThePolygons) {
     }
 }
 
-// d = 1/2 of a depth of 0.2: the surface runs 0.1 below the triangles along the interpolated normals. So from a hit at P, found where
-// the normal is n, P + 0.1 n lies on a triangle of the proxy. P is on a micro-triangle, below the surface by up to h^2 / 8 of its
-// curvature: a side of the triangles is up to 1.2 long, h = 1.2 / 64, normals turn by up to 1.2 a unit: 0.1 * 1.2^2 * h^2 / 8 = 6e-6.
+// d = 1/2 of a depth of 0.2: the surface runs 0.1 below the triangles along the interpolated normals. So from
+// a hit at P, found where the normal is n, P + 0.1 n lies on a triangle of the proxy. P is on a
+// micro-triangle, below the surface by up to h^2 / 8 of its curvature: a side of the triangles is up to 1.2
+// long, h = 1.2 / 64, normals turn by up to 1.2 a unit: 0.1 * 1.2^2 * h^2 / 8 = 6e-6.
 TEST(ProxyBase, ConstantDepthLiesThatFarBelowTheTriangles) {
     const Scene scene = sphereScene(0.5f, 0.1);
     const ProxyMesh proxy = buildProxyMesh(scene.objects[0]);
@@ -107,8 +108,9 @@ TEST(ProxyBase, ConstantDepthLiesThatFarBelowTheTriangles) {
     for (size_t i = 0; i < frame.pixelCount(); ++i) {
         if (frame.channel("A")[i] == 0) continue;
         const Vec3 position(frame.channel("P.X")[i], frame.channel("P.Y")[i], frame.channel("P.Z")[i]);
-        // The triangle point X with X - 0.1 n(X) = P: by fixed-point iteration X <- P + 0.1 n(X), n from the triangle the ray from
-        // the sphere's centre through X meets; n turns slowly, so each step leaves about a tenth of the error.
+        // The triangle point X with X - 0.1 n(X) = P: by fixed-point iteration X <- P + 0.1 n(X), n from the
+        // triangle the ray from the sphere's centre through X meets; n turns slowly, so each step leaves
+        // about a tenth of the error.
         Vec3 onTriangle = position * 1.1;
         ProxyHit hit;
         for (int step = 0; step < 12; ++step) {
@@ -121,8 +123,9 @@ TEST(ProxyBase, ConstantDepthLiesThatFarBelowTheTriangles) {
     EXPECT_GT(covered, 500);
 }
 
-// Where the proxy is as fine as the micro-triangles both bases are one: at proxy_rate 64 chords of the sphere's arcs (an eighth of a
-// circle a control edge, 1.2 long at most) leave (1.2/64)^2 / 8 = 4.4e-5 along each of two directions.
+// Where the proxy is as fine as the micro-triangles both bases are one: at proxy_rate 64 chords of the
+// sphere's arcs (an eighth of a circle a control edge, 1.2 long at most) leave (1.2/64)^2 / 8 = 4.4e-5 along
+// each of two directions.
 TEST(ProxyBase, AFineProxyHasThePictureOfTheLimit) {
     Scene scene = sphereScene(0.5f, 0.1);
     scene.objects[0].proxyRate = 64;

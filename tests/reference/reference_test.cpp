@@ -149,9 +149,9 @@ TEST(Reference, BothSidesAreSeenAndShadedForTheCamera) {
     EXPECT_EQ(PixelReader{frame}("shadow.sun", 20, 20), 0.0f); // the side seen faces the light
 }
 
-// The ramp at rate 1 is one flat facet from (-1, ., 0) to (1, ., -1), normal (1, 0, 2); the true normal on its slope is (1, 0, 1). A
-// camera towards (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), though the true normal leans away (-1 + 0.8 < 0). A light
-// towards (1, 0, 0.2) is on the outer side of both: lit.
+// The ramp at rate 1 is one flat facet from (-1, ., 0) to (1, ., -1), normal (1, 0, 2); the true normal on
+// its slope is (1, 0, 1). A camera towards (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), though
+// the true normal leans away (-1 + 0.8 < 0). A light towards (1, 0, 0.2) is on the outer side of both: lit.
 TEST(Reference, TheSideSeenIsTheFacets) {
     const auto map =
         std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
@@ -250,8 +250,8 @@ TEST(Reference, RatesRiseUntilTheErrorAimedAtIsMet) {
     }
 }
 
-// Plans look at some of a face's grids only. For these aims the first plan of a torus under bricks isn't fine enough, and what its run measured
-// makes the second one so.
+// Plans look at some of a face's grids only. For these aims the first plan of a torus under bricks isn't fine
+// enough, and what its run measured makes the second one so.
 TEST(Reference, RunsThatMissTheAimAreFollowedByFinerOnes) {
     Scene scene = squareScene(
         std::make_shared<HeightMap>(generateMap("bricks", 64, 3, Wrap::Repeat, Wrap::Repeat)), 0.1, 1);
@@ -302,8 +302,8 @@ TEST(Reference, RatesThatAreNoneAreRefused) {
     EXPECT_THROW(ReferenceScene(scene, options), MachineError);
 }
 
-// A square of 16 x 16 faces of which the picture shows the middle 4 x 4, lit from above: what is outside can't shadow anything in it.
-// Under a light from the side the faces towards it can, and only those.
+// A square of 16 x 16 faces of which the picture shows the middle 4 x 4, lit from above: what is outside
+// can't shadow anything in it. Under a light from the side the faces towards it can, and only those.
 TEST(Reference, FacesOutOfThePictureAreCoarseUnlessTheyCastShadows) {
     Scene scene = squareScene(roughMap(), 0.05, 16);
     scene.objects[0].mesh = squareMesh(8, 16);
@@ -326,8 +326,9 @@ TEST(Reference, FacesOutOfThePictureAreCoarseUnlessTheyCastShadows) {
     EXPECT_EQ(cellsAt(15, 8), 1);
 }
 
-// A cylinder without relief bends by the square of a segment's angle; under a relief whose creases are met by the lattice the twist of its
-// texels adds as much. Each doubling of the rate leaves a quarter: 1/3.5 to 1/4.5 with the float's rounding still far below.
+// A cylinder without relief bends by the square of a segment's angle; under a relief whose creases are met by
+// the lattice the twist of its texels adds as much. Each doubling of the rate leaves a quarter: 1/3.5 to
+// 1/4.5 with the float's rounding still far below.
 TEST(Reference, ErrorFallsWithTheSquareOfTheRate) {
     Scene scene = squareScene(roughMap(), 0.1, 1);
     scene.objects[0].mesh = makeCylinder(0.8, 1.6, 8, 2);
@@ -368,8 +369,9 @@ Scene scaled(Scene scene, double scale) {
     return scene;
 }
 
-// Scaled by a power of two every float is the same but for its exponent: so are the frames, bit for bit, and depths are scaled. By a
-// power of ten coordinates are rounded elsewhere: a pixel on the very edge may fall to the other side, and is uncertain.
+// Scaled by a power of two every float is the same but for its exponent: so are the frames, bit for bit, and
+// depths are scaled. By a power of ten coordinates are rounded elsewhere: a pixel on the very edge may fall
+// to the other side, and is uncertain.
 TEST(Reference, MillimetresAndKilometresGiveTheSamePicture) {
     Scene scene = squareScene(roughMap(), 0.3, 3);
     scene.camera.projection = Camera::Projection::Perspective;

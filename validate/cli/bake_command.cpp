@@ -3,11 +3,11 @@
 #include "realtime/bake/cone_check.h"
 #include "realtime/bake/cone_map.h"
 #include "scenes/core/error.h"
+#include "scenes/frame/scene_metadata.h"
 #include "scenes/maps/map_file.h"
 #include "scenes/scene_file/scene_file.h"
-#include "scenes/frame/scene_metadata.h"
-#include "validate/results/output_files.h"
 #include "validate/cli/shared.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 

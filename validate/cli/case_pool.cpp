@@ -1,11 +1,11 @@
 #include "validate/cli/case_pool.h"
 
 #include "scenes/core/error.h"
+#include "validate/cli/commands.h"
 #include "validate/worker/child_process.h"
 #include "validate/worker/serve_parent.h"
 #include "validate/worker/worker_descriptor.h"
 #include "validate/worker/worker_protocol.h"
-#include "validate/cli/commands.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
-// Works out the cases of a study, some at a time, each in a process of its own: one that dies or fails costs that case.
+// Works out the cases of a study, some at a time, each in a process of its own: one that dies or fails costs
+// that case.
 #pragma once
 
 #include "validate/cli/study_case.h"

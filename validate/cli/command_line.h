@@ -1,4 +1,5 @@
-// The command line as CLI11 has it: which commands there are, what they take, and what the one chosen is to run.
+// The command line as CLI11 has it: which commands there are, what they take, and what the one chosen is to
+// run.
 #pragma once
 
 #include "validate/cli/commands.h"

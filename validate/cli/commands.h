@@ -58,7 +58,7 @@ struct ValidateArguments {
     RealtimeArguments realtime;
     std::optional<std::filesystem::path> output; // folder
     ReportArguments report;
-    std::vector<std::string> require;            // "silhouette.iou >= 0.99"
+    std::vector<std::string> require; // "silhouette.iou >= 0.99"
 };
 
 struct CompareArguments {

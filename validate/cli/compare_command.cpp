@@ -1,11 +1,11 @@
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/scene_metadata.h"
+#include "validate/cli/requirements.h"
+#include "validate/cli/shared.h"
 #include "validate/compare/foreign_frame.h"
 #include "validate/compare/frame_metadata.h"
 #include "validate/results/output_files.h"
-#include "validate/cli/requirements.h"
-#include "validate/cli/shared.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 #include "realtime/bake/bake_cache.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "scenes/frame/scene_metadata.h"
 #include "scenes/image/image_file.h"
 #include "scenes/scene_file/scene_file.h"
-#include "scenes/frame/scene_metadata.h"
-#include "validate/report/page_bundle.h"
 #include "validate/cli/shared.h"
+#include "validate/report/page_bundle.h"
 
 #include <fmt/format.h>
 

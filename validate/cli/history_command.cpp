@@ -1,10 +1,10 @@
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
+#include "validate/cli/commands.h"
 #include "validate/results/history_moves.h"
 #include "validate/results/output_files.h"
 #include "validate/results/text_table.h"
-#include "validate/cli/commands.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 #include "realtime/bake/bake.h"
 #include "scenes/core/error.h"
 #include "scenes/scene_file/scene_file.h"
-#include "validate/metrics/metric_table.h"
 #include "validate/cli/shared.h"
+#include "validate/metrics/metric_table.h"
 
 #include <fmt/format.h>
 

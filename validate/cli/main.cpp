@@ -1,4 +1,5 @@
-// The program: its command line read, what it asks for run, errors to one line and an exit code. What is done is in cli/.
+// The program: its command line read, what it asks for run, errors to one line and an exit code. What is done
+// is in cli/.
 #include "scenes/core/error.h"
 #include "scenes/frame/scene_metadata.h"
 #include "validate/cli/command_line.h"

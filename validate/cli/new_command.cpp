@@ -1,11 +1,11 @@
 #include "scenes/core/error.h"
-#include "scenes/maps/map_file.h"
-#include "scenes/mesh/obj_file.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/draft/scene_draft.h"
+#include "scenes/maps/map_file.h"
+#include "scenes/mesh/obj_file.h"
 #include "scenes/scene_file/scene_file.h"
-#include "validate/results/output_files.h"
 #include "validate/cli/shared.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 
@@ -28,8 +28,8 @@ DraftWishes parseWishes(const NewArguments& arguments) {
     return wishes;
 }
 
-/// As the scene file is to name `file`: its reader puts that behind its own folder and takes away "x/..", so no link is followed
-/// here either.
+/// As the scene file is to name `file`: its reader puts that behind its own folder and takes away "x/..", so
+/// no link is followed here either.
 std::filesystem::path relativeTo(const std::filesystem::path& scene, const std::filesystem::path& file) {
     const auto plain = [](const std::filesystem::path& path) {
         return std::filesystem::absolute(path).lexically_normal();

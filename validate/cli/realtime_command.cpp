@@ -1,9 +1,9 @@
 #include "scenes/core/error.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
-#include "validate/results/output_files.h"
 #include "validate/cli/shared.h"
 #include "validate/cli/technique_drawer.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 

@@ -1,12 +1,12 @@
 #include "reference/export/mesh_file.h"
 #include "scenes/core/error.h"
-#include "scenes/frame/frame_exr.h"
 #include "scenes/core/replace_file.h"
-#include "scenes/scene_file/scene_file.h"
+#include "scenes/frame/frame_exr.h"
 #include "scenes/frame/scene_metadata.h"
+#include "scenes/scene_file/scene_file.h"
+#include "validate/cli/shared.h"
 #include "validate/compare/camera_json.h"
 #include "validate/results/output_files.h"
-#include "validate/cli/shared.h"
 
 #include <fmt/format.h>
 

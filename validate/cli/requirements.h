@@ -16,7 +16,8 @@ void checkNames(const std::vector<Requirement>& requirements, const Scene& scene
 /// The same of frames that were compared.
 void checkNames(const std::vector<Requirement>& requirements, const TechniqueOutcome& outcome);
 
-/// Fills in the outcome's requirements and says on stderr, a line each, which it doesn't reach. True if it reaches all.
+/// Fills in the outcome's requirements and says on stderr, a line each, which it doesn't reach. True if it
+/// reaches all.
 bool holdRequirements(const std::vector<Requirement>& requirements, TechniqueOutcome& outcome);
 
 } // namespace plumbline

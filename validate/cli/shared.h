@@ -3,9 +3,9 @@
 
 #include "reference/reference.h"
 #include "scenes/maps/height_map.h"
+#include "validate/cli/commands.h"
 #include "validate/report/report.h"
 #include "validate/results/results.h"
-#include "validate/cli/commands.h"
 
 #ifdef PLUMBLINE_GL
 #include "realtime/realtime.h"

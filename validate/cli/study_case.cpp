@@ -5,10 +5,10 @@
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/core/nearest_rank.h"
-#include "scenes/surface/proxy_mesh.h"
 #include "scenes/frame/scene_metadata.h"
-#include "validate/compare/frame_metadata.h"
+#include "scenes/surface/proxy_mesh.h"
 #include "validate/cli/trial.h"
+#include "validate/compare/frame_metadata.h"
 
 #include <nlohmann/json.hpp>
 
@@ -51,7 +51,8 @@ const std::string& nameOf(const StudyGrid& grid, const std::string& label) {
         ->name;
 }
 
-/// How well the rings of the proxies' vertices determine their quadrics: the least squares of RP-351, section 3.1.
+/// How well the rings of the proxies' vertices determine their quadrics: the least squares of RP-351,
+/// section 3.1.
 json fitOf(const Scene& scene) {
     std::vector<double> conditions;
     size_t vertices = 0, unmapped = 0; // without a direction of s and t: never fitted

@@ -19,12 +19,12 @@ struct CaseOptions {
 /// The request for it.
 nlohmann::json caseRequest(const StudyCase& studyCase, const CaseOptions& options);
 
-/// Does what a request says: {"reference", "fit", "techniques": [{"name", "result"}], "pairs": [{"first", "second", "result"}]}. Throws
-/// InputError or MachineError for what makes the whole case impossible.
+/// Does what a request says: {"reference", "fit", "techniques": [{"name", "result"}], "pairs": [{"first",
+/// "second", "result"}]}. Throws InputError or MachineError for what makes the whole case impossible.
 nlohmann::json runCase(const nlohmann::json& request);
 
-/// Fingerprint of what decides what the techniques of a grid draw: manifests, shaders, settings. Throws InputError for a technique there
-/// isn't.
+/// Fingerprint of what decides what the techniques of a grid draw: manifests, shaders, settings. Throws
+/// InputError for a technique there isn't.
 std::string techniquesHash(const StudyGrid& grid);
 
 } // namespace plumbline

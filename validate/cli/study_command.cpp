@@ -1,8 +1,8 @@
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
-#include "validate/study/study_report.h"
 #include "validate/cli/commands.h"
 #include "validate/cli/shared.h"
+#include "validate/study/study_report.h"
 
 #ifdef PLUMBLINE_GL
 #include "validate/cli/case_pool.h"

@@ -1,5 +1,5 @@
-// Draws the techniques of a run: each in a process that can be stopped (worker/), but for the control technique, whose
-// triangles are in this one.
+// Draws the techniques of a run: each in a process that can be stopped (worker/), but for the control
+// technique, whose triangles are in this one.
 #pragma once
 
 #ifdef PLUMBLINE_GL
@@ -15,7 +15,8 @@ WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene&
 
 class TechniqueDrawer {
   public:
-    /// Starts OpenGL where `requests` will need it. Throws MachineError where there is none. The scene must outlive this.
+    /// Starts OpenGL where `requests` will need it. Throws MachineError where there is none. The scene must
+    /// outlive this.
     TechniqueDrawer(const Scene& scene, const WorkerOptions& worker,
                     const std::vector<TechniqueRequest>& requests);
 

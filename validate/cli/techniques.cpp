@@ -10,10 +10,12 @@
 namespace plumbline {
 namespace {
 
-// The one search that variants of a surface are drawn with in `all`: one row tells of a surface, twelve only lengthen the table.
+// The one search that variants of a surface are drawn with in `all`: one row tells of a surface, twelve only
+// lengthen the table.
 constexpr const char* kSearchForVariants = "linear_binary";
 
-/// Every search on every surface it composes with that is no variant of another one; variants with one search.
+/// Every search on every surface it composes with that is no variant of another one; variants with one
+/// search.
 std::vector<TechniqueRequest> allTechniques() {
     std::set<std::string> variants;
     for (const SurfaceInfo& surface : listSurfaces())

@@ -15,8 +15,8 @@ struct Trial {
     int exitCode = kExitDone;
 };
 
-/// Draws it. What InputError or MachineError says becomes the outcome's error. `microMeshes`: of the reference, for the control
-/// technique; may be null if that isn't asked for.
+/// Draws it. What InputError or MachineError says becomes the outcome's error. `microMeshes`: of the
+/// reference, for the control technique; may be null if that isn't asked for.
 Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
                    TechniqueDrawer& drawer, const std::vector<MicroMesh>* microMeshes);
 

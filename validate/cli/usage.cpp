@@ -9,7 +9,8 @@
 namespace plumbline {
 namespace {
 
-/// The command the arguments got to, with its names from the first on: "study run"; the program itself if they got to none.
+/// The command the arguments got to, with its names from the first on: "study run"; the program itself if
+/// they got to none.
 std::pair<const CLI::App*, std::string> commandUsed(const CLI::App& app) {
     const CLI::App* command = &app;
     std::string names;

@@ -1,13 +1,13 @@
 #include "scenes/core/error.h"
-#include "scenes/frame/frame_exr.h"
 #include "scenes/core/replace_file.h"
-#include "scenes/scene_file/scene_file.h"
+#include "scenes/frame/frame_exr.h"
 #include "scenes/frame/scene_metadata.h"
-#include "validate/compare/frame_metadata.h"
-#include "validate/results/output_files.h"
+#include "scenes/scene_file/scene_file.h"
 #include "validate/cli/requirements.h"
 #include "validate/cli/shared.h"
 #include "validate/cli/trial.h"
+#include "validate/compare/frame_metadata.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_invoke.h>
@@ -108,7 +108,8 @@ void dropDepth(Comparison& comparison) {
     comparison.testDepth = {};
 }
 
-/// Compares, paints and writes the frame, side by side: each of it takes longer than many techniques take to draw.
+/// Compares, paints and writes the frame, side by side: each of it takes longer than many techniques take to
+/// draw.
 void judge(Trial& trial, const References& references, const Scene& scene, OutputFolder& output,
            Report& report) {
     const std::filesystem::path file = output.newFrameFile(trial.outcome.name);

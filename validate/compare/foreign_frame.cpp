@@ -16,7 +16,8 @@ namespace {
 
 // What Blender writes as the depth of nothing: 1e10, as float and where half has cut it off.
 constexpr float kNothingDepth = 1e10f, kNothingDepthHalf = 65504;
-/// A renderer may sample anywhere within a pixel and filter a few pixels wide; another camera is off by far more.
+/// A renderer may sample anywhere within a pixel and filter a few pixels wide; another camera is off by far
+/// more.
 constexpr double kSameCameraPx = 2;
 
 const std::array<std::string, 3> kPosition{"P.X", "P.Y", "P.Z"}, kNormal{"N.X", "N.Y", "N.Z"};

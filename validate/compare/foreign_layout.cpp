@@ -13,7 +13,8 @@
 namespace plumbline {
 namespace {
 
-/// Mitsuba 3's rays start on the near plane (src/sensors/perspective.cpp), so its depth counts from there; this is the plane's default.
+/// Mitsuba 3's rays start on the near plane (src/sensors/perspective.cpp), so its depth counts from there;
+/// this is the plane's default.
 constexpr double kMitsubaNearClip = 0.01;
 
 struct KnownChannel {
@@ -22,9 +23,10 @@ struct KnownChannel {
     std::string_view ours;
 };
 
-// Blender: the passes' names of a multilayer file (manual, "Passes"); its Combined.A is 1 all over unless the film is transparent.
-// Mitsuba: <name>.<letters> with the names of the manual's examples (src/integrators/aov.cpp).
-// pbrt: GBufferFilm::GetImage (src/pbrt/film.cpp); Ns is the shading normal, which a mesh file's normals end up in.
+// Blender: the passes' names of a multilayer file (manual, "Passes"); its Combined.A is 1 all over unless the
+// film is transparent. Mitsuba: <name>.<letters> with the names of the manual's examples
+// (src/integrators/aov.cpp). pbrt: GBufferFilm::GetImage (src/pbrt/film.cpp); Ns is the shading normal, which
+// a mesh file's normals end up in.
 constexpr std::array kKnownChannels{
     KnownChannel{FrameLayout::Blender, "Depth.Z", "Z"},
     KnownChannel{FrameLayout::Blender, "Normal.X", "N.X"},

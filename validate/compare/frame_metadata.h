@@ -4,8 +4,8 @@
 
 #include "scenes/scene/camera.h"
 #include "scenes/scene/scene.h"
-#include "validate/results/certificate.h"
 #include "validate/metrics/frame_pair.h"
+#include "validate/results/certificate.h"
 
 namespace plumbline {
 
@@ -19,20 +19,22 @@ std::vector<ObjectInfo> objectsFromHeader(const Frame& frame, const std::string&
 /// Whether this program wrote the frame; headers of others may use the same words for other things.
 bool isPlumblines(const Frame& frame);
 
-/// The camera of a frame's header; nullopt if it has none, or another program's word that isn't as this one writes it. Throws likewise,
-/// also for numbers no scene file could have and for one of a picture of another size.
+/// The camera of a frame's header; nullopt if it has none, or another program's word that isn't as this one
+/// writes it. Throws likewise, also for numbers no scene file could have and for one of a picture of another
+/// size.
 std::optional<Camera> cameraFromHeader(const Frame& frame, const std::string& where);
 
-/// The lights of a frame's header, by its keys `light.<name>`; those of another program that aren't as this one writes them are left
-/// out. Throws likewise.
+/// The lights of a frame's header, by its keys `light.<name>`; those of another program that aren't as this
+/// one writes them are left out. Throws likewise.
 std::vector<Light> lightsFromHeader(const Frame& frame, const std::string& where);
 
-/// The camera, the lights the frame has shadows of and what is said of objects that are another program's word and left out: names of header fields. Throws
-/// likewise.
+/// The camera, the lights the frame has shadows of and what is said of objects that are another program's
+/// word and left out: names of header fields. Throws likewise.
 std::vector<std::string> leftOutFields(const Frame& frame, const std::string& where);
 
-/// What a reference's frame says of its own error: the header fields certificate.error_px_p99 and its like (see
-/// certificate.h), numbers >= 0, and the counts of its channels. What isn't there is absent. Throws likewise.
+/// What a reference's frame says of its own error: the header fields certificate.error_px_p99 and its like
+/// (see certificate.h), numbers >= 0, and the counts of its channels. What isn't there is absent. Throws
+/// likewise.
 CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where);
 
 } // namespace plumbline

@@ -16,8 +16,9 @@ struct PositionSpace {
     double medianOffsetPx; // between where a position is seen and its pixel's centre
 };
 
-/// Of our world, one with Z up, and pbrt's camera space that in which positions lie nearest to their own pixels' rays; nullopt if no
-/// pixel is covered. `planes`: x, y, z, a float a pixel, row by row from the top; `covered`: likewise.
+/// Of our world, one with Z up, and pbrt's camera space that in which positions lie nearest to their own
+/// pixels' rays; nullopt if no pixel is covered. `planes`: x, y, z, a float a pixel, row by row from the top;
+/// `covered`: likewise.
 std::optional<PositionSpace> findPositionSpace(const std::array<std::span<const float>, 3>& planes,
                                                const std::vector<bool>& covered, const Camera& camera);
 

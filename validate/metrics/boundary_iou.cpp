@@ -13,8 +13,8 @@ namespace {
 
 constexpr size_t kWidthCount = kBoundaryWidths.size();
 
-/// Largest squared distance, in pixels squared, of each width's rim; of 2 % of the diagonal the whole part, for squared
-/// distances are whole.
+/// Largest squared distance, in pixels squared, of each width's rim; of 2 % of the diagonal the whole part,
+/// for squared distances are whole.
 using SquaredWidths = std::array<int64_t, kWidthCount>;
 
 SquaredWidths squaredWidths(int width, int height) {
@@ -43,8 +43,8 @@ class RimFinder {
 
     /// Per pixel of the list; 0 outside the mask, which `inside(pixel)` tells for every pixel of the picture.
     ///
-    /// The nearest pixel outside the mask has a 4-neighbour in it: one step towards the mask's pixel is nearer. So those are
-    /// all that must be known.
+    /// The nearest pixel outside the mask has a 4-neighbour in it: one step towards the mask's pixel is
+    /// nearer. So those are all that must be known.
     template <class Inside>
     RimBits find(const Inside& inside) const {
         std::vector<Pixel> mask, outside;
@@ -101,7 +101,8 @@ struct OpenRims {
     RimBits surely, possibly;
 };
 
-/// See the header: with the masks A = R \ U and B = R u U, outside U, surely rim is rim(B) and possibly rim is rim(A).
+/// See the header: with the masks A = R \ U and B = R u U, outside U, surely rim is rim(B) and possibly rim
+/// is rim(A).
 OpenRims findOpenRims(const FramePair& pair, int id, const RimFinder& finder,
                       std::span<const uint32_t> pixels) {
     const auto certain = [&](uint32_t pixel) {

@@ -58,8 +58,8 @@ void DistanceTransform::spread(const int* from, int* to) const {
         to[x] = std::min(to[x], from[x] == kNone ? kNone : from[x] + 1);
 }
 
-// Doubles are exact enough: a crossing is a fraction of integers below 2^53, so it never rounds past a whole x that it
-// isn't equal to, and where it is equal both parabolas give the same.
+// Doubles are exact enough: a crossing is a fraction of integers below 2^53, so it never rounds past a whole
+// x that it isn't equal to, and where it is equal both parabolas give the same.
 void DistanceTransform::buildEnvelope(const int* inColumn) {
     envelope_.clear();
     for (int x = 0; x < box_.width(); ++x) {

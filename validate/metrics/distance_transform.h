@@ -23,9 +23,9 @@ struct PixelBox {
     void include(std::span<const Pixel> pixels);
 };
 
-/// Distances to a set of pixels within a box, exactly, axis by axis (Felzenszwalb and Huttenlocher 2012, "Distance transforms of
-/// sampled functions", Theory of Computing 8): first along columns, then for a row the lower envelope of the parabolas
-/// (x - column)^2 + (distance in that column)^2.
+/// Distances to a set of pixels within a box, exactly, axis by axis (Felzenszwalb and Huttenlocher 2012,
+/// "Distance transforms of sampled functions", Theory of Computing 8): first along columns, then for a row
+/// the lower envelope of the parabolas (x - column)^2 + (distance in that column)^2.
 class DistanceTransform {
   public:
     static constexpr int64_t kFar = std::numeric_limits<int64_t>::max();
@@ -34,8 +34,9 @@ class DistanceTransform {
     DistanceTransform(std::span<const Pixel> set, const PixelBox& box,
                       int reach = std::numeric_limits<int>::max());
 
-    /// Squared distance, in pixels squared, of every pixel of `from` to the nearest of the set, in their order; kFar where there
-    /// is none. They lie inside the box. Fast where pixels of one row follow each other from left to right.
+    /// Squared distance, in pixels squared, of every pixel of `from` to the nearest of the set, in their
+    /// order; kFar where there is none. They lie inside the box. Fast where pixels of one row follow each
+    /// other from left to right.
     std::vector<int64_t> squaredDistancesOf(std::span<const Pixel> from);
 
   private:

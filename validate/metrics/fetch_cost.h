@@ -1,8 +1,8 @@
 // Cost in look-ups: what a technique spent on each pixel it covers.
 //
 // Domain: pixels of the test frame that show an object of the selection, with a finite `cost.fetches`. Unit:
-// look-ups a pixel, of the height map and of baked maps (cone ratios, distances, normals, bounds); view and shadow rays
-// together, as the harness counts them.
+// look-ups a pixel, of the height map and of baked maps (cone ratios, distances, normals, bounds); view and
+// shadow rays together, as the harness counts them.
 #pragma once
 
 #include "validate/metrics/figure.h"

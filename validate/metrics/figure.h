@@ -64,7 +64,8 @@ inline std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
     return figure;
 }
 
-/// Nearest-rank percentile (scenes/core/nearest_rank.h). `values`: in any order, not empty; left in another one.
+/// Nearest-rank percentile (scenes/core/nearest_rank.h). `values`: in any order, not empty; left in another
+/// one.
 inline double nearestRankInPlace(std::span<double> values, unsigned percent) {
     const auto place = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
     std::nth_element(values.begin(), place, values.end());

@@ -110,8 +110,8 @@ void forSharedPixels(const FramePair& pair, ObjectSelection selection, Visit&& v
     }
 }
 
-/// The finite values of a channel of the test frame where that frame shows an object of the selection; none if it lacks
-/// the channel.
+/// The finite values of a channel of the test frame where that frame shows an object of the selection; none
+/// if it lacks the channel.
 std::vector<double> valuesOnCoveredPixels(const FramePair& pair, ObjectSelection selection,
                                           const char* channel);
 

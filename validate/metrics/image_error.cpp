@@ -25,7 +25,8 @@ ImageError absentImageError(const std::string& reason) {
     return result;
 }
 
-/// srgbCode by look-up, for it takes a power: it never falls as the colour grows, so where each code begins says all.
+/// srgbCode by look-up, for it takes a power: it never falls as the colour grows, so where each code begins
+/// says all.
 class SrgbCodes {
   public:
     SrgbCodes() {

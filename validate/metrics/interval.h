@@ -1,6 +1,7 @@
 // The range a ratio can have when the truth isn't certain at every pixel.
 //
-// Every ratio with an interval is  hits / (hits + misses),  and each pixel adds to it, by itself, one of a few outcomes:
+// Every ratio with an interval is  hits / (hits + misses),  and each pixel adds to it, by itself, one of a
+// few outcomes:
 //     nothing (0, 0)    a hit (1, 1)    a miss (0, 1)    two misses (0, 2)        as (hits, hits + misses)
 // For a certain pixel that is one; for an uncertain one any of a set. The range is over all choices, each
 // pixel's independent of the others'. With h <= n it is reached by choosing pixel by pixel:

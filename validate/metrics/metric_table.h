@@ -29,8 +29,8 @@ const MetricInfo* findMetric(std::string_view key);
 /// Whether results hold the key's …_low and …_high.
 bool hasInterval(const MetricInfo& metric);
 
-/// A block of lines: the key and what can be said in a word, then meaning, formula, domain, what it is of, and source, a line
-/// each. At most 110 characters wide.
+/// A block of lines: the key and what can be said in a word, then meaning, formula, domain, what it is of,
+/// and source, a line each. At most 110 characters wide.
 std::string describe(const MetricInfo& metric);
 
 } // namespace plumbline

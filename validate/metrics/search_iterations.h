@@ -1,7 +1,8 @@
 // How many rounds a search took until it stopped: the secant paper's figure 4 as numbers.
 //
-// Domain: pixels of the test frame that show an object of the selection, with a finite `cost.iterations`. Unit: rounds of
-// the view ray's search as the technique counts them (bisections, secants, cone or sphere steps, cells).
+// Domain: pixels of the test frame that show an object of the selection, with a finite `cost.iterations`.
+// Unit: rounds of the view ray's search as the technique counts them (bisections, secants, cone or sphere
+// steps, cells).
 #pragma once
 
 #include "validate/metrics/figure.h"

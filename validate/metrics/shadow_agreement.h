@@ -6,12 +6,13 @@
 // alone, lit in the test alone:
 //     agreement = (TP + TN) / domain      IoU = TP / (TP + FP + FN)      F1 = 2 TP / (2 TP + FP + FN)
 //     BER = (FP / (TN + FP) + FN / (TP + FN)) / 2                        (balanced error rate)
-// Both cast and attached shadows count (apart: shadow_kinds.h). Never looks at depth: a pixel may be in the right shadow for a wrong
-// reason.
+// Both cast and attached shadows count (apart: shadow_kinds.h). Never looks at depth: a pixel may be in the
+// right shadow for a wrong reason.
 //
 // Intervals: [low, high] of agreement, IoU and F1 are their ranges over all true images that the reference
 // leaves open, pixel by pixel, independently:
-//     `uncertain`           the true image may show any object or none: a pixel may leave the domain; one that the test covers
+//     `uncertain`           the true image may show any object or none: a pixel may leave the domain; one
+//     that the test covers
 //                           with an object of the selection may enter it, and is lit or dark there
 //     `uncertain.shadow.L`  what the reference sees there may be lit or dark
 // A pixel with neither is as the reference says; a pixel with `uncertain` alone that stays keeps its shadow.
@@ -27,8 +28,8 @@
 
 namespace plumbline {
 
-/// Calls visit(pixel, dark in the reference, dark in the test) for every pixel of the domain. Both frames must have the light's
-/// channel. Returns the number of shared pixels without a finite value in both.
+/// Calls visit(pixel, dark in the reference, dark in the test) for every pixel of the domain. Both frames
+/// must have the light's channel. Returns the number of shared pixels without a finite value in both.
 template <class Visit>
 uint64_t forShadowPixels(const FramePair& pair, ObjectSelection selection, const std::string& light,
                          Visit&& visit) {
@@ -52,9 +53,9 @@ struct ShadowAgreement {
     Figure agreement, iou, f1;                  // in [0, 1], 1 = equal
     Figure ber; // in [0, 1], 0 = equal; absent if the reference is all lit or all dark
     Interval agreementRange, iouRange,
-        f1Range; // absent without both channels, and where the figure is absent
-    Figure
-        uncertainPx; // pixels the test covers with the selection, whose shadow or part in the domain is uncertain
+        f1Range;        // absent without both channels, and where the figure is absent
+    Figure uncertainPx; // pixels the test covers with the selection, whose shadow or part in the domain is
+                        // uncertain
 };
 
 /// `light`: name as in "shadow.<light>". All figures are absent if a frame lacks the channel.

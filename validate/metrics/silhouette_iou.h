@@ -10,7 +10,8 @@
 // Interval: at an uncertain pixel (channel `uncertain` of the reference) the true image may show any object
 // of the scene or none, independently of the other pixels; [low, high] is the range of IoU over all such true
 // images. What the pixel adds:
-//     the test shows an object k of the selection:  a hit if that is true; a miss if the truth is none of the selection;
+//     the test shows an object k of the selection:  a hit if that is true; a miss if the truth is none of the
+//     selection;
 //         two misses if it is another object of the selection (missing there, extra in k)
 //     the test shows none of the selection:         nothing, or a miss
 // interval.h has the closed form and its proof. Channels `uncertain` of the test frame are never looked at.

@@ -1,4 +1,5 @@
-// How many techniques fail at each pixel: where all do, the scene or the base is at fault, where one does, it is.
+// How many techniques fail at each pixel: where all do, the scene or the base is at fault, where one does, it
+// is.
 #pragma once
 
 #include "validate/compare/compare.h"

@@ -19,7 +19,8 @@ struct FrameData {
 /// colour, object, depth, shadows, uncertain pixels. `depth`: planar, empty if there is none.
 FrameData packReference(const FramePair& pair, std::span<const float> depth);
 
-/// colour, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test frame.
+/// colour, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test
+/// frame.
 FrameData packTest(const FramePair& pair, std::span<const float> depth);
 
 /// One layer of counts.

@@ -104,7 +104,8 @@ Picture iterationsPicture(const Frame& test, double most) {
 }
 
 Rgb curvatureColor(double x) {
-    // The figure's blue, green and red; the green is the palest, so that either sign is told from level by lightness alone.
+    // The figure's blue, green and red; the green is the palest, so that either sign is told from level by
+    // lightness alone.
     constexpr Rgb kConcave{0, 72, 168}, kLevel{160, 218, 170}, kConvex{196, 56, 16};
     return mix(kLevel, x < 0 ? kConcave : kConvex, std::min(std::abs(x), 1.0));
 }

@@ -66,14 +66,16 @@ Picture iterationsPicture(const Frame& test, double most);
 /// Colour of that map at x in [0, 1], clamped.
 Rgb sequentialColor(double x);
 
-/// A curvature channel over the test's covered pixels as in Watt and Policarpo (2005), chapter 5, Fig. 5.28: red where the base is
-/// convex along the channel's direction, blue where it is concave, green where it is level; full colour at +-range, world units^-1 > 0.
+/// A curvature channel over the test's covered pixels as in Watt and Policarpo (2005), chapter 5, Fig. 5.28:
+/// red where the base is convex along the channel's direction, blue where it is concave, green where it is
+/// level; full colour at +-range, world units^-1 > 0.
 Picture curvaturePicture(const Frame& test, const std::string& channel, double range);
 
 /// Colour of that map at x in [-1, 1], clamped.
 Rgb curvatureColor(double x);
 
-/// |value| of the channel that 90 % of the covered pixels stay within (edges and tips bend many times as much); 0 if none is finite.
+/// |value| of the channel that 90 % of the covered pixels stay within (edges and tips bend many times as
+/// much); 0 if none is finite.
 double curvatureRange(const Frame& test, const std::string& channel);
 
 /// Both lit, both dark, false shadow (kExtra), false lit (kMissing) over shared pixels.

@@ -1,13 +1,13 @@
 #include "validate/report/report.h"
 
 #include "scenes/core/error.h"
-#include "scenes/image/image_file.h"
 #include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
-#include "validate/results/output_files.h"
+#include "scenes/image/image_file.h"
 #include "validate/report/layer_packing.h"
 #include "validate/report/page_bundle.h"
 #include "validate/report/pictures.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 
@@ -116,8 +116,8 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
     return entries;
 }
 
-/// Fig. 5.28 of Watt and Policarpo (2005), chapter 5: one picture along s and one along t, at one range; the cross term where a base has
-/// one.
+/// Fig. 5.28 of Watt and Policarpo (2005), chapter 5: one picture along s and one along t, at one range; the
+/// cross term where a base has one.
 void Report::saveCurvature(const std::string& stem, const Frame& test,
                            std::vector<ReportPicture>& entries) const {
     const std::vector<std::pair<std::string, std::string>> channels{
@@ -136,8 +136,8 @@ void Report::saveCurvature(const std::string& stem, const Frame& test,
                                Kind::Curvature, fmt::format("{:.3g}", range)});
 }
 
-/// The planes of a frame held against the reference. The first one tells what only a pair knows: what is known of the objects,
-/// whether they are told apart, and where depth comes from.
+/// The planes of a frame held against the reference. The first one tells what only a pair knows: what is
+/// known of the objects, whether they are told apart, and where depth comes from.
 void Report::saveTest(const std::string& stem, report::FrameEntry entry, const Comparison& comparison,
                       const FramePair& pair) {
     if (data_.frames.size() == 1) {

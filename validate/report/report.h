@@ -1,7 +1,8 @@
 // The folder report/: index.html and what it shows. Offline; it opens from disk.
 //
-// With the interactive page (page_bundle.h): index.html, report.js, data/*.js with the planes of each frame, pictures of curvatures.
-// Without: index.html without scripts and every picture as PNG. As a single file: index.html alone, whole.
+// With the interactive page (page_bundle.h): index.html, report.js, data/*.js with the planes of each frame,
+// pictures of curvatures. Without: index.html without scripts and every picture as PNG. As a single file:
+// index.html alone, whole.
 #pragma once
 
 #include "scenes/frame/frame.h"
@@ -37,7 +38,8 @@ class Report {
     void addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test);
     /// `gap` must be of these two frames.
     void addBaseGap(const Comparison& gap, const Frame& reference, const Frame& proxyReference);
-    /// Techniques without pictures (failed ones) are shown with their error. A single file is written only if this is the last time.
+    /// Techniques without pictures (failed ones) are shown with their error. A single file is written only if
+    /// this is the last time.
     void write(const Results& results, bool last);
 
   private:

@@ -1,4 +1,5 @@
-// Cells of the report's tables as data for its template. A column is one row of metricColumns(): head, figures, and which end is better.
+// Cells of the report's tables as data for its template. A column is one row of metricColumns(): head,
+// figures, and which end is better.
 #pragma once
 
 #include "validate/results/results.h"
@@ -51,7 +52,8 @@ std::vector<Column> techniqueColumns(const std::set<std::string>& lights);
 data headsOf(const std::vector<Column>& columns);
 data cellsOf(const std::vector<Column>& columns, const RowFigures& row);
 
-/// The best figure of each column among techniques; of a control, of a single technique and where neither end is better there is none.
+/// The best figure of each column among techniques; of a control, of a single technique and where neither end
+/// is better there is none.
 std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, const Results& results);
 /// Of an object; those that were required to be others are marked.
 data objectCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,

@@ -1,8 +1,8 @@
 #include "validate/report/report_data.h"
 
-#include "validate/results/metric_table_json.h"
 #include "validate/report/failing_pixels.h"
 #include "validate/report/pictures.h"
+#include "validate/results/metric_table_json.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

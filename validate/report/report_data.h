@@ -1,8 +1,9 @@
-// What the page's script is told beside its frames: results, frames there are, curves, ranges. src/data.ts of the page has its shape.
+// What the page's script is told beside its frames: results, frames there are, curves, ranges. src/data.ts of
+// the page has its shape.
 #pragma once
 
-#include "validate/results/results.h"
 #include "validate/report/error_curves.h"
+#include "validate/results/results.h"
 
 #include <optional>
 #include <string>

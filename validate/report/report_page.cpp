@@ -2,12 +2,12 @@
 
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
-#include "validate/results/output_files.h"
 #include "validate/report/page_bundle.h"
 #include "validate/report/page_template.h"
 #include "validate/report/pictures.h"
 #include "validate/report/report_cells.h"
 #include "validate/report/report_data.h"
+#include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,6 @@
-// The history of a shader under test: a file of one record a run, kept beside the shader. A record is one line of JSON, so that
-// versions merge and differ by lines; it holds what results.json says of the whole picture, every figure by its dotted name.
+// The history of a shader under test: a file of one record a run, kept beside the shader. A record is one
+// line of JSON, so that versions merge and differ by lines; it holds what results.json says of the whole
+// picture, every figure by its dotted name.
 #pragma once
 
 #include <map>
@@ -30,15 +31,16 @@ struct HistoryRecord {
     friend bool operator==(const HistoryRecord&, const HistoryRecord&) = default;
 };
 
-/// The record of a run. `where`: the file of `resultsJson`, for errors. No `label`: the program's name and version. Throws
-/// InputError for what isn't results.json of this schema, and for one without techniques.
+/// The record of a run. `where`: the file of `resultsJson`, for errors. No `label`: the program's name and
+/// version. Throws InputError for what isn't results.json of this schema, and for one without techniques.
 HistoryRecord recordOf(const std::string& where, const std::string& resultsJson,
                        const std::optional<std::string>& label);
 
 /// One line with its end. Equal records give equal bytes.
 std::string toLine(const HistoryRecord& record);
 
-/// Records of a file, oldest first; empty lines don't count. Throws InputError with the line of what isn't a record.
+/// Records of a file, oldest first; empty lines don't count. Throws InputError with the line of what isn't a
+/// record.
 std::vector<HistoryRecord> readHistory(const std::string& where, const std::string& text);
 
 } // namespace plumbline

@@ -8,9 +8,10 @@ namespace plumbline {
 /// How much worse than before a figure may be.
 class Tolerances {
   public:
-    /// "silhouette.iou=0.001", "shadow.sun.iou=0.01", "depth.rmse=2%" of the value before, "all=1%"; a shadow's key without a light
-    /// holds for every light, one with it before that, either before "all". Throws InputError for a text that isn't of the
-    /// form, an amount below 0, a key that `plumbline list metrics` hasn't or that is neither better nor worse, one given twice.
+    /// "silhouette.iou=0.001", "shadow.sun.iou=0.01", "depth.rmse=2%" of the value before, "all=1%"; a
+    /// shadow's key without a light holds for every light, one with it before that, either before "all".
+    /// Throws InputError for a text that isn't of the form, an amount below 0, a key that `plumbline list
+    /// metrics` hasn't or that is neither better nor worse, one given twice.
     static Tolerances parse(const std::vector<std::string>& texts);
 
     /// What was asked for for a figure that was `before`, in its unit; none: nothing. "all" isn't about cost.
@@ -44,11 +45,14 @@ struct SceneMoves {
     bool hasRegression() const;
 };
 
-/// The latest record of each of `scenes` (all there are, if none is named) held against the one before it; by their first record.
+/// The latest record of each of `scenes` (all there are, if none is named) held against the one before it; by
+/// their first record.
 ///
-/// Records compare if they have the scene's hash and base in common. A technique is held against the latest such record in which
-/// it worked. A figure is worse if it is farther from its best value (metric_table.h). Unless a tolerance says otherwise,
-/// - one with an interval (…_low to …_high) may be anywhere in the interval it had: the reference can't tell there;
+/// Records compare if they have the scene's hash and base in common. A technique is held against the latest
+/// such record in which it worked. A figure is worse if it is farther from its best value (metric_table.h).
+/// Unless a tolerance says otherwise,
+/// - one with an interval (…_low to …_high) may be anywhere in the interval it had: the reference can't tell
+/// there;
 /// - counts of pixels aren't judged: the ratio made of them is;
 /// - cost is never a regression: times are noise, and what look-ups are worth is the user's to say;
 /// - any other may not become worse at all: equal inputs give equal figures (on llvmpipe, to the last bit).

@@ -5,8 +5,8 @@
 // never written.
 #pragma once
 
-#include "validate/results/certificate.h"
 #include "validate/compare/compare.h"
+#include "validate/results/certificate.h"
 #include "validate/results/requirement.h"
 
 #include <cstdint>
@@ -76,14 +76,15 @@ std::string toJson(const Results& results);
 
 /// RFC 4180, a head line, then a row a technique x reference x object x light; object "(pooled)" first.
 /// `reference` is the base of the one held against; with both, the gap between them comes first, as the
-/// technique "(base gap)". Figures of the whole picture stand in the pooled rows only. A scene without lights gets rows with an empty light; an absent figure is an empty
-/// cell; a technique that failed has one row with its error.
+/// technique "(base gap)". Figures of the whole picture stand in the pooled rows only. A scene without lights
+/// gets rows with an empty light; an absent figure is an empty cell; a technique that failed has one row with
+/// its error.
 std::string toCsv(const Results& results);
 
 /// Plain-text table of the pooled figures people look at first, for the terminal. "±" is the distance from
 /// the figure before it to the farther end of its interval, rounded up. Normals in degrees, "rel" in relief
-/// depths. "require": how many requirements are reached of how many, where there are any. With both bases a second table: the gap between the references, and each technique against that on
-/// the proxy.
+/// depths. "require": how many requirements are reached of how many, where there are any. With both bases a
+/// second table: the gap between the references, and each technique against that on the proxy.
 std::string toTable(const Results& results);
 
 } // namespace plumbline

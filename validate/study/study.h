@@ -1,5 +1,5 @@
-// A study: scenes x values of their fields x techniques, and what is to be shown of it. A TOML file; every key is in
-// README.md beside this.
+// A study: scenes x values of their fields x techniques, and what is to be shown of it. A TOML file; every
+// key is in README.md beside this.
 #pragma once
 
 #include <cstdint>
@@ -80,7 +80,8 @@ struct Study {
 /// Throws InputError: "file:line: field: what; expected …".
 Study readStudy(const std::filesystem::path& file);
 
-/// The values rows can have by "scene", "technique" or an axis, in the study's order; none for a name there is none of.
+/// The values rows can have by "scene", "technique" or an axis, in the study's order; none for a name there
+/// is none of.
 std::vector<std::string> groupValues(const StudyGrid& grid, const std::string& grouping);
 
 /// The grid of that name, which must be there.

@@ -9,7 +9,8 @@ namespace plumbline {
 /// `[[grid.axis]]`: `field` or `fields`, and `values`, or `range`, `steps` and `spacing`. Throws InputError.
 StudyAxis readStudyAxis(const TomlTable& table, const std::string& name);
 
-/// One scalar or an array of them, each as TOML writes it; as plain texts if `plain`. Throws InputError for none.
+/// One scalar or an array of them, each as TOML writes it; as plain texts if `plain`. Throws InputError for
+/// none.
 std::vector<std::string> readStudyValues(const TomlTable& table, const std::string& key, bool plain);
 
 } // namespace plumbline

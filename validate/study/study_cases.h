@@ -1,4 +1,5 @@
-// The cases of a study, each with a name made of its contents, so that what was worked out once is found again.
+// The cases of a study, each with a name made of its contents, so that what was worked out once is found
+// again.
 #pragma once
 
 #include "scenes/scene_file/scene_file.h"
@@ -21,8 +22,9 @@ struct StudyCase {
 /// Number of cases, without making them; stays at the largest number there is.
 uint64_t caseCount(const Study& study);
 
-/// All of them: grid by grid, scene by scene, the last axis changing fastest. `techniquesHash`: of whatever decides what the
-/// techniques of a grid draw. Reads each scene once. Throws InputError for a scene that can't be read.
+/// All of them: grid by grid, scene by scene, the last axis changing fastest. `techniquesHash`: of whatever
+/// decides what the techniques of a grid draw. Reads each scene once. Throws InputError for a scene that
+/// can't be read.
 std::vector<StudyCase> casesOf(const Study& study,
                                const std::function<std::string(const StudyGrid&)>& techniquesHash);
 

@@ -16,16 +16,19 @@ namespace plumbline {
 
 class StudyFolder {
   public:
-    /// Makes the folder. Throws InputError if it can't be written, or holds the results of another study or other files.
+    /// Makes the folder. Throws InputError if it can't be written, or holds the results of another study or
+    /// other files.
     StudyFolder(std::filesystem::path folder, const Study& study);
     /// Of a study that was run. Throws InputError if there is none, or of another study.
     static StudyFolder open(std::filesystem::path folder, const Study& study);
 
     const std::filesystem::path& path() const { return folder_; }
-    /// JSON: {"scene", "values", "changes", "seconds", "error", "again", "reference", "fit", "techniques": [{"name", "result"}],
-    /// "pairs": [{"first", "second", "result"}]}; `error` is null or why there is nothing else.
+    /// JSON: {"scene", "values", "changes", "seconds", "error", "again", "reference", "fit", "techniques":
+    /// [{"name", "result"}], "pairs": [{"first", "second", "result"}]}; `error` is null or why there is
+    /// nothing else.
     ///
-    /// What is known of a case: nothing if it wasn't run, was cut short, or failed for a reason that may have gone (`again`).
+    /// What is known of a case: nothing if it wasn't run, was cut short, or failed for a reason that may have
+    /// gone (`again`).
     std::optional<nlohmann::json> outcomeOf(const StudyCase& studyCase) const;
     void store(const StudyCase& studyCase, const nlohmann::json& outcome) const;
 

@@ -16,8 +16,8 @@
 namespace plumbline {
 namespace {
 
-// Told apart also by those who see no red or green, and by point shapes: Okabe and Ito 2008, without the yellow, which
-// is pale on white.
+// Told apart also by those who see no red or green, and by point shapes: Okabe and Ito 2008, without the
+// yellow, which is pale on white.
 const std::vector<std::string> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                        "#56b4e9", "#e69f00", "#000000"};
 
@@ -32,7 +32,8 @@ size_t pointOf(size_t line) {
     return 4 + 2 * (line % 5) + line / 5 % 2;
 }
 
-/// Single quotes: gnuplot takes everything in them as it is, where double ones would run what stands in backticks.
+/// Single quotes: gnuplot takes everything in them as it is, where double ones would run what stands in
+/// backticks.
 std::string quoted(const std::string& text) {
     std::string result = "'";
     for (const char c : text)

@@ -8,8 +8,8 @@ namespace plumbline {
 /// Throws MachineError if gnuplot isn't there.
 void requireGnuplot();
 
-/// Draws one plot to `file`. Throws InputError for a figure that no row has, MachineError if gnuplot fails. False: no row is chosen, nothing
-/// was drawn.
+/// Draws one plot to `file`. Throws InputError for a figure that no row has, MachineError if gnuplot fails.
+/// False: no row is chosen, nothing was drawn.
 bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
               const std::filesystem::path& file);
 

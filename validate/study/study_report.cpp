@@ -3,9 +3,9 @@
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/scene_metadata.h"
-#include "validate/results/output_files.h"
 #include "validate/report/page_template.h"
 #include "validate/report/report_cells.h"
+#include "validate/results/output_files.h"
 #include "validate/study/study_plot.h"
 
 #include <fmt/format.h>

@@ -7,8 +7,8 @@
 
 namespace plumbline {
 
-/// A technique of a case, held against the reference or, of a pair, against the first technique of it. A failed case has one row with its error
-/// and no technique.
+/// A technique of a case, held against the reference or, of a pair, against the first technique of it. A
+/// failed case has one row with its error and no technique.
 struct StudyRow {
     std::string caseId, grid, scene;
     std::map<std::string, std::string> values; // by axis
@@ -32,8 +32,8 @@ std::string groupOf(const StudyRow& row, const std::string& grouping);
 /// Throws InputError for a figure that no row of the grid has.
 void checkFigure(const std::vector<StudyRow>& rows, const StudyRows& choice);
 
-/// A table's or plot's numbers by two groupings: of the rows chosen, the statistic of those that fall together. Groups without a figure are left
-/// out. Throws as checkFigure.
+/// A table's or plot's numbers by two groupings: of the rows chosen, the statistic of those that fall
+/// together. Groups without a figure are left out. Throws as checkFigure.
 struct StudyCells {
     std::map<std::pair<std::string, std::string>, double> values;
 };

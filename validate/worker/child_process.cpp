@@ -15,13 +15,15 @@
 namespace plumbline {
 namespace {
 
-/// How long a killed process may take to go. A driver can hold it longer, for a GPU that hangs; then it is left behind.
+/// How long a killed process may take to go. A driver can hold it longer, for a GPU that hangs; then it is
+/// left behind.
 constexpr std::chrono::seconds kKillPatience(10);
 constexpr std::chrono::milliseconds kBetweenLooks(1);
 
 } // namespace
 
-// Not fork(): only one of this process's threads would be there in the child, with the locks of all the others.
+// Not fork(): only one of this process's threads would be there in the child, with the locks of all the
+// others.
 ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                            int descriptor, int descriptorThere) {
     std::vector<char*> argv;

@@ -13,8 +13,8 @@ namespace plumbline {
 /// Owns the process: it doesn't outlive this.
 class ChildProcess {
   public:
-    /// The child finds `descriptor` under the number `descriptorThere`; standard streams, environment and working folder
-    /// are this process's. Throws MachineError if it can't be started.
+    /// The child finds `descriptor` under the number `descriptorThere`; standard streams, environment and
+    /// working folder are this process's. Throws MachineError if it can't be started.
     ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                  int descriptor, int descriptorThere);
     ~ChildProcess();

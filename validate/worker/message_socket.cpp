@@ -20,7 +20,8 @@ namespace {
 /// Of a value; frames travel as numbers. More is no message but bytes gone astray.
 constexpr uint64_t kLongestBytes = uint64_t(1) << 26;
 
-/// Sockets stay above the standard streams, which a caller may have closed, and above the number a child finds its end at.
+/// Sockets stay above the standard streams, which a caller may have closed, and above the number a child
+/// finds its end at.
 constexpr int kLowestDescriptor = 10;
 
 void sendBytes(int descriptor, const void* data, size_t size) {

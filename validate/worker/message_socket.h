@@ -1,8 +1,8 @@
-// Whole messages between two processes of this program: a value as MessagePack behind its length, or numbers as they lie
-// in memory.
+// Whole messages between two processes of this program: a value as MessagePack behind its length, or numbers
+// as they lie in memory.
 //
-// MessagePack and not JSON text: paths and compiler logs hold bytes that aren't UTF-8, times may be NaN, and both arrive as
-// they were. The processes share machine and program, so byte order and layout need no care.
+// MessagePack and not JSON text: paths and compiler logs hold bytes that aren't UTF-8, times may be NaN, and
+// both arrive as they were. The processes share machine and program, so byte order and layout need no care.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

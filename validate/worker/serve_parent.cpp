@@ -33,7 +33,8 @@ bool endWithParent(pid_t parent) {
     return ::getppid() == parent; // else that was too late
 }
 
-/// They come to the parent as well, whose they are; what it does about them ends this process, if it is to end.
+/// They come to the parent as well, whose they are; what it does about them ends this process, if it is to
+/// end.
 void leaveSignalsToParent() {
     for (const int signal : {SIGINT, SIGQUIT, SIGHUP, SIGTERM})
         ::signal(signal, SIG_IGN);

@@ -31,8 +31,8 @@ void drawTechnique(const MessageSocket& socket, RealtimeRenderer& renderer, cons
 
 void drawTechniques(const MessageSocket& socket) {
     const WorkerSetup setup = workerSetup(socket.receive());
-    // Before the scene, whose maps load the libraries for pictures: those bring copies of libraries (libdrm, libxcb) that drivers
-    // link too, and a driver must have its own.
+    // Before the scene, whose maps load the libraries for pictures: those bring copies of libraries (libdrm,
+    // libxcb) that drivers link too, and a driver must have its own.
     std::unique_ptr<GlContext> context = createGlContext(setup.gl);
     const Scene scene = readSameScene(setup);
     RealtimeRenderer renderer(scene, setup.gl, std::move(context));

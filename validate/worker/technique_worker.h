@@ -1,8 +1,9 @@
-// Draws techniques in a process of their own, so that a shader that loops for ever, or a driver that crashes over it, costs
-// that one technique and not the run: the process is killed, and the next technique gets a new one.
+// Draws techniques in a process of their own, so that a shader that loops for ever, or a driver that crashes
+// over it, costs that one technique and not the run: the process is killed, and the next technique gets a new
+// one.
 //
-// llvmpipe runs shaders on threads of the process that draws, and nothing but its end stops them. The process serves
-// technique after technique: starting it takes up to half a second.
+// llvmpipe runs shaders on threads of the process that draws, and nothing but its end stops them. The process
+// serves technique after technique: starting it takes up to half a second.
 #pragma once
 
 #include "realtime/realtime.h"
@@ -25,15 +26,18 @@ struct WorkerOptions {
 
 class TechniqueWorker {
   public:
-    /// Starts the process but doesn't wait for it. Linux ends it with the *thread* that runs this: use one that stays.
+    /// Starts the process but doesn't wait for it. Linux ends it with the *thread* that runs this: use one
+    /// that stays.
     explicit TechniqueWorker(const WorkerOptions& options);
     ~TechniqueWorker();
 
-    /// Waits until it has read the scene and started OpenGL. Throws what readScene and RealtimeRenderer throw.
+    /// Waits until it has read the scene and started OpenGL. Throws what readScene and RealtimeRenderer
+    /// throw.
     void waitUntilReady();
 
-    /// As RealtimeRenderer::render, to the byte. Throws what that throws; InputError if compiling and drawing take longer than
-    /// the limit; MachineError if the process ends. Time spent on maps before that, or stopped by Ctrl-Z, doesn't count.
+    /// As RealtimeRenderer::render, to the byte. Throws what that throws; InputError if compiling and drawing
+    /// take longer than the limit; MachineError if the process ends. Time spent on maps before that, or
+    /// stopped by Ctrl-Z, doesn't count.
     TechniqueResult render(const TechniqueRequest& request,
                            const std::map<std::string, std::string>& settings);
 
@@ -47,7 +51,8 @@ class TechniqueWorker {
     std::unique_ptr<Connection> connection_; // null: not started since the last one was stopped
 };
 
-/// The other side, what the command does: draws what the process `parent` asks for until that is gone. Returns an exit code.
+/// The other side, what the command does: draws what the process `parent` asks for until that is gone.
+/// Returns an exit code.
 int serveTechniques(pid_t parent);
 
 } // namespace plumbline

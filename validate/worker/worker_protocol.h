@@ -1,9 +1,11 @@
 // What a run and the process that draws its techniques tell each other, as values for MessageSocket.
 //
 //   run     -> drawing process: WorkerSetup, then a DrawRequest a technique
-//   drawing process -> run:     phases as it comes to them, kPhaseReady first; for each request a result or an error
+//   drawing process -> run:     phases as it comes to them, kPhaseReady first; for each request a result or
+//   an error
 //
-// A result is followed by its frame's planes. A field more in TechniqueResult is one line in each of the two functions.
+// A result is followed by its frame's planes. A field more in TechniqueResult is one line in each of the two
+// functions.
 #pragma once
 
 #include "realtime/realtime.h"
@@ -40,7 +42,8 @@ nlohmann::json phaseReply(std::string_view phase);
 nlohmann::json errorReply(const std::exception& error);
 void sendResult(const MessageSocket& socket, const TechniqueResult& result);
 
-/// The error of an errorReply: InputError, MachineError or another std::runtime_error; null if the value is something else.
+/// The error of an errorReply: InputError, MachineError or another std::runtime_error; null if the value is
+/// something else.
 std::exception_ptr errorOf(const nlohmann::json& reply);
 
 /// One reply of the drawing process: exactly one of the three is there.

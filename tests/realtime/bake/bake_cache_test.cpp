@@ -1,7 +1,8 @@
-// The cache of baked maps: what its files are named after, and that nothing but what was written ever comes out of one.
+// The cache of baked maps: what its files are named after, and that nothing but what was written ever comes
+// out of one.
 #include "realtime/bake/bake_cache.h"
-#include "tests/scenes/core/test_files.h"
 #include "tests/realtime/bake/awkward_maps.h"
+#include "tests/scenes/core/test_files.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -2,8 +2,8 @@
 #include "realtime/bake/bake.h"
 #include "realtime/bake/baked_map_picture.h"
 #include "scenes/image/exr_file.h"
-#include "tests/scenes/core/test_files.h"
 #include "tests/realtime/bake/awkward_maps.h"
+#include "tests/scenes/core/test_files.h"
 
 #include <gmock/gmock.h>
 

@@ -27,7 +27,8 @@ bool isRelaxed(const std::string& kind) {
     return kind.find("relaxed") != std::string::npos;
 }
 
-/// A step is worked out in double from ratios rounded down, so it ends short of its cone by more than rounding: no leap at all.
+/// A step is worked out in double from ratios rounded down, so it ends short of its cone by more than
+/// rounding: no leap at all.
 TEST(ConeCheck, NoStepByCellsLeaps) {
     for (const std::string& generated : generatedMapKinds()) {
         const HeightMap map = generateMap(generated, 64, 1, Wrap::Repeat, Wrap::Repeat);
@@ -60,8 +61,8 @@ TEST(ConeCheck, InterpolatedRatiosOfBricksLeap) {
     EXPECT_LT(four.leaping, kRays / 50);
 }
 
-/// TECHNIQUES.md, E19: tested from depth 0 alone, cones let rays through that arrive deeper and flatter. By cells, so that nothing else is
-/// to blame; the same rays don't get through the safe map's cones.
+/// TECHNIQUES.md, E19: tested from depth 0 alone, cones let rays through that arrive deeper and flatter. By
+/// cells, so that nothing else is to blame; the same rays don't get through the safe map's cones.
 TEST(ConeCheck, ConesOf2007Leap) {
     for (const char* generated : {"noise", "cobbles", "waves"}) {
         const HeightMap map = generateMap(generated, 128, 1, Wrap::Repeat, Wrap::Repeat);
@@ -145,8 +146,8 @@ std::vector<std::shared_ptr<const HeightMap>> libraryMaps() {
     return maps;
 }
 
-/// PLUMBLINE_CONE_RAYS sets the rays a map (the slow run: ten million). 1/255 of the depth is what a picture could show; none at all is
-/// what is claimed.
+/// PLUMBLINE_CONE_RAYS sets the rays a map (the slow run: ten million). 1/255 of the depth is what a picture
+/// could show; none at all is what is claimed.
 TEST(ConeCheck, NoLeapOnTheMapsOfTheLibrary) {
     const char* asked = std::getenv("PLUMBLINE_CONE_RAYS");
     const uint64_t rays = asked ? std::strtoull(asked, nullptr, 10) : 20000;

@@ -21,8 +21,9 @@ BakedMap bake(const HeightMap& map, const std::string& kind) {
     return bakeMap(map, request);
 }
 
-/// Texels outside a clamped map that cells must look at: those a quadrant's edge may run past. (Those wholly in the quadrant repeat a
-/// point nearer by on its edge or in the map, which has pairs of its own.) Texels' pairs are looked at everywhere.
+/// Texels outside a clamped map that cells must look at: those a quadrant's edge may run past. (Those wholly
+/// in the quadrant repeat a point nearer by on its edge or in the map, which has pairs of its own.) Texels'
+/// pairs are looked at everywhere.
 bool looksOutside(const ConePairs& pairs, int i, int j, const Vec2i& offset, int sector) {
     const HeightMap& map = pairs.map();
     const bool outside = (map.wrapS() == Wrap::Clamp && (i < 0 || i >= map.width())) ||
@@ -34,8 +35,8 @@ bool looksOutside(const ConePairs& pairs, int i, int j, const Vec2i& offset, int
     return !beyondSide;
 }
 
-/// The definition: every pair within reach, repeated images and repeated borders included. phi may be less than the offset by half a
-/// texel's diagonal, at most 0.71 tiles, where offsets of 1.23 tiles have slope 1.
+/// The definition: every pair within reach, repeated images and repeated borders included. phi may be less
+/// than the offset by half a texel's diagonal, at most 0.71 tiles, where offsets of 1.23 tiles have slope 1.
 float steepestOfAllPairs(const ConePairs& pairs, int column, int row, int sector) {
     const HeightMap& map = pairs.map();
     const int reachS = map.width() * 5 / 4 + 1, reachT = map.height() * 5 / 4 + 1;
@@ -57,7 +58,8 @@ int following(int i, int size, Wrap wrap) {
     return wrap == Wrap::Repeat ? (i + 1) % size : std::min(i + 1, size - 1);
 }
 
-/// A cell's ratio from all pairs of its corners and from nearSlope. (Border cells of a clamped quad map: the least of all.)
+/// A cell's ratio from all pairs of its corners and from nearSlope. (Border cells of a clamped quad map: the
+/// least of all.)
 float cellRatio(const ConePairs& pairs, int i, int j, int sector) {
     const HeightMap& map = pairs.map();
     float slope = keptSlopeSquared(std::pow(nearSlope(map, pairs.rule(), i, j, sector, 0), 2));
@@ -105,7 +107,8 @@ int quadrant(const Vec2& direction) {
     return direction.y >= 0 ? 2 : 3;
 }
 
-/// The claim of slice 1 on the surface itself: points drawn at all distances, and on the creases where the surface turns.
+/// The claim of slice 1 on the surface itself: points drawn at all distances, and on the creases where the
+/// surface turns.
 TEST(ConeMap, NoPointOfTheSurfaceIsInACellsCone) {
     constexpr int kPairs = 200000;
     for (const char* kind : {"cone_step", "cone_step_quad"})
@@ -139,8 +142,8 @@ TEST(ConeMap, NoPointOfTheSurfaceIsInACellsCone) {
         }
 }
 
-/// The lemma under slice 1: phi, interpolated between whole offsets, is nowhere above the length, beyond the squares that touch 0. Nor is it
-/// far below: at least cos 45 degrees of it, and from four texels on 3 %.
+/// The lemma under slice 1: phi, interpolated between whole offsets, is nowhere above the length, beyond the
+/// squares that touch 0. Nor is it far below: at least cos 45 degrees of it, and from four texels on 3 %.
 TEST(ConeMap, PhiIsBelowTheDistanceEverywhere) {
     for (const Vec2i size :
          {Vec2i(8, 8), Vec2i(1, 64), Vec2i(16, 40), Vec2i(5, 3), Vec2i(300, 2), Vec2i(1, 1)}) {
@@ -168,7 +171,8 @@ TEST(ConeMap, PhiIsBelowTheDistanceEverywhere) {
     }
 }
 
-/// A wall of depth 0 on a floor of depth 1, at texel 2 of 8: floor texels k away have k / 8; the wall itself has 1.
+/// A wall of depth 0 on a floor of depth 1, at texel 2 of 8: floor texels k away have k / 8; the wall itself
+/// has 1.
 TEST(ConeMap, RatiosOfAWallAreDistances) {
     const HeightMap map("wall", 8, 1, {1, 1, 0, 1, 1, 1, 1, 1});
     const double distances[] = {2, 1, 8, 1, 2, 3, 4, 3}; // to the nearest image
@@ -221,8 +225,9 @@ TEST(ConeMap, RelaxedConesAreNoNarrowerThanConservativeOnes) {
     }
 }
 
-/// Listing 18-2 with its errata mended (an exit is a sample that is outside again; steps of 1/32 of a texel): from depth 0 over p through
-/// each texel centre q and on until the ray leaves. The exit lies between the last sample inside and the first outside: two ratios.
+/// Listing 18-2 with its errata mended (an exit is a sample that is outside again; steps of 1/32 of a texel):
+/// from depth 0 over p through each texel centre q and on until the ray leaves. The exit lies between the
+/// last sample inside and the first outside: two ratios.
 struct MarchedRatio {
     double least = 1, most = 1;
 };
@@ -251,9 +256,9 @@ MarchedRatio ratioByMarching(const HeightMap& map, int column, int row) {
     return ratio;
 }
 
-/// The marched exits hold those at texel centres that the criterion finds, and others between texels next to them. So single ratios may
-/// differ, mostly by less than the two texels that lie between an exit and the texels around it, and their means agree within the marching's
-/// own step.
+/// The marched exits hold those at texel centres that the criterion finds, and others between texels next to
+/// them. So single ratios may differ, mostly by less than the two texels that lie between an exit and the
+/// texels around it, and their means agree within the marching's own step.
 TEST(ConeMap, The2007CriterionFindsWhatTheListingMarchesFor) {
     constexpr int kSize = 32;
     for (const char* kind : {"cobbles", "waves", "pyramids", "noise"}) {

@@ -1,4 +1,5 @@
-// Distances on a grid: by their definition, in closed form, and that no surface is nearer than the bound says.
+// Distances on a grid: by their definition, in closed form, and that no surface is nearer than the bound
+// says.
 #include "realtime/bake/bake.h"
 #include "tests/realtime/bake/awkward_maps.h"
 
@@ -107,8 +108,8 @@ TEST(DistanceField, HasTheBitsOfItsDefinitionAcrossSeveralBlocks) {
         }
 }
 
-// A floor at depth 1/2 under 8 slices, each 1/8: the floor touches slices 3 and 4, so slice k is 3 - k - 1 slices away from
-// the first solid one; centres: slice 4 is the first whose centre, 9/16, is below 1/2.
+// A floor at depth 1/2 under 8 slices, each 1/8: the floor touches slices 3 and 4, so slice k is 3 - k - 1
+// slices away from the first solid one; centres: slice 4 is the first whose centre, 9/16, is below 1/2.
 TEST(DistanceField, AFlatFloorInClosedForm) {
     const BakedMap field = fieldOf(HeightMap("floor", 6, 5, std::vector<float>(30, 0.5f)), {1, 1, 0.2}, 8);
     EXPECT_EQ(field.slices, 8);
@@ -119,10 +120,10 @@ TEST(DistanceField, AFlatFloorInClosedForm) {
     }
 }
 
-// A needle of depth 0 on texel 8 of 16, a tile 2 units wide and 1 deep: a voxel is 1/8 wide, and the patches around the needle
-// reach depth 1/2 half a texel away from it. In the top slice of 2 (depths 0 to 1/2) texels 7, 8 and 9 are solid, and voxel
-// 3 is 3 voxels away from the nearest of them; the floor, in the second slice, touches it.
-// Centres: texel 8 alone, 5/8 away, against the ground's 1 below: (2 slices of 1/2).
+// A needle of depth 0 on texel 8 of 16, a tile 2 units wide and 1 deep: a voxel is 1/8 wide, and the patches
+// around the needle reach depth 1/2 half a texel away from it. In the top slice of 2 (depths 0 to 1/2) texels
+// 7, 8 and 9 are solid, and voxel 3 is 3 voxels away from the nearest of them; the floor, in the second
+// slice, touches it. Centres: texel 8 alone, 5/8 away, against the ground's 1 below: (2 slices of 1/2).
 TEST(DistanceField, ANeedleInClosedForm) {
     const BakedMap needle = fieldOf(needleMap(16, 1, 8, 0), {2, 4000, 1}, 2);
     EXPECT_EQ(needle.at(0, 0, 3, 0)[kCentre], 0.625f);
@@ -150,7 +151,8 @@ TEST(DistanceField, OneThreadGivesTheSameBits) {
 
 // -------- No surface is nearer than the bound --------
 
-/// A point of relief space and what a technique reads there: the nearest voxel, wrapped or clamped, at any depth.
+/// A point of relief space and what a technique reads there: the nearest voxel, wrapped or clamped, at any
+/// depth.
 struct Looker {
     const HeightMap& map;
     const BakedMap& field;

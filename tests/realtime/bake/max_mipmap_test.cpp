@@ -1,4 +1,5 @@
-// Bounds of blocks of the bilinear surface: sizes, exactness, and that nothing of the surface is outside them.
+// Bounds of blocks of the bilinear surface: sizes, exactness, and that nothing of the surface is outside
+// them.
 #include "realtime/bake/bake.h"
 #include "tests/realtime/bake/awkward_maps.h"
 
@@ -31,8 +32,8 @@ TEST(MaxMipmap, LevelsHalveDownToOneCell) {
         EXPECT_EQ(std::pair(pyramid.levels[k].width, pyramid.levels[k].height), sizes[k]);
 }
 
-// A row of depths 0 .2 .4 .6 .8: cells between neighbours, the last one back to the first under repeat and flat under
-// clamp; above them the blocks {0 1} and {2 3 4}, above these all of it.
+// A row of depths 0 .2 .4 .6 .8: cells between neighbours, the last one back to the first under repeat and
+// flat under clamp; above them the blocks {0 1} and {2 3 4}, above these all of it.
 TEST(MaxMipmap, ARowByHand) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {
         const HeightMap row("row", 5, 1, {0.0f, 0.2f, 0.4f, 0.6f, 0.8f}, wrap, wrap);

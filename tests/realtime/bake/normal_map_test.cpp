@@ -36,9 +36,9 @@ TEST(NormalMap, AFlatReliefLooksStraightOut) {
     }
 }
 
-// Depths 1/8 a texel along s on 4 columns, so D_s = 1/2 a map width; on a tile 2 x 5 world units, 3 deep, the relief
-// falls by 3/2 on 2 units: z = -(3/4) x, normal (3/4, 0, 1). Likewise along t. The clamped border has half the slope, the
-// repeated one a jump of -3/8 against 1/8: (-3/8 + 1/8)/2 = -1/8 a texel.
+// Depths 1/8 a texel along s on 4 columns, so D_s = 1/2 a map width; on a tile 2 x 5 world units, 3 deep, the
+// relief falls by 3/2 on 2 units: z = -(3/4) x, normal (3/4, 0, 1). Likewise along t. The clamped border has
+// half the slope, the repeated one a jump of -3/8 against 1/8: (-3/8 + 1/8)/2 = -1/8 a texel.
 TEST(NormalMap, ALinearReliefInClosedForm) {
     std::vector<float> depths;
     for (int j = 0; j < 3; ++j)
@@ -63,7 +63,8 @@ TEST(NormalMap, ALinearReliefInClosedForm) {
     expectNormal(alongT.at(0, 0, 1, 2), {0, 0.75, 1});
 }
 
-// The gradient of the exact bilinear surface on both sides of a texel's centre, of which the central difference is the mean.
+// The gradient of the exact bilinear surface on both sides of a texel's centre, of which the central
+// difference is the mean.
 TEST(NormalMap, IsTheMeanOfTheSurfacesSlopesAroundTheTexel) {
     for (const HeightMap& map : awkwardMaps()) {
         SCOPED_TRACE(describe(map));

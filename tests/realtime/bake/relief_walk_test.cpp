@@ -15,7 +15,8 @@ std::vector<InsideInterval> walk(const HeightMap& map, const DescendingRay& ray,
     return intervals;
 }
 
-/// D = 2 (s - 1/4) from s = 1/4 to 3/4. On s = 0.9 - d/2 that is 1.3 - d: inside from d = 0.65 on, 0.7 deep at d = 1.
+/// D = 2 (s - 1/4) from s = 1/4 to 3/4. On s = 0.9 - d/2 that is 1.3 - d: inside from d = 0.65 on, 0.7 deep
+/// at d = 1.
 TEST(ReliefWalk, EntersASlopeWhereItShould) {
     const HeightMap map("slope", 2, 1, {0, 1}, Wrap::Clamp, Wrap::Clamp);
     const auto intervals = walk(map, {{0.9, 0.3}, {-0.5, 0}});
@@ -25,8 +26,8 @@ TEST(ReliefWalk, EntersASlopeWhereItShould) {
     EXPECT_NEAR(intervals[0].deepest, 0.7, 1e-15);
 }
 
-/// A ridge of depth 0.2 at s = 1/2, down to 1 within 1/3: D = 0.2 + 2.4 |x|, x = s - 1/2. On d = 0.5 + x/10 the ray goes in at
-/// x = -0.3/2.5, out at x = 0.3/2.3, and is 0.3 below the ridge.
+/// A ridge of depth 0.2 at s = 1/2, down to 1 within 1/3: D = 0.2 + 2.4 |x|, x = s - 1/2. On d = 0.5 + x/10
+/// the ray goes in at x = -0.3/2.5, out at x = 0.3/2.3, and is 0.3 below the ridge.
 TEST(ReliefWalk, GoesThroughARidge) {
     const HeightMap map("ridge", 3, 1, {1, 0.2f, 1}, Wrap::Clamp, Wrap::Clamp);
     const double ridge = 0.2f; // as a float stores it
@@ -37,8 +38,9 @@ TEST(ReliefWalk, GoesThroughARidge) {
     EXPECT_NEAR(intervals[0].deepest, 0.5 - ridge, 1e-12);
 }
 
-/// One saddle, D = 1 - 4 x (1 - x) / 2 along its diagonal (x from one texel centre to the next): a parabola a chord at d = 0.75 cuts
-/// where x (1 - x) = 1/8, and which it goes 0.25 below at x = 1/2. The chord must descend: by 1e-9 over the cell.
+/// One saddle, D = 1 - 4 x (1 - x) / 2 along its diagonal (x from one texel centre to the next): a parabola a
+/// chord at d = 0.75 cuts where x (1 - x) = 1/8, and which it goes 0.25 below at x = 1/2. The chord must
+/// descend: by 1e-9 over the cell.
 TEST(ReliefWalk, FindsBothRootsOfAPatch) {
     const HeightMap map("saddle", 2, 2, {1, 0, 0, 1}, Wrap::Clamp, Wrap::Clamp);
     const double flat = 1e-9;
@@ -81,7 +83,8 @@ TEST(ReliefWalk, AgreesWithDenseSamples) {
                 if (j > 0) {
                     ASSERT_GT(intervals[j].begin, intervals[j - 1].end);
                 }
-                // Between two samples the relief changes by its gradient: at most 1 per texel along both axes.
+                // Between two samples the relief changes by its gradient: at most 1 per texel along both
+                // axes.
                 const double change = 1 + slope * (test.map.width() + test.map.height());
                 ASSERT_GE(deepest[j], intervals[j].deepest - change / kSamples);
             }

@@ -26,7 +26,8 @@ struct Oblique {
     Wrap wrap = Wrap::Repeat;
 };
 
-/// A square of side 2 seen from the side, so that every pixel of a covered row has a ray of its own way through the relief.
+/// A square of side 2 seen from the side, so that every pixel of a covered row has a ray of its own way
+/// through the relief.
 Scene sceneOf(const Oblique& view) {
     SceneObject object = squareObject(2, generated(view.kind, view.wrap), view.depth);
     object.relief->tile = view.tile;
@@ -43,7 +44,8 @@ const std::vector<Oblique> kViews{{"cobbles", 0, 0.2, {1, 1}},
                                   {"noise", 40, 0.5, {1, 1}, Wrap::Clamp},
                                   {"pins", 85, 0.05, {1, 2}}};
 
-/// Pixels whose depth differs by more than `tolerance` relief depths, or whose coverage does, of those covered by either.
+/// Pixels whose depth differs by more than `tolerance` relief depths, or whose coverage does, of those
+/// covered by either.
 struct Difference {
     size_t different = 0, pixels = 0;
     double share() const { return static_cast<double>(different) / static_cast<double>(pixels); }
@@ -74,7 +76,8 @@ TEST(MaxMipmap, FindsTheHitsOfExactCells) {
             const Frame found = draw(scene, std::string("max_mipmap") + surface);
             const Difference difference = differenceOf(exact, found, view.depth, 1e-4);
             EXPECT_GT(difference.pixels, 1000u);
-            // A ray that touches an edge finds it or doesn't by the last bit, and blocks are entered at other numbers than cells.
+            // A ray that touches an edge finds it or doesn't by the last bit, and blocks are entered at other
+            // numbers than cells.
             EXPECT_LE(difference.different, 3u) << named(view) << surface;
         }
 }
@@ -102,8 +105,9 @@ TEST(MaxMipmap, LooksUpFarLessOfAFlatRelief) {
 
 TEST(ConeStepping, WithManyStepsArrivesWhereExactCellsDoes) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Steps end short of the relief by a share that falls with each: 1000 steps or a clearance of 1e-3, whichever comes first.
-    // Along a crest a ray may pass below that clearance without a hit: the error is the crest's then.
+    // Steps end short of the relief by a share that falls with each: 1000 steps or a clearance of 1e-3,
+    // whichever comes first. Along a crest a ray may pass below that clearance without a hit: the error is
+    // the crest's then.
     for (const Oblique& view : kViews)
         for (const char* technique :
              {"cone_step", "cone_step_quad", "cone_step@quadric", "cone_step_quad@quadric"}) {
@@ -205,8 +209,8 @@ TEST(BakedTechniques, CastTheShadowsOfExactCells) {
 
 TEST(SlopeParallax, IsExactOnARampAtAnyScaleAndTile) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // D grows linearly along s but for the map's border: the plane through the point under the fragment is the relief itself.
-    // A normal baked at one scale and used at another would miss (TECHNIQUES E7).
+    // D grows linearly along s but for the map's border: the plane through the point under the fragment is
+    // the relief itself. A normal baked at one scale and used at another would miss (TECHNIQUES E7).
     std::vector<float> depths;
     for (int i = 0; i < 64; ++i)
         depths.push_back(0.2f + 0.6f * static_cast<float>(i) / 63);

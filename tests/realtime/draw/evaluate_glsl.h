@@ -10,8 +10,8 @@
 
 namespace plumbline {
 
-/// `functions` must define `vec4 evaluate(vec4 argument)`. `setUp` is called with the program in use, before drawing.
-/// A context must be current.
+/// `functions` must define `vec4 evaluate(vec4 argument)`. `setUp` is called with the program in use, before
+/// drawing. A context must be current.
 std::vector<glm::vec4> evaluateGlsl(ShaderSource functions, const std::vector<glm::vec4>& arguments,
                                     const std::function<void(const GlProgram&)>& setUp = {});
 

@@ -77,9 +77,10 @@ class LookUp : public testing::TestWithParam<MapCase> {
         const HeightMap map = randomMap(width, height, wrapS, wrapT, 7);
         const std::vector<glm::vec4> points = coordinates(map, 11);
         const std::vector<glm::vec4> found = lookUp(map, points, hardware);
-        // The texel position st * size - 0.5 is rounded a few times at magnitude size: that is its error in texels, and
-        // neighbouring depths differ by up to 1 along each axis. Interpolation itself adds a few roundings below 1. A
-        // sampler rounds the weights to 8 bits on GPUs, which the specification allows: half of 1/256 along each axis.
+        // The texel position st * size - 0.5 is rounded a few times at magnitude size: that is its error in
+        // texels, and neighbouring depths differ by up to 1 along each axis. Interpolation itself adds a few
+        // roundings below 1. A sampler rounds the weights to 8 bits on GPUs, which the specification allows:
+        // half of 1/256 along each axis.
         const double tolerance =
             4 * kFloatEpsilon * (width + height) + (hardware ? 2.0 / 512 : 0) + 4 * kFloatEpsilon;
         double largest = 0;
@@ -133,7 +134,8 @@ TEST(LookUpOfNonsense, StaysInsideTheMap) {
               4u);
 }
 
-// --- the end of the search interval over a quadric ---------------------------------------------------------------------
+// --- the end of the search interval over a quadric
+// ---------------------------------------------------------------------
 
 std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
     const auto context = createGlContext({});
@@ -156,7 +158,8 @@ std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
 
 TEST(SearchEnd, ErratumSixteensExamplesAreRight) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The textbook root gives 1.192, 0 and NaN for these (float32, v_d = 1); the interval ends where d = 1, at tau = 1.
+    // The textbook root gives 1.192, 0 and NaN for these (float32, v_d = 1); the interval ends where d = 1,
+    // at tau = 1.
     const auto ends = searchEnds({{1, 1e-7f, 0, 0}, {1, 1e-9f, 0, 0}, {1, 0, 0, 0}, {1, -1e-9f, 0, 0}});
     for (const glm::vec4& end : ends) {
         EXPECT_NEAR(end.x, 1, 2 * kFloatEpsilon);
@@ -185,8 +188,9 @@ TEST(SearchEnd, IsTheFirstRootForEveryCurvature) {
         SCOPED_TRACE(testing::Message() << "v_d " << v << " f " << f);
         ASSERT_TRUE(std::isfinite(tau));
         EXPECT_GT(tau, 0);
-        // d(tau) = v tau - f tau^2 must be the depth reported. tau is off by a few roundings, the discriminant by one of
-        // v^2, which its root magnifies by v / sqrt(discriminant); d changes by at most v + 2 |f| tau per unit of tau.
+        // d(tau) = v tau - f tau^2 must be the depth reported. tau is off by a few roundings, the
+        // discriminant by one of v^2, which its root magnifies by v / sqrt(discriminant); d changes by at
+        // most v + 2 |f| tau per unit of tau.
         const double relative =
             4 * kFloatEpsilon * (1 + (discriminant > 0 ? v / std::sqrt(discriminant) : 0));
         EXPECT_NEAR(v * tau - f * tau * tau, ends[i].y, relative * tau * (v + 2 * std::abs(f) * tau));

@@ -7,7 +7,8 @@
 namespace plumbline {
 namespace {
 
-/// One grid over [-1, 1]^2 in the plane y = 0 with the heights given, row by row along -z; normal up, st = (column, row).
+/// One grid over [-1, 1]^2 in the plane y = 0 with the heights given, row by row along -z; normal up, st =
+/// (column, row).
 MicroMesh gridMesh(int columns, int rows, const std::vector<float>& heights) {
     MicroMesh mesh;
     for (int row = 0; row < rows; ++row)
@@ -33,8 +34,8 @@ Scene squareScene(const Vec3& cameraPosition) {
 
 TEST(MicroTriangles, TheDiagonalJoinsTheSecondAndTheThirdCorner) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Corner d (column 1, row 1) is raised by 1. Triangle a b c stays in y = 0, and d c b rises linearly from the
-    // diagonal: y = (x - z) / 2 where x > z. The other diagonal would lift the middle to 1/2.
+    // Corner d (column 1, row 1) is raised by 1. Triangle a b c stays in y = 0, and d c b rises linearly from
+    // the diagonal: y = (x - z) / 2 where x > z. The other diagonal would lift the middle to 1/2.
     const Scene scene = squareScene({0, 5, 0});
     const Frame frame = drawMicro(scene, {gridMesh(2, 2, {0, 0, 0, 1})});
     EXPECT_EQ(coveredPixels(frame), 32u * 32u);
@@ -45,7 +46,8 @@ TEST(MicroTriangles, TheDiagonalJoinsTheSecondAndTheThirdCorner) {
         ASSERT_NEAR(frame.channel("Z")[i], 5 - point.y, 1e-5);
         ASSERT_EQ(frame.channel("id")[i], 1);
     }
-    // Left to right and bottom to top as in the picture: pixel (16, 16) is 1/16 inside the square's upper left corner.
+    // Left to right and bottom to top as in the picture: pixel (16, 16) is 1/16 inside the square's upper
+    // left corner.
     EXPECT_NEAR(stAt(frame, pixelAt(frame, 16, 16)).x, 1.0 / 64, 1e-5);
     EXPECT_NEAR(stAt(frame, pixelAt(frame, 16, 16)).y, 63.0 / 64, 1e-5);
 }
@@ -66,7 +68,8 @@ TEST(MicroTriangles, BothSidesAreSeenAndShadowIsOfTheSideSeen) {
 
 TEST(MicroTriangles, ManyGridsOfAllSizesCoverWithoutGapsOrOverlaps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // More vertices than one chunk holds, in grids of three sizes side by side: every pixel once, and no seam.
+    // More vertices than one chunk holds, in grids of three sizes side by side: every pixel once, and no
+    // seam.
     MicroMesh mesh;
     const int strips = 1200;
     for (int strip = 0; strip < strips; ++strip) {

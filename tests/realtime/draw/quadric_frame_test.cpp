@@ -29,10 +29,11 @@ double halfWidth(const Frame& frame) {
 
 TEST(QuadricOutline, OfACylinderIsThatOfItsOsculatingParabola) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Fragment at angle a from the viewing direction: v_d = cos a / h, f = sin^2 a / (2 R h) for a relief h deep. The ray
-    // gets no deeper than v_d^2 / (4 f) = R cos^2 a / (2 h sin^2 a); it meets the depth D if that is >= D, so the outline
-    // is at sin a = 1 / sqrt(1 + 2 D h / R) (the true one, of the radius R - D h, is at 1 - D h / R). Errors: one pixel
-    // (0.0047) of the outline, the linear search (1000 steps: D is passed only for an instant there, 1e-3 of the way).
+    // Fragment at angle a from the viewing direction: v_d = cos a / h, f = sin^2 a / (2 R h) for a relief h
+    // deep. The ray gets no deeper than v_d^2 / (4 f) = R cos^2 a / (2 h sin^2 a); it meets the depth D if
+    // that is >= D, so the outline is at sin a = 1 / sqrt(1 + 2 D h / R) (the true one, of the radius R - D
+    // h, is at 1 - D h / R). Errors: one pixel (0.0047) of the outline, the linear search (1000 steps: D is
+    // passed only for an instant there, 1e-3 of the way).
     for (const auto& [d, depth] : {std::pair(0.5f, 0.2), std::pair(1.0f, 0.1), std::pair(0.25f, 0.6)}) {
         const Frame frame = draw(cylinderScene(d, depth), "linear_binary@quadric:linear_steps=1000");
         const double expected = 1 / std::sqrt(1 + 2 * d * depth);
@@ -58,10 +59,11 @@ TEST(QuadricFrame, PositionsLieOnTheParabolaUnderTheFragment) {
         if (root < 0.02) continue; // at the outline itself tau is ill-conditioned
         const double tau = 2 * d * h / (cosine + std::sqrt(root));
         ++compared;
-        // The fit on a 256-gon is 0.01 % off the curvature, its facets sag by 1 - cos(pi / 256) = 7.5e-5, which moves a
-        // fragment by up to 7.5e-5 / cos a along the ray.
+        // The fit on a 256-gon is 0.01 % off the curvature, its facets sag by 1 - cos(pi / 256) = 7.5e-5,
+        // which moves a fragment by up to 7.5e-5 / cos a along the ray.
         EXPECT_NEAR(vectorAt(frame, "P", pixel).z, cosine - tau, 6e-4 / cosine) << sine;
-        // Its normal is N + 2 A x T with x = -tau sin a in the plane of the fragment: turned towards the axis' side.
+        // Its normal is N + 2 A x T with x = -tau sin a in the plane of the fragment: turned towards the
+        // axis' side.
         const Vec3 normal = vectorAt(frame, "N", pixel);
         const Vec3 fragmentNormal(sine, 0, cosine), tangent(cosine, 0, -sine);
         const Vec3 expected = glm::normalize(fragmentNormal + tangent * (tau * sine));
@@ -72,10 +74,11 @@ TEST(QuadricFrame, PositionsLieOnTheParabolaUnderTheFragment) {
 
 TEST(QuadricOutline, WhereDepthIsANearestDistanceOrPerpendicularToTheRay) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The same cylinder. The ray touches the relief where it runs at a right angle to the base's normal there, so that D_U and D_n agree:
-    // D_U gets to D h if cos^2 a >= 4 k D h sin a with k = 1 / (2 R), that is sin a <= sqrt(1 + x^2) - x with x = D h / R, nearer to the
-    // true 1 - x than D_z's 1 / sqrt(1 + 2 x). Errors as above; of 200 steps one
-    // lies within a hundredth of the way of the deepest point, and there d is short by 1e-4 at most.
+    // The same cylinder. The ray touches the relief where it runs at a right angle to the base's normal
+    // there, so that D_U and D_n agree: D_U gets to D h if cos^2 a >= 4 k D h sin a with k = 1 / (2 R), that
+    // is sin a <= sqrt(1 + x^2) - x with x = D h / R, nearer to the true 1 - x than D_z's 1 / sqrt(1 + 2 x).
+    // Errors as above; of 200 steps one lies within a hundredth of the way of the deepest point, and there d
+    // is short by 1e-4 at most.
     for (const auto& [d, depth] : {std::pair(1.0f, 0.1), std::pair(0.5f, 0.5)})
         for (const char* surface : {"quadric_perpendicular", "quadric_nearest"}) {
             const Frame frame = draw(cylinderScene(d, depth), std::string("linear_binary@") + surface +
@@ -94,7 +97,8 @@ Scene planeScene(double depth) {
 
 TEST(QuadricFrame, OnAPlaneIsTheFlatSurface) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Nothing bends: curvature 0 exactly, so the same samples to a few roundings; only where shadows are cast the frames may differ.
+    // Nothing bends: curvature 0 exactly, so the same samples to a few roundings; only where shadows are cast
+    // the frames may differ.
     const Frame flat = draw(planeScene(0.3), "linear_binary:shadow=none");
     for (const char* surface :
          {"quadric", "quadric_full", "quadric_nearest", "quadric_nearest:texture_from=ray",
@@ -108,8 +112,8 @@ TEST(QuadricFrame, OnAPlaneIsTheFlatSurface) {
 
 TEST(QuadricFrame, PerpendicularToTheRayAPlanesReliefIsShallowerByTheSine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // D_U of a plane is the depth over the sine between ray and normal, which all rays of this camera share: positions are those of a flat
-    // relief as deep as sz sine.
+    // D_U of a plane is the depth over the sine between ray and normal, which all rays of this camera share:
+    // positions are those of a flat relief as deep as sz sine.
     const double sine = std::sqrt(10.0 / 26);
     const Frame flat = draw(planeScene(0.3 * sine), "linear_binary:shadow=none"),
                 perpendicular = draw(planeScene(0.3), "linear_binary@quadric_perpendicular"),
@@ -126,8 +130,9 @@ TEST(QuadricFrame, PerpendicularToTheRayAPlanesReliefIsShallowerByTheSine) {
 
 TEST(QuadricFrame, ConvexOutlinesStayInsideThePolygons) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // No base of ours puts a fragment where the polygon has none, and all cut something off. The outline of a sphere of radius 1 whose
-    // relief is D h = 0.1 deep is at 0.9; the paraboloids' at 0.913 (D_z) and 0.905; fragments' curvature is fitted to a few per cent.
+    // No base of ours puts a fragment where the polygon has none, and all cut something off. The outline of a
+    // sphere of radius 1 whose relief is D h = 0.1 deep is at 0.9; the paraboloids' at 0.913 (D_z) and 0.905;
+    // fragments' curvature is fitted to a few per cent.
     SceneObject sphere;
     sphere.name = "sphere";
     sphere.mesh = makeSphere(1, 16);
@@ -167,8 +172,8 @@ TEST(QuadricFrame, ConvexOutlinesStayInsideThePolygons) {
 
 TEST(QuadricFrame, IsGivenTheCoefficientsAsked) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The uvs of the saddle z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t the patch doesn't bend, across it does, by C = 0.6 or
-    // -0.6 in its middle. A proxy of two segments a face sees chords, 2 % off.
+    // The uvs of the saddle z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t the patch doesn't bend,
+    // across it does, by C = 0.6 or -0.6 in its middle. A proxy of two segments a face sees chords, 2 % off.
     SceneObject object;
     object.name = "saddle";
     object.mesh = makeQuadric(0.3, -0.3, 1, 8);
@@ -208,8 +213,9 @@ TEST(QuadricFrame, IsGivenTheCoefficientsAsked) {
 
 TEST(QuadricFrame, TheDepthSampledAnswersOnEveryBase) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A constant map: the depth sampled is that of the hit, so that sampled_depth is a step of Newton's method with the ray's descent. Of a
-    // search without secants it leaves the square of the step, which is a small part of the whole, on every base.
+    // A constant map: the depth sampled is that of the hit, so that sampled_depth is a step of Newton's
+    // method with the ray's descent. Of a search without secants it leaves the square of the step, which is a
+    // small part of the whole, on every base.
     for (const char* surface : {"quadric", "quadric_full", "quadric_perpendicular", "quadric_nearest"}) {
         const std::string search = std::string("linear_secant@") + surface;
         const Frame hit = draw(cylinderScene(0.5f, 0.2),

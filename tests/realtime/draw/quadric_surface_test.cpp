@@ -1,5 +1,5 @@
-// Depth below a quadric by GLSL against the same thing in double, from the definition: the quadric as a surface in space, no formula
-// of the shaders.
+// Depth below a quadric by GLSL against the same thing in double, from the definition: the quadric as a
+// surface in space, no formula of the shaders.
 #include "realtime/technique/technique.h"
 #include "scenes/core/data_folder.h"
 #include "tests/realtime/draw/evaluate_glsl.h"
@@ -16,7 +16,8 @@ namespace {
 constexpr double kFloatEpsilon = 0x1p-23;
 constexpr std::array kAllQuadrics{"quadric_full", "quadric_perpendicular", "quadric_nearest"};
 
-/// A ray from a point of the base into the relief. Space: X along the tangent of s, Z along the normal, outward.
+/// A ray from a point of the base into the relief. Space: X along the tangent of s, Z along the normal,
+/// outward.
 struct Case {
     double a = 0, b = 0, c = 0;
     double tangentCosine = 0; // between the tangents of s and t
@@ -88,7 +89,8 @@ double trueDepth(const std::string& surface, const Case& at, double tau) {
     return depthAlongNormal(at, point);
 }
 
-/// GLSL of a surface; `texel` n of a case's column: curvature and tangentCosine; (s, t, d) per world unit; scales and depth.
+/// GLSL of a surface; `texel` n of a case's column: curvature and tangentCosine; (s, t, d) per world unit;
+/// scales and depth.
 ShaderSource surfaceSource(const std::string& surface, const std::string& evaluate) {
     const Technique technique = resolveTechnique(parseTechnique("linear_binary@" + surface), {});
     const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
@@ -137,7 +139,8 @@ std::vector<glm::vec4> evaluateCases(const std::string& surface, const std::vect
     });
 }
 
-/// At the t given of the way: d, length in world units, depth at the end; then st in zw where `st` asks for it.
+/// At the t given of the way: d, length in world units, depth at the end; then st in zw where `st` asks for
+/// it.
 constexpr const char* kPosition =
     "vec4 evaluate(vec4 a) {\n"
     "  ReliefRay ray;\n"
@@ -204,7 +207,8 @@ TEST(QuadricDepth, TheTwinsAndTheShadersGiveTheTableOfTheThree) {
     EXPECT_NEAR(beside[1].x, trueDepth("quadric_perpendicular", concave, 1.001 * turn), 1e-6);
 }
 
-/// Curvatures of either sign, tangents up to 45 degrees off a right angle, any direction, reliefs up to a quarter of the least radius.
+/// Curvatures of either sign, tangents up to 45 degrees off a right angle, any direction, reliefs up to a
+/// quarter of the least radius.
 std::vector<Case> randomCases(size_t count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> sign(-1, 1), unit(0, 1);
@@ -214,7 +218,8 @@ std::vector<Case> randomCases(size_t count, unsigned seed) {
         at.sine = 0.01 + 0.989 * unit(random);
         at.azimuth = 2 * kPi * unit(random);
         at.scale = Vec2(std::exp(2 * sign(random)), std::exp(2 * sign(random)));
-        // Oblique coordinates are up to 1.8 times the orthogonal ones' length: no curvature exceeds 2 * 0.375 * 1.8^2 * 2.
+        // Oblique coordinates are up to 1.8 times the orthogonal ones' length: no curvature exceeds 2 * 0.375
+        // * 1.8^2 * 2.
         at.depth = 0.25 / 4.9 * std::exp(2 * unit(random) - 2);
     }
     return cases;
@@ -242,8 +247,8 @@ TEST(QuadricDepth, IsTheTwinsForRandomQuadricsAndDirections) {
             if (surface == "quadric_perpendicular" && std::abs(discriminant) < 0.01 * at.sine * at.sine)
                 continue;
             ++compared;
-            // All are differences of tau c and k s^2 tau^2, over sz; a dozen roundings of the larger one, which D_U's
-            // division by sine and root magnifies.
+            // All are differences of tau c and k s^2 tau^2, over sz; a dozen roundings of the larger one,
+            // which D_U's division by sine and root magnifies.
             const double terms = tau * (at.cosine() + std::abs(k) * at.sine * at.sine * tau) / at.depth;
             const double magnified =
                 surface == "quadric_perpendicular" && discriminant > 0 ? 2 / std::sqrt(discriminant) : 1;
@@ -262,7 +267,8 @@ TEST(QuadricDepth, IsTheTwinsForRandomQuadricsAndDirections) {
                 surface == "quadric_nearest" ? nearestByTrying(at, point).place : Vec2(point.x, point.y);
             const Vec2 st = at.oblique(place.x, place.y) / at.scale;
             const double size = tau * (1 + 1 / at.tangentSine());
-            // The trying ends at 1e-9 of the depth, where the distance's square no longer changes: 1e-4 for its place.
+            // The trying ends at 1e-9 of the depth, where the distance's square no longer changes: 1e-4 for
+            // its place.
             const double placeTolerance =
                 32 * kFloatEpsilon * size + (surface == "quadric_nearest" ? 3e-4 * at.depth : 0);
             ASSERT_NEAR(a[i].x * at.scale.x, st.x * at.scale.x, placeTolerance / at.tangentSine());
@@ -272,7 +278,8 @@ TEST(QuadricDepth, IsTheTwinsForRandomQuadricsAndDirections) {
     }
 }
 
-/// What the end of a search interval has to be: d is what is claimed there, and nothing before it ends the search.
+/// What the end of a search interval has to be: d is what is claimed there, and nothing before it ends the
+/// search.
 void checkEnd(const std::string& surface, const Case& at, const glm::vec4& found, double tolerance) {
     const double end = found.y;
     ASSERT_TRUE(std::isfinite(end));
@@ -300,8 +307,8 @@ TEST(QuadricEnd, IsTheFirstRootForEveryCurvature) {
                 cases.push_back(at);
             }
     }
-    // Of a relief more than a radius deep three steps don't find the nearest point; sixteen do over a concave base, up to 200 radii. Deeper
-    // than the radius of a convex one there is none.
+    // Of a relief more than a radius deep three steps don't find the nearest point; sixteen do over a concave
+    // base, up to 200 radii. Deeper than the radius of a convex one there is none.
     constexpr const char* kManySteps = "quadric_nearest:newton_steps=16";
     for (const std::string surface : {kAllQuadrics[0], kAllQuadrics[1], kAllQuadrics[2], kManySteps}) {
         const auto found = evaluateCases(surface, cases, std::vector<double>(cases.size(), 1), kPosition);
@@ -309,8 +316,9 @@ TEST(QuadricEnd, IsTheFirstRootForEveryCurvature) {
             const Case& at = cases[i];
             const double tau = found[i].y, f = at.a * at.sine * at.sine;
             SCOPED_TRACE(testing::Message() << surface << " a " << at.a << " f " << f << " sine " << at.sine);
-            // The root is known to a few roundings of float, the discriminant to one of its larger term, which the root
-            // magnifies; a rounding of tau changes D_z by c + 2 |f| tau, D_U by that over its own root.
+            // The root is known to a few roundings of float, the discriminant to one of its larger term,
+            // which the root magnifies; a rounding of tau changes D_z by c + 2 |f| tau, D_U by that over its
+            // own root.
             const double limit = surface == "quadric_perpendicular"
                                      ? std::sqrt(std::abs(at.sine * at.sine + 4 * at.a * at.cosine() * tau))
                                      : 1;
@@ -347,7 +355,8 @@ TEST(QuadricEnd, IsTheFirstRootForRandomQuadrics) {
     }
 }
 
-/// Where D_z comes to 1, or else to 0, world units; and where the ray is back on the base, infinity if nowhere.
+/// Where D_z comes to 1, or else to 0, world units; and where the ray is back on the base, infinity if
+/// nowhere.
 struct VerticalEnd {
     double deep, back;
 };
@@ -359,9 +368,10 @@ VerticalEnd verticalEnd(const Case& at) {
 
 TEST(QuadricEnd, AlongASaddleIsWhereTheNearestPointSaysOrNotFar) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Around the asymptotes of saddles, where the base bends away from the ray (f > 0), towards it (f < 0) or not at all, D_z comes to 1 and
-    // D_n often doesn't: there it stays below 1 for ever, f <= 0, or until the ray is back on the base, at c / f, however far. Up to four
-    // times the way of D_z counts, and beyond that the end of D_z.
+    // Around the asymptotes of saddles, where the base bends away from the ray (f > 0), towards it (f < 0) or
+    // not at all, D_z comes to 1 and D_n often doesn't: there it stays below 1 for ever, f <= 0, or until the
+    // ray is back on the base, at c / f, however far. Up to four times the way of D_z counts, and beyond that
+    // the end of D_z.
     std::vector<Case> cases;
     for (const double ratio : {1.0, 0.3})
         for (const double depth : {0.1, 0.3, 0.5}) // times twice the larger curvature: in radii
@@ -407,9 +417,11 @@ TEST(QuadricEnd, AlongASaddleIsWhereTheNearestPointSaysOrNotFar) {
     EXPECT_GT(cut, 30u);
 }
 
-// --- the frame at the hit ------------------------------------------------------------------------------------------------
+// --- the frame at the hit
+// ------------------------------------------------------------------------------------------------
 
-/// The point of the relief of constant depth `d` over the place (x, y) of the base: displaced along the base's own normal, or along Z.
+/// The point of the relief of constant depth `d` over the place (x, y) of the base: displaced along the
+/// base's own normal, or along Z.
 Vec3 displaced(const Case& at, const Vec2& st, double depth, bool alongOwnNormal) {
     const auto surface = [&](const Vec2& p) { // oblique coordinates
         const double x = p.x + at.tangentCosine * p.y, y = at.tangentSine() * p.y;
@@ -452,7 +464,8 @@ TEST(QuadricFrameAtTheHit, IsMadeOfTheDerivativesOfTheReliefOfConstantDepth) {
                 return (displaced(at, st + way, depth, nearest) - displaced(at, st - way, depth, nearest)) /
                        (2 * step);
             };
-            // Difference quotients of step 1e-4 are good to 1e-8 of the third derivative, and to 1e-11 / 1e-4.
+            // Difference quotients of step 1e-4 are good to 1e-8 of the third derivative, and to 1e-11 /
+            // 1e-4.
             ASSERT_LT(glm::length(Vec3(byS[i]) / at.scale.x - slope(alongS)),
                       2e-5 * (1 + glm::length(slope(alongS))));
             ASSERT_LT(glm::length(Vec3(byT[i]) / at.scale.y - slope(alongT)),

@@ -49,8 +49,8 @@ size_t forEachHit(const Frame& frame, const Camera& camera,
 
 TEST(ReliefFrame, ConstantDepthIsAPlaneBelowThePolygon) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Depth 0.5 of 0.2: the plane y = -0.1, and the fifth of ten steps falls on it exactly. The square is 2 wide, so
-    // s = (x + 1) / 2 and t = (1 - z) / 2.
+    // Depth 0.5 of 0.2: the plane y = -0.1, and the fifth of ten steps falls on it exactly. The square is 2
+    // wide, so s = (x + 1) / 2 and t = (1 - z) / 2.
     for (const double angle : {0.0, 30.0, 60.0}) {
         const Camera camera = fromTheSide(angle, 0.8);
         const Frame frame = draw(sceneOf(squareObject(2, constantMap(0.5f), 0.2), camera), "linear_binary");
@@ -101,9 +101,9 @@ TEST(ReliefFrame, ShadingIsTheOneFormula) {
 
 TEST(ReliefFrame, ARampIsAPlaneWithItsNormal) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Two clamped texels 0 and 1: between their centres D = 2 (s - 1/4). With s = (x + 1) / 2 and depth 0.3 the surface
-    // is y = -0.3 (x + 1/2) for |x| < 1/2, its normal (0.3, 1, 0) normalised. 16 bisections of a 64th leave an error of
-    // 2.4e-7 of the depth.
+    // Two clamped texels 0 and 1: between their centres D = 2 (s - 1/4). With s = (x + 1) / 2 and depth 0.3
+    // the surface is y = -0.3 (x + 1/2) for |x| < 1/2, its normal (0.3, 1, 0) normalised. 16 bisections of a
+    // 64th leave an error of 2.4e-7 of the depth.
     const Camera camera = fromTheSide(35, 0.5);
     const Frame frame = draw(sceneOf(squareObject(2, profileMap({0, 1}, Wrap::Clamp), 0.3), camera),
                              "linear_binary:linear_steps=64,binary_steps=16");
@@ -132,8 +132,8 @@ TEST(ReliefFrame, NormalsFollowDepthAndSizeOfTheTile) {
 
 TEST(ReliefFrame, MirroredAndShearedTextureCoordinatesKeepTheNormalOutside) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // uv = M (x, -z) with any M: the ramp falls along the world direction grad s = M's first row; at depth 0.3 with
-    // D = 2 (s - 1/4) the surface is y = -0.6 (s - 1/4), the normal (0.6 ds/dx, 1, 0.6 ds/dz).
+    // uv = M (x, -z) with any M: the ramp falls along the world direction grad s = M's first row; at depth
+    // 0.3 with D = 2 (s - 1/4) the surface is y = -0.6 (s - 1/4), the normal (0.6 ds/dx, 1, 0.6 ds/dz).
     struct Matrix {
         double sx, sz, tx, tz;
     };
@@ -162,9 +162,9 @@ TEST(ReliefFrame, MirroredAndShearedTextureCoordinatesKeepTheNormalOutside) {
 
 TEST(ReliefFrame, TheFirstOfTwoRidgesIsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Two ridges, tops at s = 3/16 and 11/16 of a tile, as deep valleys between. Every ray at 60 degrees runs from the
-    // polygon to the floor over 0.2 tan 60 = 0.35 = 0.17 tiles and must stop at the first place where d(t) >= D: found
-    // here by marching the exact map in steps of 1e-5 of the way.
+    // Two ridges, tops at s = 3/16 and 11/16 of a tile, as deep valleys between. Every ray at 60 degrees runs
+    // from the polygon to the floor over 0.2 tan 60 = 0.35 = 0.17 tiles and must stop at the first place
+    // where d(t) >= D: found here by marching the exact map in steps of 1e-5 of the way.
     const auto map = profileMap({1, 0, 1, 1, 1, 0, 1, 1}, Wrap::Repeat);
     const double depth = 0.4;
     const Camera camera = fromTheSide(60, 0.9);
@@ -187,9 +187,10 @@ TEST(ReliefFrame, TheFirstOfTwoRidgesIsHit) {
 
 TEST(ReliefFrame, AStepCastsAShadowAsLongAsItIsHigh) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A step down from depth 0 to 1 at x = 0, 0.2 high, between two of 512 texels of a square 2 wide; light from -x at
-    // 45 degrees. A point on the floor is in shadow if its ray enters left of the edge: up to x = 0.2. The edge is a ramp
-    // one texel (0.0039) wide, a step of the search 0.2 / 512 and a pixel 0.8 / 256 = 0.0031.
+    // A step down from depth 0 to 1 at x = 0, 0.2 high, between two of 512 texels of a square 2 wide; light
+    // from -x at 45 degrees. A point on the floor is in shadow if its ray enters left of the edge: up to x =
+    // 0.2. The edge is a ramp one texel (0.0039) wide, a step of the search 0.2 / 512 and a pixel 0.8 / 256 =
+    // 0.0031.
     std::vector<float> depths(512, 0);
     std::fill(depths.begin() + 256, depths.end(), 1.0f);
     Scene scene = sceneOf(squareObject(2, profileMap(depths, Wrap::Clamp), 0.2), fromAbove(0.8, 256));
@@ -223,9 +224,9 @@ TEST(ReliefFrame, AStepCastsAShadowAsLongAsItIsHigh) {
 
 TEST(ReliefFrame, TheBiasKeepsALitPlaneFromShadowingItself) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A ramp is a plane: it shadows nothing. Both searches end up to 1/640 of the depth below it. Towards this light the
-    // ramp falls by 0.5 of the depth while a ray rises by 1, so that it is still inside one step back for half of the
-    // pixels: without a bias they shadow themselves. 0.02 is many times that error.
+    // A ramp is a plane: it shadows nothing. Both searches end up to 1/640 of the depth below it. Towards
+    // this light the ramp falls by 0.5 of the depth while a ray rises by 1, so that it is still inside one
+    // step back for half of the pixels: without a bias they shadow themselves. 0.02 is many times that error.
     Scene scene = sceneOf(squareObject(2, profileMap({0, 1}, Wrap::Clamp), 0.3), fromAbove(0.5));
     scene.lights = {directionalLight("sun", {-1, 0.6, 0})};
     const auto shadowed = [&](const char* technique) {
@@ -285,7 +286,8 @@ TEST(ReliefFrame, AReliefOfNoDepthIsThePolygon) {
 TEST(ReliefFrame, MissesHoldTheMissValuesAndHitsHoldNumbers) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto map = profileMap({0, 1, 0.3f, 0.7f, 1}, Wrap::Repeat);
-    // Head-on, grazing, from behind, from inside the plane; a torus has every angle at once, a sphere many frames.
+    // Head-on, grazing, from behind, from inside the plane; a torus has every angle at once, a sphere many
+    // frames.
     std::vector<Scene> scenes;
     for (const double angle : {0.0, 89.0, 89.99, 90.0, 100.0})
         scenes.push_back(sceneOf(squareObject(2, map, 0.3), fromTheSide(angle, 3)));
@@ -325,8 +327,8 @@ TEST(ReliefFrame, MissesHoldTheMissValuesAndHitsHoldNumbers) {
 
 TEST(ReliefFrame, TextureCoordinatesFarFromZeroKeepTheirDigits) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The same relief 1000 tiles further on: equal but for st. Float has 1/8192 of a tile there; 1/64 of the map's
-    // smallest feature would be lost if the shader worked with it.
+    // The same relief 1000 tiles further on: equal but for st. Float has 1/8192 of a tile there; 1/64 of the
+    // map's smallest feature would be lost if the shader worked with it.
     const auto map = profileMap({0, 1, 0.3f, 0.7f, 1}, Wrap::Repeat);
     Scene near = sceneOf(squareObject(2, map, 0.3), fromTheSide(40, 0.8)), far = near;
     far.objects[0].relief->uvOffset = Vec2(1000, -500);
@@ -366,7 +368,8 @@ TEST(ReliefFrame, ScenesFarAwayTinyOrHugeLookTheSame) {
                 const bool same = (std::isinf(a) && std::isinf(b)) || std::abs(a - b / scale) < 1e-4;
                 different += !same;
             }
-            // Rounding decides a pixel here and there: at an outline, or where one search step more or less finds a ridge.
+            // Rounding decides a pixel here and there: at an outline, or where one search step more or less
+            // finds a ridge.
             EXPECT_LE(different, expected.pixelCount() / 500)
                 << technique << " scale " << scale << " at " << shift.x;
         }
@@ -375,8 +378,9 @@ TEST(ReliefFrame, ScenesFarAwayTinyOrHugeLookTheSame) {
 
 TEST(ReliefFrame, TriangleBoundsDiscardHitsBeyondTheTriangle) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A floor of constant depth 1 below a square, seen at 45 degrees: the hit lies 0.3 further along s than the fragment, in
-    // world units 0.3 of the 2 the square is wide. What is left is where it still lies over the fragment's own triangle.
+    // A floor of constant depth 1 below a square, seen at 45 degrees: the hit lies 0.3 further along s than
+    // the fragment, in world units 0.3 of the 2 the square is wide. What is left is where it still lies over
+    // the fragment's own triangle.
     const Scene scene =
         sceneOf(squareObject(2, std::make_shared<HeightMap>(HeightMap::constant("floor", 1)), 0.3),
                 fromTheSide(45, 3));
@@ -394,8 +398,9 @@ TEST(ReliefFrame, TriangleBoundsDiscardHitsBeyondTheTriangle) {
             ++dropped;
         }
     }
-    // Each triangle, legs 1 in st, loses what a shift by 0.15 moves out of it: the one whose leg faces the shift 0.15 - 0.15^2/2
-    // of 1/2, the other one the same. Hits in the neighbour are dropped, too: together 2 (0.15 - 0.01125) = 0.2775.
+    // Each triangle, legs 1 in st, loses what a shift by 0.15 moves out of it: the one whose leg faces the
+    // shift 0.15 - 0.15^2/2 of 1/2, the other one the same. Hits in the neighbour are dropped, too: together
+    // 2 (0.15 - 0.01125) = 0.2775.
     const double share = static_cast<double>(dropped) / static_cast<double>(kept + dropped);
     EXPECT_NEAR(share, 0.2775, 0.02); // pixels along edges: 64 a side
     const Frame off = draw(scene, "linear_binary:triangle_bounds=false");
@@ -404,7 +409,8 @@ TEST(ReliefFrame, TriangleBoundsDiscardHitsBeyondTheTriangle) {
 
 TEST(ReliefFrame, TwoSquaresHideEachOtherByDepth) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The relief's floor is at y = -0.2, a plain square at -0.1: the plain one is seen where the relief is deepest.
+    // The relief's floor is at y = -0.2, a plain square at -0.1: the plain one is seen where the relief is
+    // deepest.
     SceneObject plain = squareObject(2, nullptr, 0);
     plain.translate = Vec3(0, -0.1, 0);
     plain.name = "plain";
@@ -424,9 +430,10 @@ TEST(ReliefFrame, TwoSquaresHideEachOtherByDepth) {
 
 TEST(ReliefFrame, WithoutDepthCorrectionPolygonsHideEachOther) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Seen from above: "high", its polygon at y = 0, its relief everywhere 0.2 below; "low", its polygon at y = -0.05, its
-    // relief 0.2 below on the left and on top on the right. By the hits "high" is at -0.2 and "low" at -0.25 and -0.05, so
-    // that "low" is seen on the right; by the polygons "high" hides it everywhere. Six bisections of a tenth leave 0.2 / 640.
+    // Seen from above: "high", its polygon at y = 0, its relief everywhere 0.2 below; "low", its polygon at y
+    // = -0.05, its relief 0.2 below on the left and on top on the right. By the hits "high" is at -0.2 and
+    // "low" at -0.25 and -0.05, so that "low" is seen on the right; by the polygons "high" hides it
+    // everywhere. Six bisections of a tenth leave 0.2 / 640.
     std::vector<float> depths(512, 1);
     std::fill(depths.begin() + 256, depths.end(), 0.0f);
     Scene scene = sceneOf(squareObject(2, constantMap(1), 0.2), fromAbove(0.8));

@@ -6,9 +6,11 @@
 namespace plumbline {
 namespace {
 
-// --- frames ------------------------------------------------------------------------------------------------------------
+// --- frames
+// ------------------------------------------------------------------------------------------------------------
 
-/// In the xy plane, `angle` from the normal of the square: rays go down and towards +x, turned about +y by `turn`.
+/// In the xy plane, `angle` from the normal of the square: rays go down and towards +x, turned about +y by
+/// `turn`.
 Camera fromTheSide(double angleDegrees, double turnDegrees, double viewHeight, int pixels) {
     const double angle = radians(angleDegrees), turn = radians(turnDegrees);
     const Vec3 up = angleDegrees > 89.99 ? Vec3(0, 1, 0) : Vec3(std::sin(turn), 0, -std::cos(turn));
@@ -27,8 +29,8 @@ ReliefLine lineOf(const Ray& ray, const SceneObject& square, double side) {
 
 TEST(SearchFrames, ShowTheReliefInOddScales) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Tiles that aren't square, of a map that isn't either; two depths. A linear step is 1/128 of the depth: the hit is at most
-    // so much too deep, but for features it steps over.
+    // Tiles that aren't square, of a map that isn't either; two depths. A linear step is 1/128 of the depth:
+    // the hit is at most so much too deep, but for features it steps over.
     const auto waves = std::make_shared<HeightMap>(generated("waves", 64));
     const auto texels = std::make_shared<HeightMap>(randomMap(8, 4, Wrap::Repeat, Wrap::Repeat));
     for (const auto& map : {waves, texels})
@@ -62,8 +64,8 @@ TEST(SearchFrames, ShowTheReliefInOddScales) {
 
 TEST(SearchFrames, AreNumbersAtEveryAngle) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Straight from above (E4: a slope would be infinite) to along the surface; draw() looks for NaN. On a flat base nothing is
-    // missed.
+    // Straight from above (E4: a slope would be infinite) to along the surface; draw() looks for NaN. On a
+    // flat base nothing is missed.
     const auto map = std::make_shared<HeightMap>(randomMap(7, 5, Wrap::Repeat, Wrap::Repeat));
     for (const double angle : {0.0, 45.0, 89.0, 89.9, 89.995, 90.0}) {
         const Scene scene = sceneOf(squareObject(2, map, 0.3), fromTheSide(angle, 20, 2.2, 24));
@@ -119,8 +121,8 @@ TEST(ParallaxFrames, WithoutDepthAreNormalMapping) {
 
 TEST(ParallaxFrames, OffsetsAreTheTangentAndTheSine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A floor at depth 0.5 of 0.2 seen at 60 degrees: 0.1 tan 60 to the side, as on the plane itself; limited, 0.1 sin 60, half of it
-    // (E9). s = (x + 1) / 2.
+    // A floor at depth 0.5 of 0.2 seen at 60 degrees: 0.1 tan 60 to the side, as on the plane itself;
+    // limited, 0.1 sin 60, half of it (E9). s = (x + 1) / 2.
     const auto map = std::make_shared<HeightMap>(HeightMap::constant("constant", 0.5f));
     const Camera camera = fromTheSide(60, 0, 0.8, 16);
     const Scene scene = sceneOf(squareObject(2, map, 0.2), camera);
@@ -137,8 +139,8 @@ TEST(ParallaxFrames, OffsetsAreTheTangentAndTheSine) {
 
 TEST(SearchFrames, ExactCellsCastExactShadows) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A wall 0.2 high at x = 0 lit at 45 degrees shades the floor to x = 0.2; a fin one texel wide at x = -0.6 to x = -0.4, which
-    // ten steps miss. A texel is 2 / 512 wide; pixel 0.8 / 256.
+    // A wall 0.2 high at x = 0 lit at 45 degrees shades the floor to x = 0.2; a fin one texel wide at x =
+    // -0.6 to x = -0.4, which ten steps miss. A texel is 2 / 512 wide; pixel 0.8 / 256.
     std::vector<float> depths(512, 1);
     depths[102] = 0; // centre x = 102.5 / 256 - 1 = -0.5996
     Scene scene = sceneOf(squareObject(2, std::make_shared<HeightMap>(profile(depths, Wrap::Clamp)), 0.2),

@@ -7,9 +7,11 @@
 namespace plumbline {
 namespace {
 
-// --- rates -------------------------------------------------------------------------------------------------------------
+// --- rates
+// -------------------------------------------------------------------------------------------------------------
 
-/// Mean |t - truth| over the rays whose first hit was found, i.e. is nearer than `step`; and how many those are.
+/// Mean |t - truth| over the rays whose first hit was found, i.e. is nearer than `step`; and how many those
+/// are.
 struct Error {
     double mean;
     size_t rays;
@@ -31,8 +33,9 @@ Error errorOf(const std::string& technique, const HeightMap& map, const std::vec
 
 TEST(Convergence, ErrorsFallWithTheStepsAsTheyShould) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Waves of 512 texels: smooth over a step of 1/8 to 1/32 of rays 0.2 tiles long (13 to 3 texels). Doubling the steps
-    // halves the errors of a linear search and of one that bisects a fixed number of times, and quarters that of one secant.
+    // Waves of 512 texels: smooth over a step of 1/8 to 1/32 of rays 0.2 tiles long (13 to 3 texels).
+    // Doubling the steps halves the errors of a linear search and of one that bisects a fixed number of
+    // times, and quarters that of one secant.
     const HeightMap map = generated("waves", 512);
     const std::vector<ReliefLine> lines = raysOfLength(0.2f, 3000);
     const struct {
@@ -64,7 +67,8 @@ TEST(Convergence, ErrorsFallWithTheStepsAsTheyShould) {
                     0.5 / 32 * std::exp2(-halvings), 0.05 / 32 * std::exp2(-halvings));
 }
 
-// --- the secant's errata -----------------------------------------------------------------------------------------------
+// --- the secant's errata
+// -----------------------------------------------------------------------------------------------
 
 struct Iterations {
     double mean;
@@ -105,13 +109,15 @@ TEST(Secant, RegulaFalsiFreezesOnWallsAndIllinoisDoesNot) {
     print("regula_falsi_bricks", printed);
     print("illinois_bricks", illinois);
     print("binary_bricks", halved);
-    // Found: 5.55, p99 21, 10 % over ten; 4.55, p99 10, 0.8 %; 5.88, p99 9. The bands leave room for another map.
+    // Found: 5.55, p99 21, 10 % over ten; 4.55, p99 10, 0.8 %; 5.88, p99 9. The bands leave room for another
+    // map.
     EXPECT_GT(printed.mean, illinois.mean * 1.1);
     EXPECT_GT(printed.p99, 1.5 * illinois.p99);
     EXPECT_GT(printed.overTen, 0.05);
     EXPECT_LT(illinois.overTen, 0.02);
     EXPECT_GT(printed.p99, 1.5 * halved.p99); // the worst cases aren't equal
-    // On smooth maps the claim of the document holds, two to three against five to eight, but for the latter: 1.96 and 3.76.
+    // On smooth maps the claim of the document holds, two to three against five to eight, but for the
+    // latter: 1.96 and 3.76.
     const Iterations printedSmooth = iterationsOf(common + "regula_falsi", smooth, lines);
     const Iterations illinoisSmooth = iterationsOf(common + "illinois", smooth, lines);
     const Iterations halvedSmooth = iterationsOf(binary, smooth, lines);
@@ -125,9 +131,10 @@ TEST(Secant, RegulaFalsiFreezesOnWallsAndIllinoisDoesNot) {
 
 TEST(Secant, EitherEndCanFreeze) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A ray over the whole map of 64 texels, D against t = s. Five steps leave the bracket [0.8, 1]. Once the relief runs 0.05
-    // below the ray up to a wall that rises at 0.97: the gap outside stays small and the inside end stays. Once it drops at 0.82
-    // from the floor to 0.02 above the ray: the outside end stays. Found: 37 rounds and 14, 25 and 8.
+    // A ray over the whole map of 64 texels, D against t = s. Five steps leave the bracket [0.8, 1]. Once the
+    // relief runs 0.05 below the ray up to a wall that rises at 0.97: the gap outside stays small and the
+    // inside end stays. Once it drops at 0.82 from the floor to 0.02 above the ray: the outside end stays.
+    // Found: 37 rounds and 14, 25 and 8.
     std::vector<float> late(64), early(64);
     for (size_t i = 0; i < 64; ++i) {
         const float s = (static_cast<float>(i) + 0.5f) / 64;
@@ -146,8 +153,9 @@ TEST(Secant, EitherEndCanFreeze) {
 
 TEST(Secant, TheSampledDepthIsWorseThanTheIntersectionWhereTheReliefIsSteeperThanTheRay) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // E2: t + (D - t) instead of t multiplies the error by the slope of D along the ray per unit of t. Waves have slopes of about
-    // 2 per tile, so that it is about 2 for rays a tile long and 0.3 for those of 0.15 tiles: there the printed answer is better.
+    // E2: t + (D - t) instead of t multiplies the error by the slope of D along the ray per unit of t. Waves
+    // have slopes of about 2 per tile, so that it is about 2 for rays a tile long and 0.3 for those of 0.15
+    // tiles: there the printed answer is better.
     const HeightMap map = generated("waves", 256);
     const auto compare = [&](float travel) {
         const std::vector<ReliefLine> lines = raysOfLength(travel, 4000);

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "scenes/maps/generate_map.h"
-#include "tests/realtime/gl_fixture.h"
 #include "tests/realtime/draw/trace_glsl.h"
+#include "tests/realtime/gl_fixture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,15 +7,16 @@
 namespace plumbline {
 namespace {
 
-// --- roots known by hand -----------------------------------------------------------------------------------------------
+// --- roots known by hand
+// -----------------------------------------------------------------------------------------------
 
 TEST(KnownRoots, ConstantDepth) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map = HeightMap::constant("constant", 0.37f);
     const ReliefLine line{{0.2f, 0.7f}, {0.4f, -0.3f}};
-    // Steps of 1/10: the first at or below 0.37 is 0.4. Halvings of [0,1]: 24/64 = 0.375. Of [0.3, 0.4]: 0.1/64 each, 45 of
-    // which are 0.0703. The others cut a straight line. Look-ups: steps up to the hit, one more for those that need the gap
-    // at t = 0, and one a refinement.
+    // Steps of 1/10: the first at or below 0.37 is 0.4. Halvings of [0,1]: 24/64 = 0.375. Of [0.3, 0.4]:
+    // 0.1/64 each, 45 of which are 0.0703. The others cut a straight line. Look-ups: steps up to the hit, one
+    // more for those that need the gap at t = 0, and one a refinement.
     const struct {
         const char* technique;
         double t, tolerance;
@@ -44,7 +45,8 @@ TEST(KnownRoots, ConstantDepth) {
 
 TEST(KnownRoots, Ramp) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Two clamped texels: D = 2 (s - 1/4) between their centres. From s = 0.3 over 0.1: D = 0.1 + 0.2 t = t at t = 1/8.
+    // Two clamped texels: D = 2 (s - 1/4) between their centres. From s = 0.3 over 0.1: D = 0.1 + 0.2 t = t
+    // at t = 1/8.
     const HeightMap map = profile({0, 1}, Wrap::Clamp);
     const ReliefLine line{{0.3f, 0.5f}, {0.1f, 0}};
     EXPECT_NEAR(traceOne("exact_cells", map, line).t, 0.125, 4 * kFloatEpsilon);
@@ -68,8 +70,9 @@ TEST(KnownRoots, Ramp) {
 
 TEST(KnownRoots, AStepIsHitOnItsWall) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Down at s = 0.1, up again at s = 0.5: a ray from s = 0.3 runs against the wall between texels 31 and 32 of 64, whose
-    // centres are at s = 31.5/64 and 32.5/64. D = 1 - (64 s - 31.5) there, with s = 0.3 + 0.4 t: D = t at t = 13.3 / 26.6.
+    // Down at s = 0.1, up again at s = 0.5: a ray from s = 0.3 runs against the wall between texels 31 and 32
+    // of 64, whose centres are at s = 31.5/64 and 32.5/64. D = 1 - (64 s - 31.5) there, with s = 0.3 + 0.4 t:
+    // D = t at t = 13.3 / 26.6.
     std::vector<float> depths(64, 0);
     std::fill(depths.begin() + 6, depths.begin() + 32, 1.0f);
     const HeightMap map = profile(depths);
@@ -85,9 +88,10 @@ TEST(KnownRoots, AStepIsHitOnItsWall) {
 
 TEST(KnownRoots, TheFirstOfTwoBumpsIsHitButByBisection) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Ridges between texels 20 and 24, and 44 and 50, of 64; the ray crosses the whole map. It enters the first where D falls
-    // from 1 to 0 between the centres of texels 19 and 20: 1 - (64 t - 19.5) = t, t = 20.5 / 65. The middle is between the
-    // ridges, so that bisection goes on in the second half: it meets the second ridge at 44.5 / 65.
+    // Ridges between texels 20 and 24, and 44 and 50, of 64; the ray crosses the whole map. It enters the
+    // first where D falls from 1 to 0 between the centres of texels 19 and 20: 1 - (64 t - 19.5) = t, t
+    // = 20.5 / 65. The middle is between the ridges, so that bisection goes on in the second half: it meets
+    // the second ridge at 44.5 / 65.
     const HeightMap map = ridge(64, {{20, 24}, {44, 50}});
     const ReliefLine line{{0, 0.5f}, {1, 0}};
     const double truth = 20.5 / 65, second = 44.5 / 65;
@@ -101,7 +105,8 @@ TEST(KnownRoots, TheFirstOfTwoBumpsIsHitButByBisection) {
 
 TEST(KnownRoots, ANeedleOneTexelWideIsSteppedOverByCoarseSteps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // One texel of 64 of depth 0: D = 1 - (64 t - 32.5) = t at t = 33.5 / 65 = 0.515. Steps of 1/10 pass at 0.5 and 0.6.
+    // One texel of 64 of depth 0: D = 1 - (64 t - 32.5) = t at t = 33.5 / 65 = 0.515. Steps of 1/10 pass at
+    // 0.5 and 0.6.
     const HeightMap map = ridge(64, {{33, 34}});
     const ReliefLine line{{0, 0.5f}, {1, 0}};
     EXPECT_NEAR(traceOne("exact_cells", map, line).t, 33.5 / 65, 2 * kFloatEpsilon);
@@ -130,14 +135,15 @@ TEST(KnownRoots, TheFloorIsHitAndTheTopIsHitAtOnce) {
 
 TEST(KnownRoots, PrematureBisectionAsPrintedStaysNearTheTop) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // E6: steps of 1/12, 1/24, ... add up to (1 - 1/64) / 6 = 0.164 for six: a relief at depth 0.7 (height 0.3) is reported
-    // at height 0.836.
+    // E6: steps of 1/12, 1/24, ... add up to (1 - 1/64) / 6 = 0.164 for six: a relief at depth 0.7 (height
+    // 0.3) is reported at height 0.836.
     const HeightMap map = HeightMap::constant("constant", 0.7f);
     EXPECT_NEAR(traceOne("binary:interval=printed", map, {{0, 0}, {0, 0}}).t, 1 - 0.836, 1e-4);
     EXPECT_NEAR(traceOne("binary", map, {{0, 0}, {0, 0}}).t, 0.7, 1.0 / 64);
 }
 
-// --- exact_cells against double ----------------------------------------------------------------------------------------
+// --- exact_cells against double
+// ----------------------------------------------------------------------------------------
 
 struct ExactCase {
     const char* name;
@@ -159,8 +165,9 @@ std::vector<ExactCase> exactCases() {
 
 TEST(ExactCells, AreTheRootInDoubleButForGrazingRays) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The depth it ends at is off by less than 1e-5 of the relief, unless the gap falls by less than 0.05 per unit of t at the
-    // hit or came within 1e-5 of 0 at a turning point before: there a rounding of the gap, a few 1e-7, moves the hit by more.
+    // The depth it ends at is off by less than 1e-5 of the relief, unless the gap falls by less than 0.05 per
+    // unit of t at the hit or came within 1e-5 of 0 at a turning point before: there a rounding of the gap, a
+    // few 1e-7, moves the hit by more.
     size_t compared = 0, grazing = 0;
     double largest = 0;
     for (const ExactCase& c : exactCases())

@@ -24,14 +24,16 @@ Camera fromAbove(double viewHeight) {
     return orthographicCamera({0, 5, 0}, {0, 0, -1}, viewHeight, kPixels);
 }
 
-// --- where a shadow falls --------------------------------------------------------------------------------------------
+// --- where a shadow falls
+// --------------------------------------------------------------------------------------------
 
 TEST(ShadowMap, OfTheSunPutsAPolesShadowWhereTheFormulaDoes) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A pole 0.1 thick and 1 tall on a plain floor, the sun at 45 degrees from +x: a point at height y shadows the floor at
-    // x - y. A receiver reads a texel whose centre is up to half of its diagonal away, across the rays: times sqrt(2) along
-    // the floor. Near the pole's foot the bias lets light through: nothing nearer to the point than h (1 + tan 45) along the
-    // ray shadows it, which the pole is for x > -0.05 - 2 h / sqrt(2).
+    // A pole 0.1 thick and 1 tall on a plain floor, the sun at 45 degrees from +x: a point at height y
+    // shadows the floor at x - y. A receiver reads a texel whose centre is up to half of its diagonal away,
+    // across the rays: times sqrt(2) along the floor. Near the pole's foot the bias lets light through:
+    // nothing nearer to the point than h (1 + tan 45) along the ray shadows it, which the pole is for x >
+    // -0.05 - 2 h / sqrt(2).
     const Scene scene =
         sceneOfObjects({plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})},
                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
@@ -52,10 +54,11 @@ TEST(ShadowMap, OfTheSunPutsAPolesShadowWhereTheFormulaDoes) {
 
 TEST(ShadowMap, OfALampPutsAPolesShadowWhereTheFormulaDoes) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The same pole under a lamp at (1, 2, 0): a point at height y shadows the floor at the lamp + (point - lamp) 2 / (2 - y).
-    // Its foot stays, its top's square comes to x in [-1.1, -0.9], |z| < 0.1; the shadow is the hull of both. A receiver's texel
-    // lies up to h = sqrt(2) / size times the distance along the face's axis away, at most 2.1 to 4.2 here, and as much longer
-    // along the floor as the rays are oblique there, cosine 2 / 3.6 at least.
+    // The same pole under a lamp at (1, 2, 0): a point at height y shadows the floor at the lamp + (point -
+    // lamp) 2 / (2 - y). Its foot stays, its top's square comes to x in [-1.1, -0.9], |z| < 0.1; the shadow
+    // is the hull of both. A receiver's texel lies up to h = sqrt(2) / size times the distance along the
+    // face's axis away, at most 2.1 to 4.2 here, and as much longer along the floor as the rays are oblique
+    // there, cosine 2 / 3.6 at least.
     const Scene scene =
         sceneOfObjects({plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})},
                        {pointLight("lamp", {1, 2, 0})}, fromAbove(3));
@@ -76,8 +79,8 @@ TEST(ShadowMap, OfALampPutsAPolesShadowWhereTheFormulaDoes) {
 
 TEST(ShadowMap, PlainObjectsShadowAReliefWhereItsHitIs) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A plate 0.4 wide at y = 0.4 over a relief floor 0.1 below its polygon; the sun at 45 degrees. The shadow moves by 0.5 to
-    // x in [-0.7, -0.3]; looked up from the polygon it would move by 0.4.
+    // A plate 0.4 wide at y = 0.4 over a relief floor 0.1 below its polygon; the sun at 45 degrees. The
+    // shadow moves by 0.5 to x in [-0.7, -0.3]; looked up from the polygon it would move by 0.4.
     const Scene scene =
         sceneOfObjects({plateObject("floor", 4, 0, constantMap(0.5f), 0.2), plateObject("plate", 0.4, 0.4)},
                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
@@ -95,8 +98,9 @@ TEST(ShadowMap, PlainObjectsShadowAReliefWhereItsHitIs) {
 
 TEST(ShadowMap, AReliefShadowsWhatLiesBehindItsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A relief plate 0.4 wide, its polygon at y = 0.7, its surface at 0.5. The light's rays through the polygon meet a plain
-    // plate at height y around (-0.7 + y, 0): at 0.6, before the relief stops them, and at 0.3, behind it.
+    // A relief plate 0.4 wide, its polygon at y = 0.7, its surface at 0.5. The light's rays through the
+    // polygon meet a plain plate at height y around (-0.7 + y, 0): at 0.6, before the relief stops them, and
+    // at 0.3, behind it.
     for (const double height : {0.6, 0.3}) {
         const Scene scene = sceneOfObjects(
             {plateObject("relief", 0.4, 0.7, constantMap(1), 0.2), plateObject("plain", 2, height)},
@@ -114,7 +118,8 @@ TEST(ShadowMap, AReliefShadowsWhatLiesBehindItsHit) {
 
 TEST(ShadowMap, AReliefShadowsARelief) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Polygons at y = 0.5 and 0, surfaces at 0.4 and -0.1: the plate's outline, 0.4 wide, is shadowed 0.6 further on.
+    // Polygons at y = 0.5 and 0, surfaces at 0.4 and -0.1: the plate's outline, 0.4 wide, is shadowed 0.6
+    // further on.
     const Scene scene = sceneOfObjects({plateObject("floor", 4, 0, constantMap(0.5f), 0.2),
                                         plateObject("plate", 0.4, 0.5, constantMap(0.5f), 0.2)},
                                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
@@ -128,7 +133,8 @@ TEST(ShadowMap, AReliefShadowsARelief) {
 
 TEST(ShadowMap, PlainSheetsCastFromBothSidesReliefsFromTheirFront) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Plates 0.4 wide at y = 0.4, turned over, so that the sun sees their backs; a relief lies behind the front of its polygons.
+    // Plates 0.4 wide at y = 0.4, turned over, so that the sun sees their backs; a relief lies behind the
+    // front of its polygons.
     for (const bool relief : {false, true}) {
         SceneObject plate = plateObject("plate", 0.4, 0.4, relief ? constantMap(0.5f) : nullptr, 0.1);
         plate.rotateDegrees = Vec3(180, 0, 0);
@@ -141,13 +147,15 @@ TEST(ShadowMap, PlainSheetsCastFromBothSidesReliefsFromTheirFront) {
     }
 }
 
-// --- no shadow where nothing stands ----------------------------------------------------------------------------------
+// --- no shadow where nothing stands
+// ----------------------------------------------------------------------------------
 
 TEST(ShadowMap, TheBiasKeepsPlanesFromShadowingThemselves) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A plain square, lights from head-on to 86 degrees from its normal; coarse and fine maps. The derivation holds for every
-    // texel: wherever N.L is at least the 0.05 up to which the bias grows, not one pixel may be in shadow. Without a bias about
-    // half are, those whose texel's centre is nearer to the light; under a head-on sun rounding decides.
+    // A plain square, lights from head-on to 86 degrees from its normal; coarse and fine maps. The derivation
+    // holds for every texel: wherever N.L is at least the 0.05 up to which the bias grows, not one pixel may
+    // be in shadow. Without a bias about half are, those whose texel's centre is nearer to the light; under a
+    // head-on sun rounding decides.
     for (const double angle : {0.0, 20.0, 45.0, 70.0, 86.0})
         for (const int size : {16, 100, 1024}) {
             const Vec3 toLight(std::sin(radians(angle)), std::cos(radians(angle)), 0.03);
@@ -177,7 +185,8 @@ TEST(ShadowMap, TheBiasKeepsPlanesFromShadowingThemselves) {
 
 TEST(ShadowMap, TheBiasKeepsAReliefFromShadowingItself) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A ramp, two clamped texels, is a plane; it falls by 0.3 per unit away from the light. The exact search: no error but the map's.
+    // A ramp, two clamped texels, is a plane; it falls by 0.3 per unit away from the light. The exact search:
+    // no error but the map's.
     SceneObject ramp = squareObject(
         2, std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp),
         0.3);
@@ -188,14 +197,16 @@ TEST(ShadowMap, TheBiasKeepsAReliefFromShadowingItself) {
     EXPECT_EQ(shadowed("exact_cells:shadow=map,shadow_bias=0"), 0u);
     EXPECT_GT(shadowed("exact_cells:shadow=map,shadow_bias=0,shadow_map_bias=0"),
               size_t(kPixels * kPixels / 5));
-    // Ten steps end up to a tenth of the depth behind the surface, from the camera and from the light at different places: that
-    // is the search's error, which shadow_bias is for. A point a tenth below the ramp has it 3.9 tenths away along these rays, N.L =
-    // 0.25: as far as a point below the polygon, N.L = 0.51, is with a margin of two tenths.
+    // Ten steps end up to a tenth of the depth behind the surface, from the camera and from the light at
+    // different places: that is the search's error, which shadow_bias is for. A point a tenth below the ramp
+    // has it 3.9 tenths away along these rays, N.L = 0.25: as far as a point below the polygon, N.L = 0.51,
+    // is with a margin of two tenths.
     EXPECT_GT(shadowed("linear:shadow=map,shadow_bias=0"), size_t(kPixels * kPixels / 20));
     EXPECT_EQ(shadowed("linear:shadow=map,shadow_bias=0.2"), 0u);
 }
 
-// --- lights ----------------------------------------------------------------------------------------------------------
+// --- lights
+// ----------------------------------------------------------------------------------------------------------
 
 /// A box seen from inside.
 SceneObject roomObject(double side) {
@@ -209,10 +220,10 @@ SceneObject roomObject(double side) {
 
 TEST(ShadowMap, ALampReachesAllSixSides) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A lamp in the middle of a room 2 wide, a plate in front of each wall, halfway and off the middle by (0.1, 0.05) along the
-    // next two axes, 0.2 wide: its shadow on the wall is 0.4 wide, off by (0.2, 0.1). Two cameras in opposite corners see three
-    // walls each. Nothing else is in shadow, edges and corners of the cube of faces included. A texel's half diagonal is sqrt(2)
-    // / 1024 at the wall.
+    // A lamp in the middle of a room 2 wide, a plate in front of each wall, halfway and off the middle by
+    // (0.1, 0.05) along the next two axes, 0.2 wide: its shadow on the wall is 0.4 wide, off by (0.2, 0.1).
+    // Two cameras in opposite corners see three walls each. Nothing else is in shadow, edges and corners of
+    // the cube of faces included. A texel's half diagonal is sqrt(2) / 1024 at the wall.
     std::vector<SceneObject> objects{roomObject(2)};
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
@@ -259,7 +270,8 @@ TEST(ShadowMap, WithoutLightsThePictureIsTheOneWithoutMaps) {
 
 TEST(ShadowMap, ALightWithNothingInReachLeavesAllLit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A lamp beside the floor: five of its six faces see nothing. One far off sees all of the scene in a texel.
+    // A lamp beside the floor: five of its six faces see nothing. One far off sees all of the scene in a
+    // texel.
     const Scene scene =
         sceneOfObjects({plateObject("floor", 2, 0)},
                        {pointLight("beside", {3, 0.5, 0}), pointLight("far", {0, 1e4, 0})}, fromAbove(3));
@@ -277,11 +289,12 @@ TEST(ShadowMap, ALightWithNothingInReachLeavesAllLit) {
 
 TEST(ShadowMap, HitsBeyondTheRimArentShadowedByTheEndOfTheRange) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A relief floor 2 wide, its surface 0.2 below the polygon; both lights look along -x at 15 to 20 degrees, the camera at 5: what it
-    // sees ends 0.2 / tan 5 = 2.29 beyond the polygon's rim, out of the range of distances with its margin (half a diagonal, 1.6). Behind
-    // the rim light rays enter the polygon up to 0.2 / tan 20 = 0.55 further in and meet the very points; beyond that their texels are
-    // empty. A box 1 tall, which makes room on the map for the latter, throws the only shadow: x down to -3.4, as wide as itself under the
-    // sun, up to 1.4 times as far from z = 0 under the lamp.
+    // A relief floor 2 wide, its surface 0.2 below the polygon; both lights look along -x at 15 to 20
+    // degrees, the camera at 5: what it sees ends 0.2 / tan 5 = 2.29 beyond the polygon's rim, out of the
+    // range of distances with its margin (half a diagonal, 1.6). Behind the rim light rays enter the polygon
+    // up to 0.2 / tan 20 = 0.55 further in and meet the very points; beyond that their texels are empty. A
+    // box 1 tall, which makes room on the map for the latter, throws the only shadow: x down to -3.4, as wide
+    // as itself under the sun, up to 1.4 times as far from z = 0 under the lamp.
     Camera camera =
         orthographicCamera({5 * std::cos(radians(5)), 5 * std::sin(radians(5)), 0}, {0, 1, 0}, 1.9, kPixels);
     const Vec3 toLight(std::cos(radians(20)), std::sin(radians(20)), 0);
@@ -332,13 +345,15 @@ TEST(ShadowMap, SixteenLightsHaveAMapEach) {
     }
 }
 
-// --- with the rest ---------------------------------------------------------------------------------------------------
+// --- with the rest
+// ---------------------------------------------------------------------------------------------------
 
 TEST(ShadowMap, EverySearchComposesWithItOnEverySurface) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A plate 0.6 wide at y = 0.6 over a relief 0.1 deep: wherever a technique finds the relief, the points around x = -0.6 are in
-    // shadow, and those at x > 0.5 have nothing above them but the relief, whose slopes are less than the sun's 45 degrees. Half of
-    // the relief's depth as margin: parallax mapping answers something else from the light than from the camera.
+    // A plate 0.6 wide at y = 0.6 over a relief 0.1 deep: wherever a technique finds the relief, the points
+    // around x = -0.6 are in shadow, and those at x > 0.5 have nothing above them but the relief, whose
+    // slopes are less than the sun's 45 degrees. Half of the relief's depth as margin: parallax mapping
+    // answers something else from the light than from the camera.
     const auto waves = std::make_shared<HeightMap>("waves", 4, 1, std::vector<float>{0.4f, 0.5f, 0.6f, 0.5f},
                                                    Wrap::Repeat, Wrap::Repeat);
     const Scene scene =
@@ -374,8 +389,9 @@ TEST(ShadowMap, CountsNoLookUpsOfItsOwn) {
 
 TEST(ShadowMap, AgreesWithTheReliefsOwnShadowRays) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Bumps of 1/8 of a square 2 wide, 0.1 deep, the exact search. The two differ along the edges of shadows, where the map
-    // has a texel (0.003) and the bias and the ray 0.02 of the depth: measured 2.9 % of the pixels at 256 texels a side, 0.7 % at 1024.
+    // Bumps of 1/8 of a square 2 wide, 0.1 deep, the exact search. The two differ along the edges of shadows,
+    // where the map has a texel (0.003) and the bias and the ray 0.02 of the depth: measured 2.9 % of the
+    // pixels at 256 texels a side, 0.7 % at 1024.
     const auto bumps = std::make_shared<HeightMap>(
         "bumps", 4, 4,
         std::vector<float>{0, 1, 0.3f, 0.7f, 1, 0.2f, 0, 0.9f, 0.4f, 0.1f, 1, 0, 0.5f, 0.8f, 0.6f, 0.2f},
@@ -400,8 +416,8 @@ TEST(ShadowMap, AgreesWithTheReliefsOwnShadowRays) {
 
 TEST(ShadowMap, ItsSamplerHasAUnitOfItsOwnInEveryProgram) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Also where no map is read: the declaration is there, and a driver that keeps it finds two kinds of sampler at unit 0. llvmpipe
-    // drops it.
+    // Also where no map is read: the declaration is there, and a driver that keeps it finds two kinds of
+    // sampler at unit 0. llvmpipe drops it.
     for (const BakedFamily& family : bakedFamilies())
         EXPECT_NE(family.unit, unitBehindBaked()) << family.sampler;
     const auto context = createGlContext({});
@@ -429,7 +445,8 @@ TEST(ShadowMap, ItsSamplerHasAUnitOfItsOwnInEveryProgram) {
 
 TEST(ShadowMap, MoreLayersThanOpenGlHasAreAFaultOfTheMachine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A scene has 16 lights, 96 layers, at most: the maps are asked alone, for one light more than there are layers.
+    // A scene has 16 lights, 96 layers, at most: the maps are asked alone, for one light more than there are
+    // layers.
     const auto context = createGlContext({});
     const CurrentContext current(*context);
     GLint most = 0;
@@ -448,7 +465,8 @@ TEST(ShadowMap, MoreLayersThanOpenGlHasAreAFaultOfTheMachine) {
 
 TEST(ShadowMap, WhatDoesntFitTheMemoryIsAFaultOfTheMachine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasteriser draws in the memory we can ask about.
+    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasteriser draws in the memory we
+    // can ask about.
     const bool software = createGlContext({})->softwareRasteriser();
     if (!software) GTEST_SKIP() << "a GPU's memory isn't asked for before it is used up";
     if (freeMemoryBytes() > uint64_t(24) << 30)

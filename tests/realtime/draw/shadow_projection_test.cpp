@@ -77,7 +77,8 @@ TEST(ShadowProjection, OfTheSunHoldsTheBoundsAndNoMore) {
 }
 
 TEST(ShadowProjection, OfTheSunTakesTheSmallestRectangle) {
-    // Against 1000 rectangles around the light. Width and height of the map: those of its texel, from two of its places.
+    // Against 1000 rectangles around the light. Width and height of the map: those of its texel, from two of
+    // its places.
     const Bounds bounds = boxOf({-3, 0, 0}, {1, 1, 2});
     for (const Vec3& direction : {Vec3(1, 2, 3), Vec3(5, 1, 0.3), Vec3(-1, 1, 1)}) {
         const Vec3 toLight = glm::normalize(direction);

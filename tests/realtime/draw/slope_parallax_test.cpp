@@ -30,7 +30,8 @@ struct PlaneCase {
     double facing() const { return (1 - rise) * normalOut * cosine; }
 };
 
-/// Draws a square of `depth` seen `angle` degrees from its normal and calls `check` with every pixel's case and the t it hit at.
+/// Draws a square of `depth` seen `angle` degrees from its normal and calls `check` with every pixel's case
+/// and the t it hit at.
 void forEachPixel(const std::string& technique, double angle, double turn, double depth, double scale,
                   const std::function<void(const PlaneCase&, double)>& check) {
     const double a = radians(angle), b = radians(turn);

@@ -96,8 +96,8 @@ TEST_F(UserTechnique, AMissingEntryPointIsNamed) {
               path() +
                   "/mine.glsl: doesn't define traceRelief; expected ReliefHit traceRelief(ReliefRay ray) "
                   "{ … }");
-    write(
-        "ReliefHit traceRelief(ReliefRay ray, int i) { return missed(); }\n"); // another function: doesn't link
+    write("ReliefHit traceRelief(ReliefRay ray, int i) { return missed(); }\n"); // another function: doesn't
+                                                                                 // link
     EXPECT_THAT(message(), HasSubstr("/mine.glsl"));
     EXPECT_THAT(message(), HasSubstr("traceRelief"));
 }
@@ -152,7 +152,8 @@ TEST_F(UserTechnique, TheRendererStaysUsableAfterOneFailed) {
     EXPECT_TRUE(sameBytes(before, renderer.render(parseTechnique("linear_binary"), {}, nullptr).frame));
 }
 
-// --- results ---------------------------------------------------------------------------------------------------------
+// --- results
+// ---------------------------------------------------------------------------------------------------------
 
 TEST(TechniqueResult, SaysWhatWasDrawnAndHowLongItTook) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
@@ -201,7 +202,8 @@ TEST(TechniqueResult, EglAndOsmesaGiveTheSameBytesOnTheSameRasteriser) {
     }
 }
 
-// --- what the machine can't do -----------------------------------------------------------------------------------------
+// --- what the machine can't do
+// -----------------------------------------------------------------------------------------
 
 TEST(Limits, MoreLightsThanASceneMayHaveAreAnError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);

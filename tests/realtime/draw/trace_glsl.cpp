@@ -72,7 +72,8 @@ struct Quadratic {
     double at(double x) const { return c + x * (b + x * a); }
 };
 
-/// Where it falls through 0 between two places with gap > 0 >= gap: halved until double has no more places between.
+/// Where it falls through 0 between two places with gap > 0 >= gap: halved until double has no more places
+/// between.
 double bisect(const Quadratic& gap, double outside, double inside) {
     for (int i = 0; i < 100; ++i) {
         const double middle = 0.5 * (outside + inside);

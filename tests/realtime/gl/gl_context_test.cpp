@@ -79,8 +79,9 @@ TEST(GlContext, WhatIsNotThereIsAMachineErrorThatSaysWhatWasTried) {
 }
 
 TEST(GlContext, WithoutAnyDriverEveryWayInIsListed) {
-    // Mesa's loader is told to look for drivers where there are none: every EGL context fails. GLVND reads its variable
-    // when it is first used, so this must be a process that hasn't drawn yet: CTest runs each test in one of its own.
+    // Mesa's loader is told to look for drivers where there are none: every EGL context fails. GLVND reads
+    // its variable when it is first used, so this must be a process that hasn't drawn yet: CTest runs each
+    // test in one of its own.
     const ScopedVariable noVendor("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null");
     const std::string message = messageOf<MachineError>([] { createGlContext({GlBackend::Egl, -1}); });
     if (message.empty()) {

@@ -147,7 +147,8 @@ TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
     EXPECT_THAT(message("./no/such/folder"), HasSubstr("no folder"));
 }
 
-// --- manifests of a user ---------------------------------------------------------------------------------------------
+// --- manifests of a user
+// ---------------------------------------------------------------------------------------------
 
 constexpr const char* kGood = "title = 'Mine'\n"
                               "citation = 'me'\n"

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kWidth = 200, kHeight = 150;
 
-/// A relief on one of the shapes, somewhere in front of a floor, lit by a sun and a lamp: everything from the seed.
+/// A relief on one of the shapes, somewhere in front of a floor, lit by a sun and a lamp: everything from the
+/// seed.
 Scene seededScene(unsigned seed) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -107,7 +108,8 @@ void addShadow(const Frame& coarse, const Frame& fine, const std::string& light,
         if (idA[i] != 0 && idA[i] == idB[i] && coverage[i] == 0) tally.add(a[i] != b[i], marked[i] != 0);
 }
 
-// A pixel in 10^5 may be unmarked: where two contours that cross on the screen, each alone no change, open a gap together.
+// A pixel in 10^5 may be unmarked: where two contours that cross on the screen, each alone no change, open a
+// gap together.
 constexpr double kUnmarkedShare = 1e-5;
 
 TEST(Certificate, WhatAFinerRunChangesWasMarked) {

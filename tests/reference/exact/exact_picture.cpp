@@ -72,8 +72,8 @@ bool ExactPicture::shadowCouldFlip(const Vec2& place, size_t light, double radiu
     });
 }
 
-/// Halves the way from a to b, keeping the half over which the depth changes more: a slope soon changes by nothing, the square root of a
-/// fold's depth by 1e-7 of itself after 45 halvings, a jump by itself.
+/// Halves the way from a to b, keeping the half over which the depth changes more: a slope soon changes by
+/// nothing, the square root of a fold's depth by 1e-7 of itself after 45 halvings, a jump by itself.
 bool ExactPicture::depthJumpsBetween(Vec2 a, Vec2 b, double atLeast) const {
     double depthA = depthAt(a), depthB = depthAt(b);
     for (int halving = 0; halving < 45 && depthGap(depthA, depthB) > atLeast; ++halving) {
@@ -95,7 +95,8 @@ bool ExactPicture::depthCouldJumpTo(const Vec2& place, double radiusPx, double d
     return anyAround(place, radiusPx, [&](const Vec2& other) {
         const double there = depthAt(other);
         if (there == kInfinity) return false;
-        // The sheet on the other side goes on behind this one, or ends before it: twice the way there is far enough.
+        // The sheet on the other side goes on behind this one, or ends before it: twice the way there is far
+        // enough.
         const double reach = 2 * depthGap(here, there) + kSameDepth * here;
         return std::abs(depth - here) <= reach && depthJumpsBetween(place, other, kSameDepth * here);
     });

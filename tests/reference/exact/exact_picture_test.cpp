@@ -1,4 +1,5 @@
-// What the comparison with the exact picture calls wrong: on a frame that is exact but for pixels changed by hand.
+// What the comparison with the exact picture calls wrong: on a frame that is exact but for pixels changed by
+// hand.
 #include "tests/reference/exact/exact_picture.h"
 #include "tests/reference/test_scenes.h"
 
@@ -12,10 +13,11 @@ namespace {
 
 constexpr int kRow = 20; // of pixels, near the middle
 
-// A step: z = 0 for x < -0.01, -0.5 for x > 0.01, 100 texels over the side of 2. The camera looks along (1, 0, -1) / sqrt 2 from (-4,
-// 0, 4), so a point is (x + z) / sqrt 2 to the right of the middle, which is at 20 pixels of 0.1, at a depth of
-// (x - z + 8) / sqrt 2. The step's edge (-0.01, 0) is at 20 - 0.0707; beyond it the floor shows from x = 0.49 to its rim, (1, -0.5),
-// at 20 + 3.5355. The light rises 1/2 a unit: behind the edge it reaches the floor from x = 0.99 on, at 20 + 3.4648.
+// A step: z = 0 for x < -0.01, -0.5 for x > 0.01, 100 texels over the side of 2. The camera looks along (1,
+// 0, -1) / sqrt 2 from (-4, 0, 4), so a point is (x + z) / sqrt 2 to the right of the middle, which is at 20
+// pixels of 0.1, at a depth of (x - z + 8) / sqrt 2. The step's edge (-0.01, 0) is at 20 - 0.0707; beyond it
+// the floor shows from x = 0.49 to its rim, (1, -0.5), at 20 + 3.5355. The light rises 1/2 a unit: behind the
+// edge it reaches the floor from x = 0.99 on, at 20 + 3.4648.
 Scene stepScene() {
     std::vector<float> depths(100, 0.0f);
     std::fill(depths.begin() + 50, depths.end(), 1.0f);

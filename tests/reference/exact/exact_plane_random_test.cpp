@@ -1,4 +1,5 @@
-// The exact tracer against marching in very small steps, on maps, tiles and rays drawn at random, and where rounding hurts most.
+// The exact tracer against marching in very small steps, on maps, tiles and rays drawn at random, and where
+// rounding hurts most.
 #include "scenes/surface/displaced_surface.h"
 #include "tests/reference/exact/exact_plane_tracer.h"
 #include "tests/reference/test_scenes.h"
@@ -108,7 +109,8 @@ Ray randomRay(Random& random, const FlatRelief& plane) {
     return rayFrom(origin, through - origin);
 }
 
-/// Whether a place is this many texels or less from a crease between patches, where the surface has no normal.
+/// Whether a place is this many texels or less from a crease between patches, where the surface has no
+/// normal.
 bool nearCrease(const FlatRelief& plane, const Vec2& st, double texels) {
     const Vec2 x = st * Vec2(plane.relief.map->width(), plane.relief.map->height()) - 0.5;
     const Vec2 away = glm::abs(x - glm::round(x));
@@ -118,7 +120,8 @@ bool nearCrease(const FlatRelief& plane, const Vec2& st, double texels) {
 TEST(ExactPlane, AgreesWithMarching) {
     constexpr int kCases = 600, kSteps = 100000;
     constexpr double kReach = 8;
-    // Of the distance. Heights are good to 2^-50: a root that crosses at a sine above 1e-6 is better than this.
+    // Of the distance. Heights are good to 2^-50: a root that crosses at a sine above 1e-6 is better than
+    // this.
     constexpr double kSame = 1e-9;
     // Central differences over 2e-6: patches are at most quadratic, heights rounded to 1e-15.
     constexpr double kStep = 1e-6, kSameNormal = 1e-7;
@@ -163,8 +166,9 @@ Vec2 movedToCrease(const FlatRelief& plane, const Vec2& ab, bool both) {
     return {moved.x, both ? moved.y : ab.y};
 }
 
-// A ray that starts over the layer and ends under it, both within the rectangle, can't miss: no root may be lost to rounding, on
-// borders between cells least of all, so every other ray is aimed at a crease and every fourth at a texel's centre.
+// A ray that starts over the layer and ends under it, both within the rectangle, can't miss: no root may be
+// lost to rounding, on borders between cells least of all, so every other ray is aimed at a crease and every
+// fourth at a texel's centre.
 TEST(ExactPlane, NoRayPassesThroughTheSheet) {
     constexpr int kPlanes = 300, kRays = 500;
     for (unsigned seed = 0; seed < kPlanes; ++seed) {
@@ -191,8 +195,8 @@ TEST(ExactPlane, NoRayPassesThroughTheSheet) {
     }
 }
 
-// Rays that run in the borders between cells, or hit their corners again and again, in both directions: what a walk over cells does
-// wrong first. Side 2 and 8 texels: centres at (i + 1/2) / 4 - 1.
+// Rays that run in the borders between cells, or hit their corners again and again, in both directions: what
+// a walk over cells does wrong first. Side 2 and 8 texels: centres at (i + 1/2) / 4 - 1.
 TEST(ExactPlane, AlongBordersAndThroughCornersOfCells) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> depth(0, 1);

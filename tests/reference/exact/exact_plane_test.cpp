@@ -1,4 +1,5 @@
-// Frames of the reference against the exact tracer: where the reference doesn't call itself uncertain, it must be right.
+// Frames of the reference against the exact tracer: where the reference doesn't call itself uncertain, it
+// must be right.
 #include "reference/reference.h"
 #include "tests/reference/exact/exact_picture.h"
 #include "tests/reference/exact/exact_scenes.h"
@@ -10,23 +11,25 @@
 namespace plumbline {
 namespace {
 
-// Calling everything uncertain must not pass. In these scenes 1.5 to 3 % of all pixels are within half a pixel of the silhouette, and at
-// the finest rate micro-triangles are off by less than that. Of the covered pixels up to 15 % are within 1/8 pixel of a shadow's edge, and
-// up to 28 % within 1/4; a light 5 degrees above the plane carries an error 11 times as far. The bounds are those of a grid of 16 x 16
-// micro-cells, a few times the error of most places in it.
+// Calling everything uncertain must not pass. In these scenes 1.5 to 3 % of all pixels are within half a
+// pixel of the silhouette, and at the finest rate micro-triangles are off by less than that. Of the covered
+// pixels up to 15 % are within 1/8 pixel of a shadow's edge, and up to 28 % within 1/4; a light 5 degrees
+// above the plane carries an error 11 times as far. The bounds are those of a grid of 16 x 16 micro-cells, a
+// few times the error of most places in it.
 constexpr double kMostUncertain = 0.03;
 constexpr double kMostShadowUncertain = 0.4;
 // Nor must a frame with another part of the surface everywhere: fins at 85 degrees have 1.5 % such pixels.
 constexpr double kMostJumped = 0.03;
 
-// With two segments a texel, or a third of one, creases are cut off and needles lost: much is uncertain, of the shadows of needles all,
-// and must be called so.
+// With two segments a texel, or a third of one, creases are cut off and needles lost: much is uncertain, of
+// the shadows of needles all, and must be called so.
 constexpr int kCoarseRate = 128;
 constexpr double kMostUncertainWhenCoarse = 0.25;
 constexpr double kMostWrongDepthWhenCoarse = 0.02;
 
-// Where one part of the surface hides another, the edge may be off by what the certificate says; twice that, as it is measured in
-// the cells seen, and the edge's may be the next ones; and never less than what rounding rays to float moves them.
+// Where one part of the surface hides another, the edge may be off by what the certificate says; twice that,
+// as it is measured in the cells seen, and the edge's may be the next ones; and never less than what rounding
+// rays to float moves them.
 constexpr double kJumpPerCertificate = 2;
 constexpr double kRayRoundingPx = 1.0 / 256;
 

@@ -11,12 +11,12 @@ namespace {
 // Corners of a mesh that is a rectangle but for rounding, as a fraction of its size.
 constexpr double kAffineTolerance = 1e-12;
 
-// The layer in which roots are looked for is this much thicker than the relief, as a fraction of all heights in play: far above
-// rounding (2^-52), and free, as it costs at most a cell more.
+// The layer in which roots are looked for is this much thicker than the relief, as a fraction of all heights
+// in play: far above rounding (2^-52), and free, as it costs at most a cell more.
 constexpr double kLayerMargin = 1e-6;
 
-// A shadow ray starts this far off its hit, as a fraction of the base's size: above the rounding of a hit, far below anything a
-// picture shows.
+// A shadow ray starts this far off its hit, as a fraction of the base's size: above the rounding of a hit,
+// far below anything a picture shows.
 constexpr double kLeaveSurface = 1e-9;
 
 /// a b - c d without cancellation (Kahan's algorithm: W. Kahan 1998, "Matlab's loss is nobody's gain").
@@ -36,7 +36,8 @@ void clipToSlab(double base, double slope, double low, double high, double& begi
     end = std::min(end, std::max(first, second));
 }
 
-/// d = d00 + slopeX x + slopeY y + twist x y over a cell, (x, y) in texels from its lower left corner, the centre of texel `cell`.
+/// d = d00 + slopeX x + slopeY y + twist x y over a cell, (x, y) in texels from its lower left corner, the
+/// centre of texel `cell`.
 struct BilinearPatch {
     double d00, slopeX, slopeY, twist;
 };
@@ -145,10 +146,10 @@ std::optional<double> firstRootOfQuadratic(double a, double halfB, double c, dou
     return first;
 }
 
-/// Walks the cells between texel centres from `begin` to `end`. Cell (i,j) has the centres of texels (i,j) and (i+1,j+1) as
-/// corners. Borders are computed from their index, so nothing adds up. The surface is continuous, so where the sign of (ray's height -
-/// relief's height) differs between two ends that should agree, or between which no root was found, rounding has hidden a
-/// root there: it is put at the border.
+/// Walks the cells between texel centres from `begin` to `end`. Cell (i,j) has the centres of texels (i,j)
+/// and (i+1,j+1) as corners. Borders are computed from their index, so nothing adds up. The surface is
+/// continuous, so where the sign of (ray's height - relief's height) differs between two ends that should
+/// agree, or between which no root was found, rounding has hidden a root there: it is put at the border.
 std::optional<double> ExactPlaneTracer::firstRoot(const TexelRay& ray, double begin, double end,
                                                   Vec2i& cell) const {
     const Vec2 start = ray.texel + begin * ray.texelStep - 0.5;

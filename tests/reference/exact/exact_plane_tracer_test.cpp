@@ -50,11 +50,13 @@ TEST(ExactQuadratic, RootsInOrderAndWithinTheInterval) {
     EXPECT_EQ(firstRootOfQuadratic(0, 1, -4, 10), 2.0);         // 2x - 4
     EXPECT_EQ(firstRootOfQuadratic(0, 0, 1, 10), std::nullopt); // never
     EXPECT_EQ(firstRootOfQuadratic(0, 0, 0, 10), 0.0);          // everywhere
-    // 1e-8 x^2 + 2x - 1: the small root is 1/2 - 1e-8/8 + ..., lost by the schoolbook's difference of two numbers near 2.
+    // 1e-8 x^2 + 2x - 1: the small root is 1/2 - 1e-8/8 + ..., lost by the schoolbook's difference of two
+    // numbers near 2.
     EXPECT_NEAR(*firstRootOfQuadratic(1e-8, 1, -1, 1), 0.5 - 1.25e-9, 1e-16);
 }
 
-// The surface is the plane z = -0.125. A ray from (-3, 0.2, 1) towards (2, 0, -1) is there after 1.125 down, so 2.25 across.
+// The surface is the plane z = -0.125. A ray from (-3, 0.2, 1) towards (2, 0, -1) is there after 1.125 down,
+// so 2.25 across.
 TEST(ExactPlane, ConstantDepth) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(1, 1, {0.5f}), 0.25);
     expectHit(tracer, rayFrom({0.3, 0.2, 5}, {0, 0, -1}), {0.3, 0.2, -0.125}, {0, 0, 1});
@@ -75,7 +77,8 @@ TEST(ExactPlane, ConstantDepth) {
     EXPECT_EQ(along->crossing, 0);
 }
 
-// d = 2 s - 1/2 between the texel centres of two texels, x = 2 s - 1: z = -(x + 1/2) for |x| <= 1/2. A ray through
+// d = 2 s - 1/2 between the texel centres of two texels, x = 2 s - 1: z = -(x + 1/2) for |x| <= 1/2. A ray
+// through
 // (-1/2, 1/2) in (x, z) that falls 2 a unit of x meets it where 1/2 - 2 r = -r: r = 1/2, at (0, -1/2).
 TEST(ExactPlane, Ramp) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(2, 1, {0, 1}), 1);
@@ -90,16 +93,16 @@ TEST(ExactPlane, Ramp) {
     expectHit(tracer, rayFrom({-3, -0.4, -0.75}, {1, 0, 0}), {0.25, -0.4, -0.75}, {1, 0, 1});
 }
 
-// Texels 0 1 / 1 0 with centres at x, y = +-1/2. With p = x + 1/2, q = y + 1/2 in [0,1] the one cell between them has
-// d = p (1 - q) + q (1 - p) = p + q - 2 p q, and z = -d at depth 1. Along the diagonal p = q = r: z = -(2 r - 2 r^2).
-// Beyond the corners of the cell, clamped: z = 0 along the diagonal. By p: z_x = -(1 - 2 q), z_y = -(1 - 2 p), so the
-// normal is (1 - 2 q, 1 - 2 p, 1).
+// Texels 0 1 / 1 0 with centres at x, y = +-1/2. With p = x + 1/2, q = y + 1/2 in [0,1] the one cell between
+// them has d = p (1 - q) + q (1 - p) = p + q - 2 p q, and z = -d at depth 1. Along the diagonal p = q = r: z
+// = -(2 r - 2 r^2). Beyond the corners of the cell, clamped: z = 0 along the diagonal. By p: z_x = -(1 - 2
+// q), z_y = -(1 - 2 p), so the normal is (1 - 2 q, 1 - 2 p, 1).
 TEST(ExactPlane, SaddleOfOneCell) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(2, 2, {0, 1, 1, 0}), 1);
     // p = 1/4, q = 3/4: d = 1 - 3/8 = 5/8.
     expectHit(tracer, rayFrom({-0.25, 0.25, 4}, {0, 0, -1}), {-0.25, 0.25, -0.625}, {-0.5, 0.5, 1});
-    // At height -3/8 along the diagonal: 2 r^2 - 2 r + 3/8 = 0, r = 1/4 and 3/4. From the outside the first, from
-    // below (z = 0 out there); from the middle the second, from above.
+    // At height -3/8 along the diagonal: 2 r^2 - 2 r + 3/8 = 0, r = 1/4 and 3/4. From the outside the first,
+    // from below (z = 0 out there); from the middle the second, from above.
     expectHit(tracer, rayFrom({-2, -2, -0.375}, {1, 1, 0}), {-0.25, -0.25, -0.375}, {0.5, 0.5, 1});
     expectHit(tracer, rayFrom({0, 0, -0.375}, {1, 1, 0}), {0.25, 0.25, -0.375}, {-0.5, -0.5, 1});
     // Slanted: z = 1/8 - r along the diagonal meets it where 2 r^2 - 2 r = 1/8 - r, so r = (1 + sqrt 2) / 4.
@@ -108,9 +111,9 @@ TEST(ExactPlane, SaddleOfOneCell) {
               {1 - 2 * r, 1 - 2 * r, 1});
 }
 
-// The valley's lowest point on that diagonal is r = 1/2, z = -1/2. A ray e above it, from the outside and below the surface,
-// meets 2 r^2 - 2 r + 1/2 = e at r = 1/2 - sqrt(e / 2); e below it passes underneath and out. An error of a few 2^-53 in e
-// moves the root by (1e-16 / 2) / sqrt(2 e).
+// The valley's lowest point on that diagonal is r = 1/2, z = -1/2. A ray e above it, from the outside and
+// below the surface, meets 2 r^2 - 2 r + 1/2 = e at r = 1/2 - sqrt(e / 2); e below it passes underneath and
+// out. An error of a few 2^-53 in e moves the root by (1e-16 / 2) / sqrt(2 e).
 TEST(ExactPlane, TangentRays) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(2, 2, {0, 1, 1, 0}), 1);
     for (const double e : {1e-2, 1e-6, 1e-9, 1e-12}) {
@@ -126,19 +129,19 @@ TEST(ExactPlane, TangentRays) {
     }
 }
 
-// 5 x 5 texels of depth 1 but for the middle one, 0: texels are 0.4 wide and the tip stands at the origin, depth 1. Around it
-// d = 1 - (1 - |x| / 0.4)(1 - |y| / 0.4) for |x|, |y| < 0.4.
+// 5 x 5 texels of depth 1 but for the middle one, 0: texels are 0.4 wide and the tip stands at the origin,
+// depth 1. Around it d = 1 - (1 - |x| / 0.4)(1 - |y| / 0.4) for |x|, |y| < 0.4.
 TEST(ExactPlane, Needle) {
     std::vector<float> depths(25, 1.0f);
     depths[12] = 0;
     const ExactPlaneTracer tracer = squareTracer(clampedMap(5, 5, depths), 1);
-    // Along y = 0, a border of cells: z = 2.5 x left of the tip; the ray z = -(x + 1) / 4 meets it at x = -1/11. The cell
-    // above is meant: the gradient of a crease is that of the patch to the right and above. Its normal: z_x = 2.5,
-    // z_y = -(1 - |x| / 0.4) / 0.4 = -2.5 (1 - 2.5 / 11).
+    // Along y = 0, a border of cells: z = 2.5 x left of the tip; the ray z = -(x + 1) / 4 meets it at x =
+    // -1/11. The cell above is meant: the gradient of a crease is that of the patch to the right and above.
+    // Its normal: z_x = 2.5, z_y = -(1 - |x| / 0.4) / 0.4 = -2.5 (1 - 2.5 / 11).
     expectHit(tracer, rayFrom({-1, 0, 0}, {1, 0, -0.25}), {-1.0 / 11, 0, -2.5 / 11},
               {-2.5, 2.5 * (1 - 2.5 / 11), 1});
-    // Along y = 0.1: z = -1 + 0.75 (1 + 2.5 x) = -0.25 + 1.875 x; the ray z = -(x + 1) / 2 meets it at x = -2/19.
-    // z_x = 1.875, z_y = -2.5 (1 - 5/19).
+    // Along y = 0.1: z = -1 + 0.75 (1 + 2.5 x) = -0.25 + 1.875 x; the ray z = -(x + 1) / 2 meets it at x =
+    // -2/19. z_x = 1.875, z_y = -2.5 (1 - 5/19).
     expectHit(tracer, rayFrom({-1, 0.1, 0}, {1, 0, -0.5}), {-2.0 / 19, 0.1, -17.0 / 38},
               {-1.875, 2.5 * 14 / 19, 1});
     // Straight onto the tip; past it in every direction, e above, and through it e below.
@@ -172,9 +175,10 @@ TEST(ExactPlane, ThroughTexelCentresInEveryDirection) {
         }
 }
 
-// The ramp z = -(x + 1/2) under a light towards (-1, 0, 1), a hair flatter. The top sees it; the slope, normal (1, 0, 1), turns
-// away by the hair. From the floor at x = 3/4 the ray rises 1 a unit and is over the edge of the top, x = -1/2, at height
-// -1 + 5/4 > 0: lit. At depth 2 the floor lies at -2: dark, but not for a light that ends before the slope, at x = 1/2.
+// The ramp z = -(x + 1/2) under a light towards (-1, 0, 1), a hair flatter. The top sees it; the slope,
+// normal (1, 0, 1), turns away by the hair. From the floor at x = 3/4 the ray rises 1 a unit and is over the
+// edge of the top, x = -1/2, at height -1 + 5/4 > 0: lit. At depth 2 the floor lies at -2: dark, but not for
+// a light that ends before the slope, at x = 1/2.
 TEST(ExactPlane, Shadows) {
     const Vec3 up(0, 0, 1), down(0, 0, -1);
     const LightSample light{glm::normalize(Vec3(-1.001, 0, 1)), kInfinity};
@@ -188,8 +192,8 @@ TEST(ExactPlane, Shadows) {
     EXPECT_FALSE(shadowAt(1, 0.75, up, light));
     EXPECT_TRUE(shadowAt(2, 0.75, up, light));
     EXPECT_FALSE(shadowAt(2, 0.75, up, {light.toLightWorld, 0.25}));
-    // The slope's back faces that light by the hair, but the ray then meets the top's underside, half a unit up at x = -0.5005;
-    // a flatter one leaves over the rim, at (-1, -0.3). The floor's underside turns away.
+    // The slope's back faces that light by the hair, but the ray then meets the top's underside, half a unit
+    // up at x = -0.5005; a flatter one leaves over the rim, at (-1, -0.3). The floor's underside turns away.
     EXPECT_TRUE(shadowAt(1, 0, down, light));
     EXPECT_FALSE(shadowAt(1, 0, down, {glm::normalize(Vec3(-1, 0, 0.2)), kInfinity}));
     EXPECT_TRUE(shadowAt(1, 0.75, down, light));

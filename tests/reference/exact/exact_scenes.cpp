@@ -28,8 +28,8 @@ MapPointer needles() {
     return std::make_shared<HeightMap>("needles", 32, 32, depths);
 }
 
-/// Seen from `degrees` off the normal, in perspective, somewhat from the side so that nothing lines up with pixels; the light
-/// stands `lightDegrees` above the plane.
+/// Seen from `degrees` off the normal, in perspective, somewhat from the side so that nothing lines up with
+/// pixels; the light stands `lightDegrees` above the plane.
 ExactScene sceneOf(std::string name, MapPointer map, double depth, Vec2 tile, double degrees,
                    double lightDegrees) {
     ExactScene result{std::move(name), squareScene(std::move(map), depth), kFineRate};

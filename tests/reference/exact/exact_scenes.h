@@ -1,4 +1,5 @@
-// Scenes of one flat relief, each hard in a way of its own: spikes, grazing views, grazing light, tiles that fit no grid.
+// Scenes of one flat relief, each hard in a way of its own: spikes, grazing views, grazing light, tiles that
+// fit no grid.
 #pragma once
 
 #include "scenes/scene/scene.h"

@@ -3,9 +3,9 @@
 #include "reference/export/mesh_numbers.h"
 #include "reference/reference.h"
 #include "scenes/mesh/shapes/shapes.h"
-#include "tests/scenes/core/test_files.h"
 #include "tests/reference/tessellate/micro_mesh_checks.h"
 #include "tests/reference/test_scenes.h"
+#include "tests/scenes/core/test_files.h"
 
 #include <algorithm>
 #include <csignal>
@@ -97,7 +97,8 @@ FileMesh readObj(const std::string& bytes) {
     return mesh;
 }
 
-/// A torus whose texture coordinates jump along two of its circles, and a plain square; faces of several rates.
+/// A torus whose texture coordinates jump along two of its circles, and a plain square; faces of several
+/// rates.
 Scene torusAndSquare() {
     std::vector<float> depths;
     for (int k = 0; k < 64; ++k)
@@ -167,8 +168,9 @@ TEST_F(MeshFile, HasEachVertexOnceAndNormalsAndStThatFit) {
     const FileMesh mesh = readPly(readBytes(folder_ / "a.ply"));
     const std::set<std::array<float, 8>> different(mesh.vertices.begin(), mesh.vertices.end());
     EXPECT_EQ(different.size(), mesh.vertices.size());
-    // V = 8 * 4 * 32^2 on the torus, and again where uvs jump: 8 * 32 along one circle and 4 * 32 + 1 along the other,
-    // their crossing twice more; 33^2 on the square. The corners of the circles may differ in the last bit of st.
+    // V = 8 * 4 * 32^2 on the torus, and again where uvs jump: 8 * 32 along one circle and 4 * 32 + 1 along
+    // the other, their crossing twice more; 33^2 on the square. The corners of the circles may differ in the
+    // last bit of st.
     const size_t torus = 8 * 4 * 32 * 32 + 8 * 32 + 4 * 32 + 1;
     EXPECT_GE(mesh.vertices.size(), torus + 33 * 33);
     EXPECT_LE(mesh.vertices.size(), torus + 33 * 33 + 2 * (8 + 4));
@@ -238,7 +240,8 @@ ControlMesh octahedron() {
     return mesh;
 }
 
-/// By its numbers alone, triangular lattices (Loop, none) and faces cut into sub-faces (Catmull-Clark) among them.
+/// By its numbers alone, triangular lattices (Loop, none) and faces cut into sub-faces (Catmull-Clark) among
+/// them.
 TEST(MeshNumbers, AClosedShellIsClosed) {
     Scene scene = squareScene(nullptr, 0);
     scene.objects[0].mesh = octahedron();

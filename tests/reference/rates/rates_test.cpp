@@ -1,9 +1,9 @@
 // Faces at rates of their own: no cracks between them, and every bound on the error holds.
 #include "reference/tessellate/tessellate.h"
-#include "scenes/surface/displaced_surface.h"
 #include "scenes/mesh/obj_file.h"
-#include "scenes/scene_file/scene_file.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/scene_file/scene_file.h"
+#include "scenes/surface/displaced_surface.h"
 #include "tests/reference/tessellate/micro_mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -73,8 +73,8 @@ TEST(Rates, NoCracksInSpot) {
         expectNoCracks(object, seed);
 }
 
-/// Largest distance, over random places of random cells, between the surface and its place on the micro-triangles, as a
-/// fraction of the bound of their grid. Only where the surface isn't torn.
+/// Largest distance, over random places of random cells, between the surface and its place on the
+/// micro-triangles, as a fraction of the bound of their grid. Only where the surface isn't torn.
 double worstShareOfBound(const SceneObject& object, const Rates& rates, const BaseSurface& surface,
                          unsigned seed) {
     const Relief* relief = object.relief ? &*object.relief : nullptr;
@@ -108,7 +108,8 @@ double worstShareOfBound(const SceneObject& object, const Rates& rates, const Ba
         const auto surfaceAt = [&](const Vec2& at) {
             return displace(evaluator.sample(at.x, at.y), relief).position;
         };
-        // Where faces disagree about a vertex the surface is torn; there the bound is for the wall that closes it.
+        // Where faces disagree about a vertex the surface is torn; there the bound is for the wall that
+        // closes it.
         const double torn = std::max({glm::length(surfaceAt(uvA) - a), glm::length(surfaceAt(uvB) - b),
                                       glm::length(surfaceAt(uvC) - c)});
         if (torn > 1e-5) continue; // floats of coordinates up to 8
@@ -132,7 +133,8 @@ TEST(Rates, NoPlaceIsFartherThanItsBound) {
         }
 }
 
-// Along an axis k bows nowhere, and those terms of the bound are 0: the rest must hold alone, on bases steep against the axis too.
+// Along an axis k bows nowhere, and those terms of the bound are 0: the rest must hold alone, on bases steep
+// against the axis too.
 TEST(Rates, NoPlaceIsFartherThanItsBoundAlongAnAxis) {
     std::vector<float> depths;
     for (int k = 0; k < 64; ++k)

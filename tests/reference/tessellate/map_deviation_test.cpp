@@ -13,8 +13,9 @@ MapPoint on(const HeightMap& map, const Vec2& texel) {
     return {texel, map.depth(st)};
 }
 
-// One bilinear patch with corners 0 0 / 0 1: d = x y. Over the triangle (0,0) (1,0) (0,1) the plane is 0 and d is largest at
-// the middle of the diagonal: 1/4. Over the cell's other half the plane is x + y - 1 and d - that = (1-x)(1-y): 1/4 too.
+// One bilinear patch with corners 0 0 / 0 1: d = x y. Over the triangle (0,0) (1,0) (0,1) the plane is 0 and
+// d is largest at the middle of the diagonal: 1/4. Over the cell's other half the plane is x + y - 1 and d -
+// that = (1-x)(1-y): 1/4 too.
 TEST(MapDeviation, ASaddleBowsAQuarter) {
     const HeightMap map("saddle", 2, 2, {0, 0, 0, 1}, Wrap::Clamp, Wrap::Clamp);
     EXPECT_NEAR(triangleDeviation(map, {on(map, {0, 0}), on(map, {1, 0}), on(map, {0, 1})}), 0.25, 1e-12);

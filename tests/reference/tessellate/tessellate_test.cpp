@@ -100,8 +100,8 @@ TEST(Tessellate, InteriorVerticesLieOnTheSurface) {
     }
 }
 
-/// Two unit squares side by side in the plane z = 0, sharing the edge x = 0. Along it s = 1/4 and t = y on the left,
-/// s = 3/4 and t = 1 - y on the right: the two read different texels, in opposite directions.
+/// Two unit squares side by side in the plane z = 0, sharing the edge x = 0. Along it s = 1/4 and t = y on
+/// the left, s = 3/4 and t = 1 - y on the right: the two read different texels, in opposite directions.
 ControlMesh tornPair() {
     ControlMesh mesh;
     mesh.name = "pair";
@@ -113,8 +113,8 @@ ControlMesh tornPair() {
     return mesh;
 }
 
-// The left column of the map is d = t, so the left says y; the right says whatever the right column has at 1 - y.
-// Welded, the edge lies at the mean of both.
+// The left column of the map is d = t, so the left says y; the right says whatever the right column has at 1
+// - y. Welded, the edge lies at the mean of both.
 TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
     const BaseSurface surface(tornPair(), Scheme::None);
     // Texel centres in t: 1/8, 3/8, 5/8, 7/8.
@@ -133,8 +133,9 @@ TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
     EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * 6 * 8); // the pair's rim alone, both ways
 }
 
-// The pair left open: each face keeps its own displacement along the shared edge, so that the edge is there twice, and only
-// where the two disagree. At y = 1/2 both texels' rows say 1/2 on the left; the right's 0.5 there agrees.
+// The pair left open: each face keeps its own displacement along the shared edge, so that the edge is there
+// twice, and only where the two disagree. At y = 1/2 both texels' rows say 1/2 on the left; the right's 0.5
+// there agrees.
 TEST(Tessellate, TornEdgesGapeWhereSeamsAreOpen) {
     const BaseSurface surface(tornPair(), Scheme::None);
     const std::vector<float> depths{0.125f, 0.5f, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0.5f};

@@ -1,11 +1,11 @@
-// Reliefs along an axis of their object: against closed forms, against reliefs along the normal where both are one, and what is said of
-// them all around.
+// Reliefs along an axis of their object: against closed forms, against reliefs along the normal where both
+// are one, and what is said of them all around.
 #include "reference/rates/face_role.h"
-#include "reference/trace/facing.h"
 #include "reference/reference.h"
 #include "reference/tessellate/tessellate.h"
-#include "scenes/surface/displaced_surface.h"
+#include "reference/trace/facing.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,8 @@ Frame render(const Scene& scene) {
     return ReferenceScene(scene, options).render();
 }
 
-// The object's own +z is where +z of a rotation's columns stands: about x by 90 degrees it is -y, then about z by 90 degrees +x.
+// The object's own +z is where +z of a rotation's columns stands: about x by 90 degrees it is -y, then about
+// z by 90 degrees +x.
 TEST(AlongAxis, TheAxisIsTurnedNotScaled) {
     SceneObject object;
     EXPECT_EQ(object.axisWorld(), Vec3(0, 0, 1));
@@ -68,10 +69,10 @@ TEST(AlongAxis, TheAxisIsTurnedNotScaled) {
     EXPECT_LT(glm::length(object.axisWorld() - Vec3(1, 0, 0)), 1e-15);
 }
 
-// In the object's space the base is s (x, y, a x^2 + b y^2), (x, y) = 2 uv - 1, and the relief moves z alone, by world units:
-// P_x = s (1, 0, 2 a x) - depth d_x z, P_y likewise. The shape is exact and so is the polish: floats are what is left, 2^-24 of coordinates up
-// to 2.5. Normals, from st in float, 2^-24 off:
-// the map's gradient changes by up to 2 * 16^2 of that, 3e-5, and the slope by depth / 2 / s of it: 6e-6 at depth 0.6.
+// In the object's space the base is s (x, y, a x^2 + b y^2), (x, y) = 2 uv - 1, and the relief moves z alone,
+// by world units: P_x = s (1, 0, 2 a x) - depth d_x z, P_y likewise. The shape is exact and so is the polish:
+// floats are what is left, 2^-24 of coordinates up to 2.5. Normals, from st in float, 2^-24 off: the map's
+// gradient changes by up to 2 * 16^2 of that, 3e-5, and the slope by depth / 2 / s of it: 6e-6 at depth 0.6.
 TEST(AlongAxis, QuadricHasItsClosedForm) {
     for (const double depth : {0.1, 0.6}) {
         const double a = 0.6, b = -0.4;
@@ -110,7 +111,8 @@ TEST(AlongAxis, QuadricHasItsClosedForm) {
     }
 }
 
-// At constant depth the whole surface is moved: the micro-triangles are those of the base, moved, and as far from it. 1e-6 is the floats'.
+// At constant depth the whole surface is moved: the micro-triangles are those of the base, moved, and as far
+// from it. 1e-6 is the floats'.
 TEST(AlongAxis, ConstantDepthMovesTheSurface) {
     SceneObject object = quadric(-0.8, 0.3, 0.5);
     object.relief->map = std::make_shared<HeightMap>(HeightMap::constant("flat", 0.25f));
@@ -125,8 +127,8 @@ TEST(AlongAxis, ConstantDepthMovesTheSurface) {
         EXPECT_NEAR(moved.grids[i].errorWorld, base.grids[i].errorWorld, 1e-6);
 }
 
-// Where the base is flat and its normal the object's z, both are the same surface. Unrotated they are to the last bit, and so is everything
-// the reference says of them.
+// Where the base is flat and its normal the object's z, both are the same surface. Unrotated they are to the
+// last bit, and so is everything the reference says of them.
 TEST(AlongAxis, APlanesAxisIsItsNormal) {
     SceneObject plane = quadric(0, 0, 0.2);
     plane.rotateDegrees = Vec3(0);
@@ -145,7 +147,8 @@ TEST(AlongAxis, APlanesAxisIsItsNormal) {
     }
 }
 
-// Rotations have digits after the comma: the normal, from tangents, and the axis agree to rounding, pictures to floats.
+// Rotations have digits after the comma: the normal, from tangents, and the axis agree to rounding, pictures
+// to floats.
 TEST(AlongAxis, ATurnedPlanesAxisIsItsNormalToRounding) {
     SceneObject plane = quadric(0, 0, 0.2);
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(plane);
@@ -163,7 +166,8 @@ TEST(AlongAxis, ATurnedPlanesAxisIsItsNormalToRounding) {
         }
 }
 
-// Along normals the far side of a sphere never shows; along an axis its relief may turn towards the camera there.
+// Along normals the far side of a sphere never shows; along an axis its relief may turn towards the camera
+// there.
 TEST(AlongAxis, NoFaceCountsAsTurnedAway) {
     SceneObject sphere;
     sphere.name = "sphere";
@@ -215,7 +219,8 @@ void expectPromisesKept(const SceneObject& object, int leastPromises, int leastT
     EXPECT_GT(turning, leastTurning);
 }
 
-// A flat base at 75 degrees to what the axis is square to: a radius of P reaches over four times as many texels as along the base.
+// A flat base at 75 degrees to what the axis is square to: a radius of P reaches over four times as many
+// texels as along the base.
 TEST(AlongAxis, WhatFacesThroughoutDoesSo) {
     expectPromisesKept(quadric(0.1, 1.4, 0.25), 1000, 400);
     SceneObject leaning = quadric(0, 0, 0.25);

@@ -1,11 +1,11 @@
 // Closed displaced surfaces, and rays aimed where they are most likely to slip through.
 #pragma once
 
-#include "reference/trace/embree_scene.h"
 #include "reference/tessellate/tessellate.h"
-#include "scenes/surface/displaced_surface.h"
+#include "reference/trace/embree_scene.h"
 #include "scenes/maps/generate_map.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <gtest/gtest.h>
 

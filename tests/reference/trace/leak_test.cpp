@@ -1,8 +1,9 @@
-// No ray gets through a closed surface, wherever it is aimed; and what closes it leaves outlines where they are.
+// No ray gets through a closed surface, wherever it is aimed; and what closes it leaves outlines where they
+// are.
 #include "reference/trace/embree.h"
 #include "reference/trace/resolve_hit.h"
-#include "tests/reference/trace/leak_rays.h"
 #include "tests/reference/test_scenes.h"
+#include "tests/reference/trace/leak_rays.h"
 
 #include <fmt/format.h>
 #include <tbb/combinable.h>
@@ -36,8 +37,8 @@ using CountsByAim = std::array<Counts, 3>;
 
 struct AimedRay {
     Vec3f origin, direction;
-    double
-        distance; // it must meet something by then: the place aimed at, or, where that is seen edge on, anything
+    double distance; // it must meet something by then: the place aimed at, or, where that is seen edge on,
+                     // anything
     bool fromOutside;
 };
 
@@ -55,15 +56,17 @@ AimedRay aimedRay(const LeakTarget& target, AimKind kind, bool fromOutside, std:
     }
 }
 
-// A ray in float meets the place it is aimed at to 2^-24 of the distance (up to 16 radii here), ten times that where the facet is
-// seen as obliquely as LeakTarget allows; rays beside it are 2^-20 away.
+// A ray in float meets the place it is aimed at to 2^-24 of the distance (up to 16 radii here), ten times
+// that where the facet is seen as obliquely as LeakTarget allows; rays beside it are 2^-20 away.
 constexpr double kDistanceTolerance = 2e-4; // of the surface's radius
 
-/// A camera ray leaks that meets nothing at the place aimed at or before it, or meets it, from outside, on the inner side.
+/// A camera ray leaks that meets nothing at the place aimed at or before it, or meets it, from outside, on
+/// the inner side.
 bool cameraLeaks(const LeakTarget& target, const EmbreeScene& embree, const AimedRay& ray) {
     const auto hit = embree.intersect(ray.origin, ray.direction);
     if (!hit) return true;
-    // From inside anything will do: what leaves through the inner rim of a torus meets it again across the hole.
+    // From inside anything will do: what leaves through the inner rim of a torus meets it again across the
+    // hole.
     if (!ray.fromOutside) return false;
     const MicroMesh& mesh = target.meshes[0];
     const Ray exact{ray.origin, glm::normalize(Vec3(ray.direction))};
@@ -156,7 +159,8 @@ TEST(Leaks, OutlinesStayWhereTheyAre) {
         }
 }
 
-// A ray at 45 degrees to the square, which it meets at distance 5 sqrt 2. A light a hair before it isn't occluded.
+// A ray at 45 degrees to the square, which it meets at distance 5 sqrt 2. A light a hair before it isn't
+// occluded.
 TEST(Leaks, LightsBeforeASurfaceAreNotOccluded) {
     const std::vector<MicroMesh> meshes = squareMeshes();
     const EmbreeScene embree(meshes);

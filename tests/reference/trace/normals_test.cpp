@@ -1,7 +1,8 @@
-// The frame's normals and positions on round shapes: against differences of the surface's own definition, and against closed forms.
+// The frame's normals and positions on round shapes: against differences of the surface's own definition, and
+// against closed forms.
 #include "reference/reference.h"
-#include "scenes/surface/displaced_surface.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/surface/displaced_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -82,10 +83,11 @@ class SurfaceDifferences {
         }
     }
 
-    /// Unit P_u x P_v by central differences; none where they would cross a patch's border or a crease between texels, or where the
-    /// surface has no tangent plane to speak of.
+    /// Unit P_u x P_v by central differences; none where they would cross a patch's border or a crease
+    /// between texels, or where the surface has no tangent plane to speak of.
     std::optional<Vec3> normalAt(const PixelSample& pixel) {
-        // Steps in (u,v), and margins: to a patch's border, to creases in texels. Patches are some 0.2 wide with 10 texels or less.
+        // Steps in (u,v), and margins: to a patch's border, to creases in texels. Patches are some 0.2 wide
+        // with 10 texels or less.
         constexpr double kStep = 1e-5, kPatchMargin = 1e-3, kCreaseMarginTexels = 0.02;
         const Vec2 texel = pixel.st * 16.0 - 0.5;
         const Vec2 toCrease = glm::abs(texel - glm::round(texel));
@@ -111,7 +113,8 @@ class SurfaceDifferences {
         return base.position + base.normal * displacement(textureCoordinates(base, &relief_), &relief_);
     }
 
-    /// The (u,v) with the pixel's st, of the patch that is nearest to its position there; leaves that patch set.
+    /// The (u,v) with the pixel's st, of the patch that is nearest to its position there; leaves that patch
+    /// set.
     std::optional<Vec2> placeOf(const PixelSample& pixel) {
         const Vec2 uv = (pixel.st - relief_.uvOffset) / relief_.tile;
         int nearest = -1;
@@ -138,8 +141,8 @@ class SurfaceDifferences {
     std::vector<Chart> charts_; // of the patches on which uv is affine: all but those at poles
 };
 
-// st is float, good to 2^-22 for coordinates up to 8, so 4e-6 of a texel; a relief that turns by a radian or two within a texel turns
-// by a few 1e-6 over that. Micro-triangles are off by several 1e-2.
+// st is float, good to 2^-22 for coordinates up to 8, so 4e-6 of a texel; a relief that turns by a radian or
+// two within a texel turns by a few 1e-6 over that. Micro-triangles are off by several 1e-2.
 constexpr double kSameNormal = 5e-5;
 
 void expectNormalsOfP(const SceneObject& object, const Vec3& cameraPosition, double viewHeight, int rate) {
@@ -174,7 +177,8 @@ TEST(Normals, AreThoseOfPOnATeapot) {
     expectNormalsOfP(teapot, {1, 2, 4}, 6, 32);
 }
 
-/// How far the pixels of a torus or sphere at constant depth are from the exact ones, for the cage's shape doesn't allow more.
+/// How far the pixels of a torus or sphere at constant depth are from the exact ones, for the cage's shape
+/// doesn't allow more.
 struct Deviation {
     double position = 0, normal = 0;
 };
@@ -204,8 +208,8 @@ Deviation sphereDeviation(int segments) {
     return worst;
 }
 
-// The limit surface of a torus' cage is off by 0.12 % of each of its two radii, 1.4 and 0.4, at 8 segments, and by nearly the
-// fourth power less at 16 (13.6, not yet 16); its normals, a derivative, by the third.
+// The limit surface of a torus' cage is off by 0.12 % of each of its two radii, 1.4 and 0.4, at 8 segments,
+// and by nearly the fourth power less at 16 (13.6, not yet 16); its normals, a derivative, by the third.
 TEST(Normals, TorusAtConstantDepthIsATorus) {
     const Deviation coarse = torusDeviation(8), fine = torusDeviation(16);
     std::printf("torus: off by %.2e at 8 segments, %.2e at 16; normals by %.2e, %.2e\n", coarse.position,
@@ -216,8 +220,9 @@ TEST(Normals, TorusAtConstantDepthIsATorus) {
     EXPECT_LT(fine.normal, coarse.normal / 7);
 }
 
-// The sphere's is off by 0.24 % at 4 segments a cube edge, most near the cube's corners, where it falls with the second power in the
-// end (2.8 from 4 to 8, 3.6 from 8 to 16) and normals, a derivative, with the first: 0.02, 0.019, 0.012, 0.007 at 4, 8, 16, 32.
+// The sphere's is off by 0.24 % at 4 segments a cube edge, most near the cube's corners, where it falls with
+// the second power in the end (2.8 from 4 to 8, 3.6 from 8 to 16) and normals, a derivative, with the first:
+// 0.02, 0.019, 0.012, 0.007 at 4, 8, 16, 32.
 TEST(Normals, SphereAtConstantDepthIsASphere) {
     const Deviation coarse = sphereDeviation(4), middle = sphereDeviation(8), fine = sphereDeviation(16);
     std::printf("sphere: off by %.2e at 4 segments, %.2e at 8, %.2e at 16; normals by %.2e, %.2e, %.2e\n",
@@ -229,8 +234,8 @@ TEST(Normals, SphereAtConstantDepthIsASphere) {
     EXPECT_LT(fine.normal, middle.normal / 1.4);
 }
 
-// z = a x^2 + b y^2 is exact: with (x, y) = 2 uv - 1 and n along (-2 a x, -2 b y, 1), P = S - n / 20. What is left is
-// the micro-triangles' sag, (2 / 1024)^2 / 8 times a curvature of 1.2, and floats.
+// z = a x^2 + b y^2 is exact: with (x, y) = 2 uv - 1 and n along (-2 a x, -2 b y, 1), P = S - n / 20. What is
+// left is the micro-triangles' sag, (2 / 1024)^2 / 8 times a curvature of 1.2, and floats.
 TEST(Normals, QuadricAtConstantDepthIsExact) {
     const double a = 0.6, b = -0.3;
     const Scene scene = sceneOf(objectOf(makeQuadric(a, b, 1, 2), constantRelief(0.1)), {1, 2, 3}, 3);

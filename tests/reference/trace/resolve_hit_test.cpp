@@ -61,8 +61,9 @@ TEST(ResolveHit, OfTwoSheetsTheOneEmbreeMet) {
 }
 
 TEST(ResolveHit, ATriangleMissedByRoundingBeforeOneMetElsewhere) {
-    // A sheet at z = 0 from x = 0.2 to 1, folded back under itself down to z = -1 at x = 0. A ray down at x = 0.2 - 1e-9 passes the
-    // upper sheet by less than Embree's rounding, and Embree says it met it; in double it meets the lower one at z = -0.8.
+    // A sheet at z = 0 from x = 0.2 to 1, folded back under itself down to z = -1 at x = 0. A ray down at x =
+    // 0.2 - 1e-9 passes the upper sheet by less than Embree's rounding, and Embree says it met it; in double
+    // it meets the lower one at z = -0.8.
     MicroMesh mesh;
     for (const float y : {0.0f, 1.0f})
         for (const Vec2f& xz : {Vec2f(0.2f, 0), Vec2f(1, 0), Vec2f(0, -1)})

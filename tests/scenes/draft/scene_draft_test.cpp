@@ -1,8 +1,8 @@
 // Scenes drafted for meshes nobody has looked at: what they show, and that their files say so.
-#include "scenes/surface/displaced_surface.h"
-#include "scenes/mesh/obj_file.h"
 #include "scenes/draft/scene_draft.h"
+#include "scenes/mesh/obj_file.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/surface/displaced_surface.h"
 #include "tests/scenes/scene_file/scene_file_fixture.h"
 
 #include <fmt/format.h>
@@ -95,7 +95,8 @@ class DraftsOfShapes : public Drafts, public testing::WithParamInterface<Shape> 
 INSTANTIATE_TEST_SUITE_P(All, DraftsOfShapes, testing::ValuesIn(shapes()),
                          [](const auto& shape) { return shape.param.name; });
 
-/// The displaced surface of the scene's one object, 8 x 8 places a patch, with a relief that is `d` deep all over.
+/// The displaced surface of the scene's one object, 8 x 8 places a patch, with a relief that is `d` deep all
+/// over.
 std::vector<DisplacedSample> surfaceAt(const SceneObject& object, float d) {
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
     Relief relief = *object.relief;
@@ -124,7 +125,8 @@ TEST_P(DraftsOfShapes, ShowAllOfTheReliefAndLightIt) {
             facing += glm::dot(sample.normal, toCamera);
             lit += std::max(0.0, glm::dot(sample.normal, scene.lights[0].toLightWorld));
         }
-    // 7 % are to be free; places are rounded by up to a quarter of a pixel, and curves bulge between the places looked at.
+    // 7 % are to be free; places are rounded by up to a quarter of a pixel, and curves bulge between the
+    // places looked at.
     EXPECT_GT(std::min(seen.low.x, seen.low.y), 0.065);
     EXPECT_LT(std::max(seen.high.x, seen.high.y), 0.935);
     // The nearest camera that does it: along one axis both margins are reached.
@@ -160,8 +162,9 @@ TEST_F(Drafts, TakeAnUprightPictureOfWhatIsUpright) {
     EXPECT_EQ(Vec2i(torus.width, torus.height), Vec2i(800, 600));
 }
 
-// A plane of 2 x 2 with uvs over the unit square: a unit of u is 2. Its diagonal is 2.83, a third of it 0.943: the side of a
-// square map, 2.12 of which go into 2. One of 256 x 64 texels is 2 times as wide and half as high: 1.06 and 4.24.
+// A plane of 2 x 2 with uvs over the unit square: a unit of u is 2. Its diagonal is 2.83, a third of it
+// 0.943: the side of a square map, 2.12 of which go into 2. One of 256 x 64 texels is 2 times as wide and
+// half as high: 1.06 and 4.24.
 TEST_F(Drafts, RepeatTheMapSoThatTexelsAreSquare) {
     const ControlMesh plane = makePlane(2, 2, 1, 1);
     EXPECT_EQ(draftScene(plane, halfDeep(), {}).tile, Vec2(2, 2));
@@ -177,9 +180,11 @@ TEST_F(Drafts, RepeatTheMapSoThatTexelsAreSquare) {
 }
 
 TEST_F(Drafts, CarveNoDeeperThanTheSurfaceBends) {
-    // 4 % of half the diagonal of a cube of 2: 0.04 * 1.732 = 0.069, far less than half its radius of curvature.
+    // 4 % of half the diagonal of a cube of 2: 0.04 * 1.732 = 0.069, far less than half its radius of
+    // curvature.
     EXPECT_EQ(draftScene(makeSphere(1, 4), halfDeep(), {}).depth, 0.069);
-    // A thin ring: 4 % would be 0.059, half of its tube's radius is 0.025 (that of a cage of 12 bends between 0.047 and 0.05).
+    // A thin ring: 4 % would be 0.059, half of its tube's radius is 0.025 (that of a cage of 12 bends between
+    // 0.047 and 0.05).
     EXPECT_NEAR(draftScene(makeTorus(1, 0.05, 64, 12), halfDeep(), {}).depth, 0.024, 0.0011);
 }
 

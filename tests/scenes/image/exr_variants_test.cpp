@@ -1,5 +1,6 @@
-// EXR files as other programs write them: several parts, ripmaps, subsampled channels, deep pixels, environment maps, stereo pictures, and
-// headers that claim what can't be. Each is read or refused with a reason.
+// EXR files as other programs write them: several parts, ripmaps, subsampled channels, deep pixels,
+// environment maps, stereo pictures, and headers that claim what can't be. Each is read or refused with a
+// reason.
 #include "scenes/image/exr_file.h"
 #include "tests/scenes/core/test_files.h"
 
@@ -203,7 +204,8 @@ TEST(ExrVariants, AHeaderOfGigabytesIsRefusedWithoutTakingTheMemory) {
     writeChanged(folder / "a.exr", [](Imf::Header&) {});
     const std::string bytes = readBytes(folder / "a.exr");
     for (const int32_t size : {2147483647, 17 << 20}) {
-        // A file that really is so long, without taking room on the disk: the claim can't be told by the size.
+        // A file that really is so long, without taking room on the disk: the claim can't be told by the
+        // size.
         writeBytes(folder / "b.exr", withAttribute(bytes, size));
         std::filesystem::resize_file(folder / "b.exr", uint64_t(4) << 30);
         rusage before{}, after{};

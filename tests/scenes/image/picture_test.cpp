@@ -198,7 +198,8 @@ TEST(Picture, TruncatedIsRefused) {
         for (size_t percent = 0; percent < 100; percent += 3) {
             writeBytes(cut, whole.substr(0, whole.size() * percent / 100));
             const std::string message = inputErrorOf([&] { readImage(cut); });
-            // Found by us, before a library prints its own line about it; of the first bytes alone nobody can tell.
+            // Found by us, before a library prints its own line about it; of the first bytes alone nobody can
+            // tell.
             const bool ours = (cut.extension() == ".png" || cut.extension() == ".jpg") && percent > 0;
             EXPECT_TRUE(!ours || message.find("is truncated; expected") != std::string::npos)
                 << message << " cut to " << percent << " %";

@@ -1,6 +1,6 @@
 // Whatever mesh a user brings either has a surface that can be evaluated everywhere or is refused.
-#include "scenes/surface/base_surface.h"
 #include "scenes/mesh/mesh_defects.h"
+#include "scenes/surface/base_surface.h"
 #include "scenes/surface/seams.h"
 #include "scenes/surface/shared_samples.h"
 #include "tests/scenes/core/test_files.h"
@@ -141,9 +141,9 @@ TEST(AnyMesh, WhatIsLargerThanOpenSubdivTakesIsRefused) {
 }
 
 TEST(AnyMesh, FacesThatDoNotMeetAreRefused) {
-    // A tetrahedron (0 1 2 3) and a fin on its edge from 0 to 1. Vertices 2 and 3 have three triangles each, and
-    // OpenSubdiv 3.5 joins faces 1 and 2 over that edge, which for the others is a crease: 0.041 apart. A version that does
-    // better may pass.
+    // A tetrahedron (0 1 2 3) and a fin on its edge from 0 to 1. Vertices 2 and 3 have three triangles each,
+    // and OpenSubdiv 3.5 joins faces 1 and 2 over that edge, which for the others is a crease: 0.041 apart. A
+    // version that does better may pass.
     ControlMesh mesh;
     mesh.name = "finned";
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
@@ -165,8 +165,8 @@ TEST(AnyMesh, FacesThatDoNotMeetAreRefused) {
     EXPECT_LE(survey(BaseSurface(mesh, Scheme::None), 8).gap, 0);
 }
 
-/// Faces of 3 to 5 out of 4 to 9 vertices, at random: edges of many faces, flips, pinches, sheets; vertices sometimes in
-/// one place, sometimes huge; tags of random edges; uvs.
+/// Faces of 3 to 5 out of 4 to 9 vertices, at random: edges of many faces, flips, pinches, sheets; vertices
+/// sometimes in one place, sometimes huge; tags of random edges; uvs.
 ControlMesh randomMesh(std::mt19937& random, Scheme scheme) {
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     ControlMesh mesh;

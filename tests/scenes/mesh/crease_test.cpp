@@ -1,4 +1,5 @@
-// Creases, corners and holes on the limit surface against closed forms, and against OpenSubdiv's own refinement.
+// Creases, corners and holes on the limit surface against closed forms, and against OpenSubdiv's own
+// refinement.
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/topology.h"
 #include "tests/scenes/mesh/test_meshes.h"
@@ -45,8 +46,9 @@ TEST(Crease, InfinitelySharpIsTheCubicBSplineOfItsVertices) {
     EXPECT_GT(glm::length(evaluate(mesh, Scheme::CatmullClark, 7, 0.5, 1).normal -
                           evaluate(mesh, Scheme::CatmullClark, 12, 0.5, 0).normal),
               0.1);
-    // Loop keeps the same curve: its crease rules are those of the cubic B-spline too (Hoppe et al. 1994). Triangles
-    // 14 and 15 are face 7: (8 9 15), (8 15 14); the edge of the second from corner 1 to 2 is the crease.
+    // Loop keeps the same curve: its crease rules are those of the cubic B-spline too (Hoppe et al. 1994).
+    // Triangles 14 and 15 are face 7: (8 9 15), (8 15 14); the edge of the second from corner 1 to 2 is the
+    // crease.
     ControlMesh triangles = triangulated(mesh);
     triangles.tags = mesh.tags;
     const Vec3 middle = bSpline(p[13], p[14], p[15], p[16], 0.5);
@@ -71,16 +73,17 @@ TEST(Crease, SharpVertexIsACorner) {
     ControlMesh mesh = cubeMesh();
     mesh.tags.corners.push_back({7, kInfinitelySharp});
     EXPECT_LT(glm::length(evaluate(mesh, Scheme::CatmullClark, 1, 1, 1).position - Vec3(1)), 1e-14);
-    // Semi-sharp by 1: one step leaves the vertex at (1,1,1) and puts its edge neighbours at (0.75, 0.75, 0) etc. and
-    // the face points at (1,0,0) etc.; from there on the smooth limit of Halstead et al. 1993:
-    // (9 v + 4 sum(e) + sum(f)) / 24 = (9 + 4 * 1.5 + 1) / 24 = 2/3.
+    // Semi-sharp by 1: one step leaves the vertex at (1,1,1) and puts its edge neighbours at (0.75, 0.75, 0)
+    // etc. and the face points at (1,0,0) etc.; from there on the smooth limit of Halstead et al. 1993: (9 v
+    // + 4 sum(e) + sum(f)) / 24 = (9 + 4 * 1.5 + 1) / 24 = 2/3.
     mesh.tags.corners[0].sharpness = 1;
     EXPECT_LT(glm::length(evaluate(mesh, Scheme::CatmullClark, 1, 1, 1).position - Vec3(2.0 / 3)), 1e-14);
 }
 
 TEST(Crease, BoundaryCornersAreKeptOrRounded) {
-    // A single square from (-1,-1) to (1,1), its boundary the closed cubic B-spline of four points when corners are
-    // round: at a vertex (v1 + 4 v + v3) / 6 = (4 - 1 + 1, ...)/6: for v = (1,1), v1 = (-1,1), v3 = (1,-1): (4/6, 4/6).
+    // A single square from (-1,-1) to (1,1), its boundary the closed cubic B-spline of four points when
+    // corners are round: at a vertex (v1 + 4 v + v3) / 6 = (4 - 1 + 1, ...)/6: for v = (1,1), v1 = (-1,1), v3
+    // = (1,-1): (4/6, 4/6).
     ControlMesh mesh;
     mesh.name = "square";
     mesh.points = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
@@ -111,7 +114,8 @@ struct RefinedPoint {
     void AddWithWeight(const RefinedPoint& other, double weight) { value += weight * other.value; }
 };
 
-/// Limits of the vertices after `level` uniform steps of OpenSubdiv's Far, which shares no code with Bfr's patches.
+/// Limits of the vertices after `level` uniform steps of OpenSubdiv's Far, which shares no code with Bfr's
+/// patches.
 std::vector<Vec3> refinedLimits(const ControlMesh& mesh, int level) {
     const auto refiner = makeTopology(mesh, Scheme::CatmullClark);
     Far::TopologyRefiner::UniformOptions options(level);
@@ -143,9 +147,9 @@ double distanceToNearest(const std::vector<Vec3>& sortedByZ, const Vec3& point) 
 }
 
 TEST(Crease, SemiSharpAgreesWithRefinementUntilItIsSmooth) {
-    // From the level at which all sharpness is used up, limits of refined vertices are exact: samples of ours at dyadic
-    // places are among them to rounding. 7.5 takes 8 levels; 9.5 isn't used up at 8: the vertices are off by the
-    // rest, below the mesh of that level (2 / 2^8 = 0.008).
+    // From the level at which all sharpness is used up, limits of refined vertices are exact: samples of ours
+    // at dyadic places are among them to rounding. 7.5 takes 8 levels; 9.5 isn't used up at 8: the vertices
+    // are off by the rest, below the mesh of that level (2 / 2^8 = 0.008).
     const std::tuple<double, int, double> cases[] = {{0.5, 5, 2e-15}, {1, 5, 2e-15},   {2.5, 5, 2e-15},
                                                      {4, 5, 2e-15},   {7.5, 8, 2e-15}, {9.5, 8, 0.008}};
     for (const auto& [sharpness, level, bound] : cases) {
@@ -168,7 +172,8 @@ TEST(Crease, SemiSharpAgreesWithRefinementUntilItIsSmooth) {
 }
 
 TEST(Crease, SharpnessChangesTheSurfaceMonotonically) {
-    // The rim of the top of a cube rises with its sharpness; smooth: 0.5 in z at a corner (Halstead et al. 1993).
+    // The rim of the top of a cube rises with its sharpness; smooth: 0.5 in z at a corner (Halstead et al.
+    // 1993).
     double last = 0.5;
     for (const double sharpness : {0.5, 1.0, 2.0, 5.0, 10.0}) {
         ControlMesh mesh = cubeMesh();

@@ -1,5 +1,5 @@
-#include "scenes/surface/base_surface.h"
 #include "scenes/mesh/mesh_defects.h"
+#include "scenes/surface/base_surface.h"
 #include "tests/scenes/core/test_files.h"
 #include "tests/scenes/mesh/test_meshes.h"
 
@@ -62,7 +62,8 @@ TEST(MeshDefects, ThreeFacesOnAnEdge) {
             "grid:117: face 17 is one of 3 faces on the edge from vertex 11 to 12: no surface goes on "
             "there, the edge is made infinitely sharp (and 3 more)"));
     EXPECT_THAT(warningsOf(mesh, Scheme::None), ElementsAre(HasSubstr("normals are the mean of all")));
-    // What the line says: the limit curve is the cubic B-spline of its vertices, at one of them (a + 4 b + c) / 6.
+    // What the line says: the limit curve is the cubic B-spline of its vertices, at one of them (a + 4 b + c)
+    // / 6.
     const auto& p = mesh.points;
     const Vec3 onCrease = (p[11] + 4.0 * p[12] + p[13]) / 6.0;
     EXPECT_LT(glm::length(limitAt(mesh, 5, 1, 1) - onCrease), 1e-14);

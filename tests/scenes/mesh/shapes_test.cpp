@@ -1,8 +1,8 @@
 // The built-in shapes: what their limit surfaces must be, in closed form; topology; every error.
-#include "scenes/surface/base_surface.h"
 #include "scenes/core/error.h"
 #include "scenes/mesh/shapes/limit_points.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/surface/base_surface.h"
 #include "tests/scenes/mesh/mesh_checks.h"
 
 #include <gtest/gtest.h>

@@ -13,7 +13,8 @@ inline void addFace(ControlMesh& mesh, std::initializer_list<int> vertices) {
     mesh.faceVertices.insert(mesh.faceVertices.end(), vertices);
 }
 
-/// Corners of +-1; vertex k has x, y, z positive where bits 0, 1, 2 of k are set. Face 2 (the second) is the top one, z = 1.
+/// Corners of +-1; vertex k has x, y, z positive where bits 0, 1, 2 of k are set. Face 2 (the second) is the
+/// top one, z = 1.
 inline ControlMesh cubeMesh() {
     ControlMesh mesh;
     mesh.name = "cube";

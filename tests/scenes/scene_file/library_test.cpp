@@ -1,6 +1,6 @@
 // The scenes that ship with the program: they load, and what they show is in the picture and of a sane size.
-#include "scenes/surface/base_surface.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/surface/base_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +46,8 @@ TEST_P(LibraryScenes, LoadsAndShowsItsObjects) {
         const bool cameraInside =
             glm::all(glm::greaterThan(camera, bounds.low)) && glm::all(glm::lessThan(camera, bounds.high));
         EXPECT_FALSE(cameraInside);
-        // Some point of the limit surface is in the picture, with a tenth of a picture to spare on either side.
+        // Some point of the limit surface is in the picture, with a tenth of a picture to spare on either
+        // side.
         int inside = 0;
         const BaseSurface surface(object.meshWorld(), object.scheme);
         BaseSurface::Evaluator evaluator(surface);
@@ -70,8 +71,8 @@ TEST_P(LibraryScenes, LoadsAndShowsItsObjects) {
 }
 
 TEST_P(LibraryScenes, HasMapsThatCloseAroundItsObjects) {
-    // Where u wraps, the tile count must be whole, or the map has a cliff there that is not in it. Planes and boxes are
-    // open; of a cylinder only u closes.
+    // Where u wraps, the tile count must be whole, or the map has a cliff there that is not in it. Planes and
+    // boxes are open; of a cylinder only u closes.
     const Scene scene = readScene(findScene(GetParam()));
     for (const SceneObject& object : scene.objects) {
         if (!object.relief || object.mesh.name == "plane" || object.mesh.name == "box") continue;

@@ -87,7 +87,8 @@ TEST_F(SceneFile, TheShortestSceneTakesItsDefaults) {
     EXPECT_EQ(scene.objects[0].color, Vec3(0.8));
 }
 
-// The axis is the object's +z, turned by its rotation (10, 20, 30 degrees about x, y, z) but not scaled: cos 20 cos 10 along z.
+// The axis is the object's +z, turned by its rotation (10, 20, 30 degrees about x, y, z) but not scaled: cos
+// 20 cos 10 along z.
 TEST_F(SceneFile, ReliefsGoAlongNormalsUnlessAlongTheAxis) {
     EXPECT_FALSE(read(kWholeScene).objects[0].relief->axisWorld);
     EXPECT_FALSE(read(with("depth = 0.08", "depth = 0.08, along = \"normal\"")).objects[0].relief->axisWorld);

@@ -1,7 +1,7 @@
 // The base surface against closed forms.
+#include "scenes/core/error.h"
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/displaced_surface.h"
-#include "scenes/core/error.h"
 #include "scenes/surface/shared_samples.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,8 @@
-// The proxy as a base: the triangles of the real-time module, closed, and on the limit surface as they get finer.
+// The proxy as a base: the triangles of the real-time module, closed, and on the limit surface as they get
+// finer.
+#include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/proxy_mesh.h"
-#include "scenes/mesh/shapes/shapes.h"
 #include "tests/scenes/mesh/mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,8 @@ std::vector<SceneObject> objects() {
             reliefObject(makeCylinder(1, 1, 5, 1), Scheme::CatmullClark, 2)};    // open
 }
 
-/// Patch k of the proxy base is triangle k of the proxy; at its corners everything is the proxy's own, to the bit.
+/// Patch k of the proxy base is triangle k of the proxy; at its corners everything is the proxy's own, to the
+/// bit.
 TEST(ProxyBase, CornersAreTheProxysVertices) {
     for (const SceneObject& object : objects()) {
         SCOPED_TRACE(object.name);
@@ -74,7 +76,8 @@ TEST(ProxyBase, ClosesWhereTheLimitDoes) {
         const Topology polygons = topologyOf(proxyPolygons(object));
         EXPECT_TRUE(polygons.consistent);
         const bool open = object.name == "quadric" || object.name == "cylinder";
-        // The quadric's limit is 2 x 2 faces, the cylinder's 5 with two rims; proxy_rate 2 makes two edges of each.
+        // The quadric's limit is 2 x 2 faces, the cylinder's 5 with two rims; proxy_rate 2 makes two edges of
+        // each.
         EXPECT_EQ(polygons.boundaryEdges, !open ? 0 : object.name == "quadric" ? 4 * 2 * 2 : 2 * 5 * 2);
         if (!open) {
             EXPECT_EQ(polygons.euler(), object.name == "torus" ? 0 : 2);
@@ -109,7 +112,8 @@ TEST(ProxyBase, OfAPlaneIsThePlane) {
     }
 }
 
-/// Largest distance, over all triangles, of their centroids from the limit surface at the mean of their corners' parameters.
+/// Largest distance, over all triangles, of their centroids from the limit surface at the mean of their
+/// corners' parameters.
 double distanceFromLimit(SceneObject object, int proxyRate) {
     object.proxyRate = proxyRate;
     object.relief->offset = 0;

@@ -1,7 +1,7 @@
 // The proxy against shapes whose answer is known.
 #include "scenes/core/error.h"
-#include "scenes/surface/proxy_mesh.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "scenes/surface/proxy_mesh.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Quadrics of rings and of limit surfaces against surfaces whose curvature is known.
+#include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/proxy_mesh.h"
 #include "scenes/surface/quadric_fit.h"
-#include "scenes/mesh/shapes/shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -31,7 +31,8 @@ QuadricFrame frameAt(double angle, double apart = kPi / 2) {
 }
 
 TEST(QuadricFit, FindsTheQuadricThePointsLieOn) {
-    // z = -(0.3 x^2 - 0.2 x y - 0.1 y^2), in its own frame to rounding, at every scale: coefficients go with 1 / size.
+    // z = -(0.3 x^2 - 0.2 x y - 0.1 y^2), in its own frame to rounding, at every scale: coefficients go with
+    // 1 / size.
     for (const double size : {1e-3, 1.0, 1e3}) {
         const auto height = [&](double x, double y) {
             return -(0.3 * x * x - 0.2 * x * y - 0.1 * y * y) / size;
@@ -43,7 +44,8 @@ TEST(QuadricFit, FindsTheQuadricThePointsLieOn) {
         EXPECT_GE(fit.condition, 1);
         EXPECT_LT(fit.condition, 10);
     }
-    // In oblique tangents 50 degrees apart x y' = ... : the same surface, so the same heights at the same points.
+    // In oblique tangents 50 degrees apart x y' = ... : the same surface, so the same heights at the same
+    // points.
     const auto height = [](double x, double y) { return -(0.3 * x * x - 0.2 * x * y - 0.1 * y * y); };
     const QuadricFrame oblique = frameAt(0.4, 50 * kPi / 180);
     const QuadricCoefficients found = fitQuadric(oblique, ringOn(height, 0.2, 7)).threeTerms;
@@ -79,7 +81,8 @@ TEST(QuadricFit, SaysWhatARingDoesntDetermine) {
     EXPECT_EQ(diagonals.condition, kInfinity);
     EXPECT_EQ(diagonals.twoTerms.a, 0);
     EXPECT_EQ(diagonals.threeTerms.b, 0);
-    // Nearly so, by 0.01: x^2 and y^2 differ by 2 %. Correlation 1 - 2 * 0.02^2 / 4 ... the condition is (1 + r) / (1 - r).
+    // Nearly so, by 0.01: x^2 and y^2 differ by 2 %. Correlation 1 - 2 * 0.02^2 / 4 ... the condition is (1 +
+    // r) / (1 - r).
     const RingFit near = fitQuadric(frameAt(0), ringOn(bowl, 0.1, 4, kPi / 4 + 0.01));
     EXPECT_NEAR(near.condition * std::pow(std::tan(0.02), 2), 1, 0.01);
     EXPECT_NEAR(near.twoTerms.a, 1, 1e-9);
@@ -89,7 +92,8 @@ TEST(QuadricFit, SaysWhatARingDoesntDetermine) {
 }
 
 TEST(QuadricFit, OfDerivativesArePushedOutUpToTheCentreOfCurvature) {
-    // Radii 2 and 4 along s and t, of tangents of any length. Pushed in by 1 they are 1 and 3; by 2, and there is no number for the first.
+    // Radii 2 and 4 along s and t, of tangents of any length. Pushed in by 1 they are 1 and 3; by 2, and
+    // there is no number for the first.
     const auto pushed = [](double offset) {
         return quadricOfDerivatives({3, 0, 0}, {0, 0.1, 0}, {3 / 2.0, 0, 0}, {0, 0.1 / 4, 0}, offset);
     };
@@ -112,9 +116,10 @@ SceneObject reliefOn(ControlMesh mesh, int rate, double offset = 0) {
 }
 
 TEST(ProxyQuadrics, OfASphereAreHalfItsCurvature) {
-    // z = -(X^2 + Y^2) / (2 R) in right-angled coordinates, so with tangents whose cosine is g A = B = 1 / (2 R) and C = g / R. A ring at
-    // distance r falls by r^2 / (2 R) (1 + r^2 / (4 R^2)): r <= 0.07 adds 0.1 %. The limit surface of a sphere of 16 segments an edge has
-    // the curvature of one to 3 % where we look, around the middles of the cube's faces (worse at the cube's corners).
+    // z = -(X^2 + Y^2) / (2 R) in right-angled coordinates, so with tangents whose cosine is g A = B = 1 / (2
+    // R) and C = g / R. A ring at distance r falls by r^2 / (2 R) (1 + r^2 / (4 R^2)): r <= 0.07 adds 0.1 %.
+    // The limit surface of a sphere of 16 segments an edge has the curvature of one to 3 % where we look,
+    // around the middles of the cube's faces (worse at the cube's corners).
     const ProxyMesh proxy = buildProxyMesh(reliefOn(makeSphere(1, 16), 2));
     int seen = 0, square = 0;
     for (const ProxyVertex& vertex : proxy.vertices) {
@@ -156,7 +161,8 @@ TEST(ProxyQuadrics, OfAPatchScaledAreScaled) {
 }
 
 TEST(ProxyQuadrics, OfASaddleTurnedBy45DegreesHaveACrossTerm) {
-    // The uvs of the patch z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t it doesn't bend, only across.
+    // The uvs of the patch z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t it doesn't bend, only
+    // across.
     ControlMesh mesh = makeQuadric(0.3, -0.3, 1, 8);
     for (Vec2& uv : mesh.uvs)
         uv = Vec2(uv.x + uv.y, uv.y - uv.x);
@@ -176,7 +182,8 @@ TEST(ProxyQuadrics, OfASaddleTurnedBy45DegreesHaveACrossTerm) {
     EXPECT_GT(seen, 5);
 }
 
-/// W with dn = W dP over the tangent plane, along the unit tangents of s and t: first form inverted, times minus the second.
+/// W with dn = W dP over the tangent plane, along the unit tangents of s and t: first form inverted, times
+/// minus the second.
 glm::dmat2 shapeOperator(const ProxyVertex& vertex) {
     const double cosine = glm::dot(glm::normalize(vertex.positionS), glm::normalize(vertex.positionT));
     const QuadricCoefficients& q = vertex.limitQuadric;
@@ -184,8 +191,9 @@ glm::dmat2 shapeOperator(const ProxyVertex& vertex) {
 }
 
 TEST(ProxyQuadrics, OfTheLimitAreThoseOfTheSurfacePushedOut) {
-    // Pushed out by o, radii of curvature grow by o in the directions they have: dn = W dP = W' dP' with P' = P + o n, so that
-    // W' (1 + o W) = W in any tangents; a vertex has those of P. Uvs turned as well: their tangents aren't the principal directions.
+    // Pushed out by o, radii of curvature grow by o in the directions they have: dn = W dP = W' dP' with P' =
+    // P + o n, so that W' (1 + o W) = W in any tangents; a vertex has those of P. Uvs turned as well: their
+    // tangents aren't the principal directions.
     for (const bool turned : {false, true}) {
         ControlMesh mesh = makeTorus(1, 0.4, 24, 16);
         if (turned)

@@ -1,6 +1,6 @@
+#include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/seams.h"
-#include "scenes/mesh/shapes/shapes.h"
 #include "tests/scenes/mesh/test_meshes.h"
 
 #include <gmock/gmock.h>
@@ -31,8 +31,8 @@ TornEdges tornOf(const ControlMesh& mesh, Scheme scheme, const Relief& relief) {
     return countTornEdges(BaseSurface(mesh, scheme), relief);
 }
 
-/// Two squares side by side along x, with uvs of their own: the left one's u runs over [0, 0.5], the right one's starts
-/// at 0.5 + jump.
+/// Two squares side by side along x, with uvs of their own: the left one's u runs over [0, 0.5], the right
+/// one's starts at 0.5 + jump.
 ControlMesh twoSquares(const Vec2& jump) {
     ControlMesh mesh = bumpyGrid(2);
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, -1}, {1, 0, -1}, {2, 0, -1}};
@@ -70,7 +70,8 @@ TEST(Seams, WholeTilesTearNothing) {
 }
 
 TEST(Seams, DifferencesBelowAStepOfAnEightBitMapTearNothing) {
-    // The ramp rises by 1/15 in a sixteenth of the map: 16/15 per unit of u. 1/256 of the depth is du = 0.00366.
+    // The ramp rises by 1/15 in a sixteenth of the map: 16/15 per unit of u. 1/256 of the depth is du =
+    // 0.00366.
     const Relief relief = rampRelief();
     EXPECT_EQ(tornOf(twoSquares({0.0035, 0}), Scheme::None, relief).byMap, 0);
     EXPECT_EQ(tornOf(twoSquares({0.0038, 0}), Scheme::None, relief).byMap, 1);
@@ -80,8 +81,8 @@ TEST(Seams, DifferencesBelowAStepOfAnEightBitMapTearNothing) {
 }
 
 TEST(Seams, OneTexelThatDiffersIsFound) {
-    // 512 rows, all 0 but one at the middle of the map's height in its right half; the edge runs along t. Sides at
-    // u = 0.25 and 0.75 differ over two texels of 512, which 32 places wouldn't meet.
+    // 512 rows, all 0 but one at the middle of the map's height in its right half; the edge runs along t.
+    // Sides at u = 0.25 and 0.75 differ over two texels of 512, which 32 places wouldn't meet.
     constexpr int kSize = 512;
     std::vector<float> depths(size_t(kSize) * kSize, 0.0f);
     for (int i = kSize / 2; i < kSize; ++i)
@@ -94,7 +95,8 @@ TEST(Seams, OneTexelThatDiffersIsFound) {
 }
 
 TEST(Seams, UvsThatRunTheOtherWayAreHeldAgainstTheSamePlace) {
-    // The right square's v runs downwards: the sides agree in the middle of the edge alone, where the map varies with t.
+    // The right square's v runs downwards: the sides agree in the middle of the edge alone, where the map
+    // varies with t.
     ControlMesh mesh = twoSquares({0, 0});
     std::swap(mesh.uvs[4], mesh.uvs[7]);
     Relief relief = rampRelief();
@@ -141,7 +143,8 @@ TEST(Seams, SharpEdgesTearByTheirNormals) {
 }
 
 TEST(Seams, NgonsAndTrianglesAreComparedAlongTheirWholeEdges) {
-    // A prism over a pentagon without normals: angle-weighted ones are one a vertex. Normals of the faces tear all 15.
+    // A prism over a pentagon without normals: angle-weighted ones are one a vertex. Normals of the faces
+    // tear all 15.
     ControlMesh mesh = prismMesh(5);
     mesh.uvs = {Vec2(0.3, 0.4)};
     mesh.faceUvs.assign(mesh.faceVertices.size(), 0);

@@ -110,7 +110,8 @@ TEST(TomlFile, KeysAreNoDeeperThanTheParserCanGo) {
     EXPECT_EQ(
         inputErrorOf([&] { parse("b = 1").change("--scene-set", "b", "{ " + deep(100000) + " = 1 }"); }),
         "--scene-set: has keys of more than 1000 parts within each other; expected a few");
-    // Inline tables within each other, also one after another in an array, keys in quotes, quotes and braces in texts.
+    // Inline tables within each other, also one after another in an array, keys in quotes, quotes and braces
+    // in texts.
     const auto nested = [&](int levels, const std::string& key, const std::string& before = "") {
         std::string text = "b = ";
         for (int i = 0; i < levels; ++i)

@@ -1,6 +1,6 @@
+#include "tests/validate/metrics/random_frames.h"
 #include "validate/compare/compare.h"
 #include "validate/results/results.h"
-#include "tests/validate/metrics/random_frames.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -84,7 +84,8 @@ TEST(Compare, NothingMissingMeansNoNotes) {
     EXPECT_THAT(compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, Camera()).notes, IsEmpty());
 }
 
-// paintPixel's normal is +z, the camera stands there too: a light from the front leaves nothing attached, one from behind all.
+// paintPixel's normal is +z, the camera stands there too: a light from the front leaves nothing attached, one
+// from behind all.
 TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);

@@ -1,11 +1,11 @@
 // Frames laid out as other renderers' documentation and sources say, of a sphere whose every value is known.
 //   Blender 3.4 manual, "Passes"; intern/cycles/kernel/film/data_passes.h (camera_z_depth: planar)
-//   Mitsuba 3, src/integrators/aov.cpp (si.t, 0 on a miss) and src/sensors/perspective.cpp (the ray starts on the near plane)
-//   pbrt-v4, src/pbrt/film.cpp, GBufferFilm (camera space by default; zeros on a miss)
-#include "scenes/scene/camera.h"
+//   Mitsuba 3, src/integrators/aov.cpp (si.t, 0 on a miss) and src/sensors/perspective.cpp (the ray starts on
+//   the near plane) pbrt-v4, src/pbrt/film.cpp, GBufferFilm (camera space by default; zeros on a miss)
 #include "scenes/image/exr_file.h"
-#include "validate/compare/foreign_frame.h"
+#include "scenes/scene/camera.h"
 #include "tests/scenes/core/test_files.h"
+#include "validate/compare/foreign_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "scenes/core/error.h"
 #include "scenes/frame/scene_metadata.h"
-#include "validate/compare/frame_metadata.h"
 #include "tests/validate/metrics/painted_frames.h"
+#include "validate/compare/frame_metadata.h"
 
 #include <gtest/gtest.h>
 
@@ -152,7 +152,8 @@ TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
     EXPECT_THAT(
         message("camera", "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees nan size 1 1"),
         HasSubstr("can't be read"));
-    // Numbers that no scene file could have: no direction, up along it, no opening, all there is, out of range.
+    // Numbers that no scene file could have: no direction, up along it, no opening, all there is, out of
+    // range.
     for (const auto& [bad, field] :
          {std::pair("perspective position 0 0 1 target 0 0 1 up 0 1 0 fov_y_degrees 40 size 1 1",
                     "target is"),

@@ -1,7 +1,7 @@
+#include "tests/validate/metrics/random_frames.h"
 #include "validate/metrics/boundary_iou.h"
 #include "validate/metrics/contour_distance.h"
 #include "validate/metrics/silhouette_iou.h"
-#include "tests/validate/metrics/random_frames.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -29,7 +29,8 @@ TEST(BoundaryIou, IdenticalSquares) {
     Frame frame = emptyFrame(20, 20);
     paintRectangle(frame, 4, 4, 14, 14);
     const BoundaryIou result = pooled(frame, frame);
-    // 10 x 10 less 8 x 8; less 6 x 6; less 2 x 2. The nearest pixel outside lies straight across the nearest side.
+    // 10 x 10 less 8 x 8; less 6 x 6; less 2 x 2. The nearest pixel outside lies straight across the nearest
+    // side.
     EXPECT_EQ(result.at[k1px].unionPx, 36u);
     EXPECT_EQ(result.at[k2px].unionPx, 64u);
     EXPECT_EQ(result.at[k4px].unionPx, 96u);
@@ -38,9 +39,9 @@ TEST(BoundaryIou, IdenticalSquares) {
         EXPECT_EQ(*at.iou, 1);
 }
 
-// Columns and rows 4 … 13 against columns 5 … 14. Rims of 1 px: the squares' contours, 36 pixels each. Both have columns 5 … 13
-// of rows 4 and 13: 18 pixels, and nothing else: column 4 is outside the test, 14 outside the reference; columns 5 and 13 of
-// rows 5 … 12 are rim of one only. IoU 18 / (36 + 36 - 18) = 1/3.
+// Columns and rows 4 … 13 against columns 5 … 14. Rims of 1 px: the squares' contours, 36 pixels each. Both
+// have columns 5 … 13 of rows 4 and 13: 18 pixels, and nothing else: column 4 is outside the test, 14 outside
+// the reference; columns 5 and 13 of rows 5 … 12 are rim of one only. IoU 18 / (36 + 36 - 18) = 1/3.
 TEST(BoundaryIou, SquareShiftedByOnePixel) {
     Frame reference = emptyFrame(20, 20);
     paintRectangle(reference, 4, 4, 14, 14);
@@ -50,8 +51,9 @@ TEST(BoundaryIou, SquareShiftedByOnePixel) {
     EXPECT_EQ(*result.at[k1px].iou, 1.0 / 3.0);
 }
 
-// A pixel of nothing in a field 9 x 9 of the object. Rim of 2 px: those at most 2 away from it, by the circle: 4 straight, 4 at
-// sqrt(2), 4 at 2; not the 8 at sqrt(5). A square of erosion would take all 24. Rim of 1 px: 4. The picture's border is none.
+// A pixel of nothing in a field 9 x 9 of the object. Rim of 2 px: those at most 2 away from it, by the
+// circle: 4 straight, 4 at sqrt(2), 4 at 2; not the 8 at sqrt(5). A square of erosion would take all 24. Rim
+// of 1 px: 4. The picture's border is none.
 TEST(BoundaryIou, DistanceIsEuclidean) {
     Frame frame = emptyFrame(9, 9);
     paintRectangle(frame, 0, 0, 9, 9);
@@ -201,7 +203,8 @@ RC_GTEST_PROP(BoundaryIouProperty, SymmetricAndTheSameWhenFlipped, ()) {
         }
 }
 
-// Wider rims hold narrower ones, so the sums grow; the silhouettes hold all of them. The rim of 1 px is the contour.
+// Wider rims hold narrower ones, so the sums grow; the silhouettes hold all of them. The rim of 1 px is the
+// contour.
 RC_GTEST_PROP(BoundaryIouProperty, SumsGrowWithTheWidth, ()) {
     const Frame a = boxesFrame(), b = boxesFrame();
     const FramePair pair(a, b, threeObjects());

@@ -1,5 +1,5 @@
-#include "validate/metrics/contour_distance.h"
 #include "tests/validate/metrics/random_frames.h"
+#include "validate/metrics/contour_distance.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,7 +13,8 @@ namespace {
 using namespace test;
 using ::testing::HasSubstr;
 
-/// Sums of roots in another order, and roots themselves, round in the 16th digit; sums here have fewer than 1000 terms.
+/// Sums of roots in another order, and roots themselves, round in the 16th digit; sums here have fewer than
+/// 1000 terms.
 constexpr double kRounding = 1e-12;
 
 ContourDistance pooled(const Frame& reference, const Frame& test, std::vector<ObjectInfo> objects = {}) {
@@ -40,12 +41,12 @@ TEST(ContourDistance, IdenticalSquaresAreZeroApart) {
     EXPECT_EQ(*result.hausdorff95Px, 0);
 }
 
-// 20 x 10 moved right by 3. Contour: columns 5 and 24 of ten rows, rows 5 and 14 of 18 further columns: 56 pixels. To the
-// moved one, columns 8 … 27 of the same rows:
-//     left column, 10 pixels: 3 to its left column; 3 also from the corners, whose row is nearest at column 8: 10 x 3
-//     columns 6 and 7 of the two rows: 2 and 1, twice each: 6
-//     columns 8 … 23 of the two rows: 0
-//     right column: 0 in rows 5 and 14; in rows 6 … 13 the nearer of those rows, 1 2 3 4 4 3 2 1 away, or the moved right
+// 20 x 10 moved right by 3. Contour: columns 5 and 24 of ten rows, rows 5 and 14 of 18 further columns: 56
+// pixels. To the moved one, columns 8 … 27 of the same rows:
+//     left column, 10 pixels: 3 to its left column; 3 also from the corners, whose row is nearest at column
+//     8: 10 x 3 columns 6 and 7 of the two rows: 2 and 1, twice each: 6 columns 8 … 23 of the two rows: 0
+//     right column: 0 in rows 5 and 14; in rows 6 … 13 the nearer of those rows, 1 2 3 4 4 3 2 1 away, or the
+//     moved right
 //         column, 3 away: 1 2 3 3 3 3 2 1 = 18
 // 54 each way by symmetry (turned by 180 degrees): mean 108 / 112. Rank ceil(0.95 * 56) = 54 of 56: 3.
 TEST(ContourDistance, RectangleShiftedByThreePixels) {
@@ -59,10 +60,10 @@ TEST(ContourDistance, RectangleShiftedByThreePixels) {
     EXPECT_EQ(*result.hausdorff95Px, 3);
 }
 
-// A pixel of the contour of a disc of radius r is at most r from the middle, and more than r - 1: a neighbour is outside. So
-// no two pixels of the contours of r and r + k are k - 1 apart or less. From a pixel of the one walk outwards or inwards:
-// where the nearest pixel centres change from inside the other disc to outside, at r + k +- sqrt(2) / 2, there is one of its
-// contour within sqrt(2) / 2: at most k + 1 + sqrt(2).
+// A pixel of the contour of a disc of radius r is at most r from the middle, and more than r - 1: a neighbour
+// is outside. So no two pixels of the contours of r and r + k are k - 1 apart or less. From a pixel of the
+// one walk outwards or inwards: where the nearest pixel centres change from inside the other disc to outside,
+// at r + k +- sqrt(2) / 2, there is one of its contour within sqrt(2) / 2: at most k + 1 + sqrt(2).
 TEST(ContourDistance, ConcentricDiscsAreTheDifferenceOfTheirRadiiApart) {
     for (const int k : {2, 5, 12}) {
         const ContourDistance result = pooled(disc(81, 20), disc(81, 20 + k));
@@ -84,8 +85,9 @@ TEST(ContourDistance, OnePixelEach) {
 }
 
 // 39 pixels of a row against the same and one more, 10 below its end. There: 0. Back: 39 zeros and a 10, rank
-// ceil(0.95 * 40) = 38: 0. Mean 10 / 79. With 19 pixels rank ceil(0.95 * 20) = 19 of 20: 0 still; with 18, ceil(18.05) =
-// 19 of 19: 10. The directed percentiles are never pooled: 10 would be the last of 37, rank ceil(35.15) = 36: 0.
+// ceil(0.95 * 40) = 38: 0. Mean 10 / 79. With 19 pixels rank ceil(0.95 * 20) = 19 of 20: 0 still; with 18,
+// ceil(18.05) = 19 of 19: 10. The directed percentiles are never pooled: 10 would be the last of 37, rank
+// ceil(35.15) = 36: 0.
 TEST(ContourDistance, HausdorffIsTheLargerOfTheTwoDirectedPercentiles) {
     for (const auto& [count, expected] : {std::pair(39, 0.0), {19, 0.0}, {18, 10.0}}) {
         Frame reference = emptyFrame(45, 14);
@@ -100,8 +102,8 @@ TEST(ContourDistance, HausdorffIsTheLargerOfTheTwoDirectedPercentiles) {
     }
 }
 
-// Columns 0 … 2 against 0 … 4 of a picture 8 x 6, all rows: the border has no contour, so each has one column of 6 pixels,
-// two apart.
+// Columns 0 … 2 against 0 … 4 of a picture 8 x 6, all rows: the border has no contour, so each has one column
+// of 6 pixels, two apart.
 TEST(ContourDistance, ThePicturesBorderIsNoContour) {
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     paintRectangle(reference, 0, 0, 3, 6);

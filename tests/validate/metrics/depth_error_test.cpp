@@ -1,5 +1,5 @@
-#include "validate/metrics/depth_error.h"
 #include "tests/validate/metrics/random_frames.h"
+#include "validate/metrics/depth_error.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,7 +1,7 @@
 // Figures of the picture against those of OpenImageIO's ImageBufAlgo::compare.
+#include "tests/validate/metrics/painted_frames.h"
 #include "validate/metrics/image_error.h"
 #include "validate/report/pictures.h"
-#include "tests/validate/metrics/painted_frames.h"
 
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagebufalgo.h>
@@ -41,8 +41,8 @@ TEST(ImageErrorCrossCheck, RmseAndPsnrAreThoseOfOpenImageIO) {
         const Frame reference = picture(1, 0), test = picture(seed, noise);
         const ImageError ours = computeImageError(FramePair(reference, test, {}));
         const auto theirs = OIIO::ImageBufAlgo::compare(codesOf(reference), codesOf(test), 0.5f, 0.5f);
-        // It converts codes to float and sums squares of differences: relative errors of 2^-24 a code of about 1, against
-        // differences of 1/255 and more.
+        // It converts codes to float and sums squares of differences: relative errors of 2^-24 a code of
+        // about 1, against differences of 1/255 and more.
         EXPECT_NEAR(*ours.rmse, theirs.rms_error, 1e-4 * theirs.rms_error) << noise;
         EXPECT_NEAR(*ours.psnrDb, theirs.PSNR, 1e-3) << noise;
         EXPECT_GT(*ours.rmse, 0);

@@ -1,6 +1,6 @@
+#include "tests/validate/metrics/random_frames.h"
 #include "validate/metrics/image_error.h"
 #include "validate/report/pictures.h"
-#include "tests/validate/metrics/random_frames.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -41,8 +41,8 @@ TEST(ImageError, EqualPicturesHaveNoPsnr) {
     EXPECT_EQ(result.psnrDb.reason(), "the pictures are equal");
 }
 
-// Four pixels, twelve codes: one pixel differs by 3, 4 and 0, another by 0, 0 and 12. Squares: 9 + 16 + 144 = 169;
-// RMSE = sqrt(169 / 12) / 255.
+// Four pixels, twelve codes: one pixel differs by 3, 4 and 0, another by 0, 0 and 12. Squares: 9 + 16 + 144 =
+// 169; RMSE = sqrt(169 / 12) / 255.
 TEST(ImageError, CountsCodesOfEveryPixelAndChannel) {
     Frame reference = emptyFrame(2, 2), test = emptyFrame(2, 2);
     paintCodes(reference, 0, 0, 100, 150, 200);
@@ -57,7 +57,8 @@ TEST(ImageError, CountsCodesOfEveryPixelAndChannel) {
     EXPECT_EQ(*result.badpix2Codes, 0.5);
 }
 
-// Every code off by 255: RMSE 1, which is 0 dB. One pixel of 100 off by 255: RMSE sqrt(1 / 100) = 0.1, which is 20 dB.
+// Every code off by 255: RMSE 1, which is 0 dB. One pixel of 100 off by 255: RMSE sqrt(1 / 100) = 0.1, which
+// is 20 dB.
 TEST(ImageError, DecibelsOfBlackAndWhite) {
     Frame black = emptyFrame(10, 10), white = emptyFrame(10, 10), dot = emptyFrame(10, 10);
     for (int y = 0; y < 10; ++y)

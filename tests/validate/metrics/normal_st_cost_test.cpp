@@ -1,8 +1,8 @@
+#include "tests/validate/metrics/random_frames.h"
 #include "validate/metrics/fetch_cost.h"
 #include "validate/metrics/normal_angle.h"
 #include "validate/metrics/search_iterations.h"
 #include "validate/metrics/st_error.h"
-#include "tests/validate/metrics/random_frames.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,5 +1,5 @@
-#include "validate/metrics/shadow_agreement.h"
 #include "tests/validate/metrics/random_frames.h"
+#include "validate/metrics/shadow_agreement.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

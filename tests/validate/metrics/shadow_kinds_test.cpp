@@ -1,6 +1,6 @@
+#include "tests/validate/metrics/random_frames.h"
 #include "validate/metrics/shadow_agreement.h"
 #include "validate/metrics/shadow_kinds.h"
-#include "tests/validate/metrics/random_frames.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -42,7 +42,8 @@ struct Facet {
 
 // The light comes along +x. Reference normals (n, 0, 1): N.L has the sign of n.
 //     n = -1 -1 -1 0    attached: 4 pixels; the test is lit in one of them: agreement 3/4
-//     n = 1 1 1 1 1     towards the light: 2 of them dark; the test agrees on 3: one false shadow, one false lit: 3/5
+//     n = 1 1 1 1 1     towards the light: 2 of them dark; the test agrees on 3: one false shadow, one false
+//     lit: 3/5
 // The test's normals say the opposite and don't count.
 TEST(ShadowKinds, NinePixelsByHand) {
     const std::vector<Facet> facets{{-1, 1, 1}, {-1, 1, 1}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 1},
@@ -69,7 +70,8 @@ TEST(ShadowKinds, NinePixelsByHand) {
     EXPECT_EQ(*result.noNormalPx, 0);
 }
 
-// A normal that points away from the camera stands for the other side: (1, 0, -1) is seen as (-1, 0, 1), dark by a light along +x.
+// A normal that points away from the camera stands for the other side: (1, 0, -1) is seen as (-1, 0, 1), dark
+// by a light along +x.
 TEST(ShadowKinds, TheSideThatTheCameraSeesDecides) {
     Frame frame = emptyFrame(1, 1);
     paintPixel(frame, 0, 0, 1, 2);
@@ -79,7 +81,8 @@ TEST(ShadowKinds, TheSideThatTheCameraSeesDecides) {
     EXPECT_EQ(*kindsOf(frame, frame, distantLight({-1, 0, 0})).cast.domainPx, 1);
 }
 
-// Points at x = -2 and 2 of a plane with the normal (1, 0, 1), a light at the origin: towards it (1, 0, 0) and (-1, 0, 0).
+// Points at x = -2 and 2 of a plane with the normal (1, 0, 1), a light at the origin: towards it (1, 0, 0)
+// and (-1, 0, 0).
 TEST(ShadowKinds, ANearLightIsSeenFromThePoint) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
@@ -148,7 +151,8 @@ RC_GTEST_PROP(ShadowKindsProperty, ThePartsMakeUpTheDomain, ()) {
     RC_ASSERT(*parts.attached.domainPx + *parts.cast.domainPx + *parts.noNormalPx ==
               static_cast<double>(whole.domainPx));
     RC_ASSERT(*parts.attached.falseLitPx + *parts.cast.falseLitPx <= static_cast<double>(whole.falseLitPx));
-    // The plain version: N.Z is 1 or no number, the camera looks along -z. The light's direction isn't unit, so that sums are exact.
+    // The plain version: N.Z is 1 or no number, the camera looks along -z. The light's direction isn't unit,
+    // so that sums are exact.
     uint64_t attached = 0;
     for (size_t i = 0; i < a.pixelCount(); ++i) {
         const float id = a.channel("id")[i];

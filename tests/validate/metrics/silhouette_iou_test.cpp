@@ -1,6 +1,6 @@
 #include "scenes/core/error.h"
-#include "validate/metrics/silhouette_iou.h"
 #include "tests/validate/metrics/random_frames.h"
+#include "validate/metrics/silhouette_iou.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

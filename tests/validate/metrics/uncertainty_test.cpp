@@ -1,9 +1,9 @@
 // Intervals held against their definition: every true image that the reference leaves open is painted, and
 // its plain metric computed.
+#include "tests/validate/metrics/random_frames.h"
 #include "validate/metrics/depth_error.h"
 #include "validate/metrics/shadow_agreement.h"
 #include "validate/metrics/silhouette_iou.h"
-#include "tests/validate/metrics/random_frames.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -167,8 +167,8 @@ RC_GTEST_PROP(UncertaintyProperty, CertainFramesHaveIntervalsOfNoWidth, ()) {
     RC_ASSERT(*shadow.uncertainPx == 0);
 }
 
-// Reference 1 1 1 . . .    IoU 2/4: shared 1 2, missing 0, extra 3. Uncertain: 2 (shared), 3 (extra), 5 (nothing).
-// Test      . 1 1 1 . .    low: 2 and 3 aren't it, 5 is: 1/5.  high: 2 and 3 are it, 5 isn't: 3/4.
+// Reference 1 1 1 . . .    IoU 2/4: shared 1 2, missing 0, extra 3. Uncertain: 2 (shared), 3 (extra), 5
+// (nothing). Test      . 1 1 1 . .    low: 2 and 3 aren't it, 5 is: 1/5.  high: 2 and 3 are it, 5 isn't: 3/4.
 TEST(Uncertainty, SilhouetteByHand) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
     paintRectangle(reference, 0, 0, 3, 1);

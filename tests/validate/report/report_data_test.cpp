@@ -1,10 +1,10 @@
 // What the interactive page is told: planes packed, curves, failing pixels, JSON inside a page.
+#include "tests/validate/results/sample_results.h"
 #include "validate/report/error_curves.h"
 #include "validate/report/failing_pixels.h"
 #include "validate/report/frame_data.h"
 #include "validate/report/layer_packing.h"
 #include "validate/report/report_data.h"
-#include "tests/validate/results/sample_results.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -123,7 +123,8 @@ TEST(FrameData, NormalAngleIn256thsOfADegree) {
     EXPECT_THAT(unpack(layer.at("data"), 4), ElementsAre(90, 255, 0, 255)); // 90 * 256, none
 }
 
-// Relief 0.5: e = 0, +0.005, -0.05, +0.15, +0.5 are 0, 0.01, -0.1, 0.3 and 1 reliefs, but for their floats' rounding.
+// Relief 0.5: e = 0, +0.005, -0.05, +0.15, +0.5 are 0, 0.01, -0.1, 0.3 and 1 reliefs, but for their floats'
+// rounding.
 TEST(ErrorCurves, OfFiveErrors) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
     const double errors[] = {0, 0.005, -0.05, 0.15, 0.5};

@@ -1,8 +1,8 @@
+#include "tests/scenes/core/test_files.h"
+#include "tests/validate/results/sample_results.h"
 #include "validate/report/pictures.h"
 #include "validate/report/report.h"
 #include "validate/report/report_page.h"
-#include "tests/scenes/core/test_files.h"
-#include "tests/validate/results/sample_results.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // The history of a shader: records there and back, and what counts as worse.
-#include "validate/results/history_moves.h"
 #include "tests/scenes/core/test_files.h"
 #include "tests/validate/results/sample_results.h"
+#include "validate/results/history_moves.h"
 
 #include <algorithm>
 #include <gmock/gmock.h>

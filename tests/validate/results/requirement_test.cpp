@@ -1,7 +1,7 @@
 #include "scenes/core/error.h"
+#include "tests/validate/results/sample_results.h"
 #include "validate/metrics/metric_table.h"
 #include "validate/results/requirement.h"
-#include "tests/validate/results/sample_results.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
+#include "tests/validate/results/sample_results.h"
 #include "validate/metrics/metric_table.h"
 #include "validate/results/metric_table_json.h"
-#include "tests/validate/results/sample_results.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -71,9 +71,9 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
 
 // sampleReference: object 1 covers columns 1 2 3 of rows 1 … 4. Shifted right by one, two columns of four
 // stay. One pixel of nothing may be the object: 8/17 at worst. The one shadow of the reference, at (2, 2), is
-// uncertain; the test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8. Its contour is all but the two
-// pixels inside; to the moved one it is 1 from column 1 and from the two pixels of column 3 off the corners, 0 from the rest:
-// 6 of 10, and as many back.
+// uncertain; the test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8. Its contour is all
+// but the two pixels inside; to the moved one it is 1 from column 1 and from the two pixels of column 3 off
+// the corners, 0 from the rest: 6 of 10, and as many back.
 TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     EXPECT_EQ(technique["silhouette"]["iou"], 8.0 / 16.0);

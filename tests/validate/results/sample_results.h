@@ -1,8 +1,8 @@
 // A small run's results, made without rendering.
 #pragma once
 
-#include "validate/results/results.h"
 #include "tests/validate/metrics/painted_frames.h"
+#include "validate/results/results.h"
 
 namespace plumbline::test {
 

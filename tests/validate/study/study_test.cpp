@@ -1,8 +1,8 @@
 // Studies: the file, the cases it stands for, the rows they become.
 #include "scenes/core/data_folder.h"
+#include "tests/scenes/core/test_files.h"
 #include "validate/study/study_plot.h"
 #include "validate/study/study_report.h"
-#include "tests/scenes/core/test_files.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,8 +1,8 @@
 // A technique drawn in a process of its own is the technique drawn here: frames, results, errors.
 #include "scenes/scene_file/scene_file.h"
-#include "validate/worker/technique_worker.h"
 #include "tests/end_to_end/program.h"
 #include "tests/realtime/gl_fixture.h"
+#include "validate/worker/technique_worker.h"
 
 #include <cstring>
 #include <gmock/gmock.h>
@@ -127,8 +127,8 @@ TEST_F(TechniqueWorkerTest, ProgramsThatAreNone) {
     EXPECT_THAT(messageOf([&] { worker.waitUntilReady(); }), HasSubstr("(exit code 1)"));
 }
 
-// Scripts in the program's place, so that it ends where it never should. What they print are messages: the length in eight
-// bytes, then MessagePack.
+// Scripts in the program's place, so that it ends where it never should. What they print are messages: the
+// length in eight bytes, then MessagePack.
 const char* const kReady = R"(printf '\015\0\0\0\0\0\0\0\201\245phase\245ready' >&3)";
 const char* const kDrawing = R"(printf '\017\0\0\0\0\0\0\0\201\245phase\247drawing' >&3)";
 const char* const kMachineError =
