@@ -2,10 +2,13 @@
 
 #include "realtime/bake/bake.h"
 #include "realtime/technique/glsl_words.h"
-#include "realtime/technique/manifest_fields.h"
-#include "scenes/core/data_folder.h"
+#include "realtime/technique/manifest_parameters.h"
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 #include "scenes/frame/frame.h"
+#include "scenes/toml/toml_table.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -17,52 +20,45 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kSurfaceInputs{"quadric", "quadric_full"}, kShadows{"relief", "none"},
     kGeometries{"proxy", "micro_triangles"};
 
-/// The parts a technique and a surface have in common; the caller asks for the rest before rejectUnknown().
-void readCommon(const fs::path& file, Fields& fields, Manifest& manifest) {
-    manifest.title = fields.text("title");
-    manifest.citation = fields.text("citation");
-    manifest.inputs = fields.texts("inputs", {}, true);
-    manifest.limits = fields.texts("limits", {}, true);
-    readParameters(file, fields, manifest);
+/// The parts a technique and a surface have in common but `inputs`; the caller reads the rest and calls
+/// finish().
+void readCommon(const TomlTable& table, Manifest& manifest) {
+    manifest.title = table.line("title");
+    manifest.citation = table.line("citation");
+    manifest.limits = table.distinctTexts("limits");
+    manifest.parameters = readParameters(table);
 }
 
-/// Each input is one of `known`, or in a technique the name of a choice between kinds of baked maps.
-void checkInputs(const Fields& fields, const toml::table& table, const Manifest& manifest,
-                 std::vector<std::string> known) {
-    for (const Parameter& parameter : manifest.parameters)
-        if (parameter.type == ParameterValue::Type::Choice &&
-            std::all_of(parameter.choices.begin(), parameter.choices.end(), isBakeKind))
-            known.push_back(parameter.name);
-    for (const toml::node& element : *table["inputs"].as_array())
-        fields.checkChoice(element, "inputs", *element.value<std::string>(), known);
+std::vector<std::string> readShadows(const TomlTable& table,
+                                     std::optional<std::vector<std::string>> fallback = {}) {
+    std::vector<std::string> shadows = table.someOf("shadows", kShadows, std::move(fallback));
+    if (shadows.empty()) table.fail("shadows", "is empty", listOf(kShadows));
+    return shadows;
 }
 
-std::vector<std::string> techniqueInputs() {
+/// The height map, kinds of baked maps, and parameters that choose between such kinds.
+std::vector<std::string> techniqueInputs(const Manifest& manifest) {
     std::vector<std::string> names{"height"};
     for (const BakeKind& kind : bakeKinds())
         names.emplace_back(kind.name);
+    for (const Parameter& parameter : manifest.parameters)
+        if (parameter.type == ParameterValue::Type::Choice &&
+            std::all_of(parameter.choices.begin(), parameter.choices.end(), isBakeKind))
+            names.push_back(parameter.name);
     return names;
 }
 
 /// [refused_surfaces]: name = "reason".
-void readRefusals(const fs::path& file, Fields& fields, Manifest& manifest) {
-    const toml::node* node = fields.find("refused_surfaces");
-    if (!node) return;
-    const toml::table* table = node->as_table();
-    if (!table)
-        fields.fail(node, "refused_surfaces is not a table", "[refused_surfaces] with SURFACE = \"reason\"");
-    Fields reasons(file, *table, "refused_surfaces.");
+void readRefusals(const TomlTable& table, Manifest& manifest) {
+    if (!table.has("refused_surfaces")) return;
+    const TomlTable reasons = table.table("refused_surfaces");
     for (const std::string& surface : surfaceNames()) {
-        if (!table->contains(surface)) {
-            (void)reasons.find(surface); // known all the same
-            continue;
-        }
+        if (!reasons.has(surface)) continue;
         if (std::find(manifest.surfaces.begin(), manifest.surfaces.end(), surface) != manifest.surfaces.end())
-            fields.fail(table->get(surface), fmt::format("surface '{}' is both taken and refused", surface),
-                        "one of them");
-        manifest.refusals[surface] = reasons.text(surface);
+            reasons.fail(surface, "is among the surfaces as well", "one of them");
+        manifest.refusals[surface] = reasons.line(surface);
     }
-    reasons.rejectUnknown();
+    reasons.finish();
 }
 
 std::vector<std::string> channelNames() {
@@ -73,7 +69,7 @@ std::vector<std::string> channelNames() {
 }
 
 void checkShader(const Manifest& manifest) {
-    const std::string glsl = readText(manifest.shaderFile());
+    const std::string glsl = readWholeFile(manifest.shaderFile());
     if (const auto byte = firstForeignByte(glsl))
         throw InputError(fmt::format("{}:{}", manifest.shaderFile().string(), byte->line),
                          fmt::format("holds the byte {:#04x} outside of a comment", byte->value),
@@ -117,58 +113,42 @@ bool Manifest::hasInput(const std::string& input) const {
 
 Manifest readTechniqueManifest(const fs::path& folder) {
     Manifest manifest = emptyManifest(folder, "technique.toml");
-    const toml::table table = parseFile(manifest.file);
-    Fields fields(manifest.file, table, "");
-    readCommon(manifest.file, fields, manifest);
-    checkInputs(fields, table, manifest, techniqueInputs());
-    manifest.channels = fields.texts("channels", channelNames(), false);
+    const TomlTable table = TomlTable::readFile(manifest.file);
+    readCommon(table, manifest);
+    manifest.inputs = table.someOf("inputs", techniqueInputs(manifest));
+    manifest.channels = table.someOf("channels", channelNames(), std::vector<std::string>{});
     const auto writes = [&](const char* channel) {
         return std::find(manifest.channels.begin(), manifest.channels.end(), channel) !=
                manifest.channels.end();
     };
-    if (table.contains("channels") && !writes("A") && !writes("id"))
-        fields.fail(table.get("channels"),
-                    "channels has neither A nor id, so that no frame says what it covers",
-                    "one of them among the channels");
-    if (const toml::node* node = fields.find("geometry")) {
-        const auto value = node->value_exact<std::string>();
-        if (!value) fields.fail(node, "geometry is not a text", listOf(kGeometries));
-        fields.checkChoice(*node, "geometry", *value, kGeometries);
-        if (*value == "micro_triangles") manifest.geometry = Geometry::MicroTriangles;
-    }
-    if (manifest.geometry == Geometry::Proxy) {
-        manifest.surfaces = fields.texts("surfaces", surfaceNames(), true);
-        readRefusals(manifest.file, fields, manifest);
-        manifest.shadows = fields.texts("shadows", kShadows, false);
-        if (!table.contains("shadows")) manifest.shadows = kShadows;
-        if (manifest.surfaces.empty())
-            fields.fail(table.get("surfaces"), "surfaces is empty", listOf(surfaceNames()));
-        if (manifest.shadows.empty()) fields.fail(table.get("shadows"), "shadows is empty", listOf(kShadows));
+    if (table.has("channels") && !writes("A") && !writes("id"))
+        table.fail("channels", "has neither A nor id, so that no frame says what it covers",
+                   "one of them among the channels");
+    if (table.choice("geometry", kGeometries, "proxy") == "micro_triangles") {
+        manifest.geometry = Geometry::MicroTriangles;
+        if (!manifest.parameters.empty())
+            table.fail("parameter", "is there, but micro_triangles have no shader to take parameters",
+                       "no [[parameter]]");
+    } else {
+        manifest.surfaces = table.someOf("surfaces", surfaceNames());
+        if (manifest.surfaces.empty()) table.fail("surfaces", "is empty", listOf(surfaceNames()));
+        readRefusals(table, manifest);
+        manifest.shadows = readShadows(table, kShadows);
         checkShader(manifest);
-    } else if (!manifest.parameters.empty()) {
-        fields.fail(table.get("parameter"),
-                    "a technique of geometry micro_triangles has no shader to take parameters",
-                    "no [[parameter]]");
     }
-    fields.rejectUnknown();
+    table.finish();
     return manifest;
 }
 
 Manifest readSurfaceManifest(const fs::path& folder) {
     Manifest manifest = emptyManifest(folder, "surface.toml");
-    const toml::table table = parseFile(manifest.file);
-    Fields fields(manifest.file, table, "");
-    readCommon(manifest.file, fields, manifest);
-    checkInputs(fields, table, manifest, kSurfaceInputs);
-    if (manifest.inputs.size() > 1)
-        fields.fail(table.get("inputs"), "a base is given one quadric", listOf(kSurfaceInputs));
-    manifest.shadows = fields.texts("shadows", kShadows, true);
-    if (manifest.shadows.empty()) fields.fail(table.get("shadows"), "shadows is empty", listOf(kShadows));
-    if (const toml::node* node = fields.find("variant_of")) {
-        manifest.variantOf = fields.text("variant_of");
-        fields.checkChoice(*node, "variant_of", manifest.variantOf, surfaceNames());
-    }
-    fields.rejectUnknown();
+    const TomlTable table = TomlTable::readFile(manifest.file);
+    readCommon(table, manifest);
+    manifest.inputs = table.someOf("inputs", kSurfaceInputs);
+    if (manifest.inputs.size() > 1) table.fail("inputs", "holds two quadrics", listOf(kSurfaceInputs));
+    manifest.shadows = readShadows(table);
+    if (table.has("variant_of")) manifest.variantOf = table.choice("variant_of", surfaceNames());
+    table.finish();
     checkShader(manifest);
     return manifest;
 }

@@ -1,9 +1,9 @@
 // The scene file of a draft: values with their reasons as comments.
 #include "scenes/core/error.h"
 #include "scenes/draft/scene_draft.h"
+#include "scenes/toml/toml_tree.h"
 
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <cmath>
 #include <sstream>
@@ -13,15 +13,10 @@ namespace {
 
 constexpr size_t kCommentWidth = 100;
 
-/// A text in quotes with its escapes. Throws InputError for bytes that aren't UTF-8.
-std::string tomlText(const std::string& text) {
-    std::ostringstream stream;
-    stream << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
-    try { // the parser is the judge of what it takes
-        if (toml::parse("x = " + stream.str())["x"].value<std::string>() == text) return stream.str();
-    } catch (const toml::parse_error&) { // told below
-    }
-    throw InputError(text, "the name isn't UTF-8, as all of a scene file must be", "another name");
+std::string fileText(const std::filesystem::path& file) {
+    if (const auto text = tomlText(file.generic_string())) return *text;
+    throw InputError(file.generic_string(), "the name isn't UTF-8, as all of a scene file must be",
+                     "another name");
 }
 
 /// As short as it may be when nothing finer than `step` counts.
@@ -74,8 +69,7 @@ const char* wrapText(Wrap wrap) {
 std::string sceneText(const SceneDraft& draft, const std::filesystem::path& meshFile,
                       const std::filesystem::path& mapFile, const HeightMap& map, bool storesHeight) {
     constexpr double kDirectionStep = 1e-3; // a twentieth of a degree
-    const std::string meshText = tomlText(meshFile.generic_string()),
-                      mapText = tomlText(mapFile.generic_string());
+    const std::string meshText = fileText(meshFile), mapText = fileText(mapFile);
     const std::string meshName = nameFrom(meshFile, "mesh"), mapName = nameFrom(mapFile, "map");
     const SceneDraft::Reasons& why = draft.reasons;
     const Camera& camera = draft.camera;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scenes/scene/camera.h"
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 
 #include <optional>
 #include <string>

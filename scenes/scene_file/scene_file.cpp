@@ -13,7 +13,7 @@
 #include "scenes/scene_file/scene_creases.h"
 #include "scenes/scene_file/scene_shape.h"
 #include "scenes/surface/limit_check.h"
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 
 #include <fmt/format.h>
 

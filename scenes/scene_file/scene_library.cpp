@@ -2,7 +2,7 @@
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/scene_file/scene_file.h"
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 
 namespace plumbline {
 

@@ -1,6 +1,6 @@
-// Other values put into a table that was read: TomlTable::change.
+#include "scenes/toml/toml_change.h"
+
 #include "scenes/core/error.h"
-#include "scenes/toml/toml_node.h"
 
 #include <fmt/format.h>
 
@@ -54,19 +54,11 @@ std::vector<std::string> stepsOf(const std::string& path) {
 
 } // namespace
 
-void TomlTable::change(const std::string& where, const std::string& path, const std::string& value) {
-    TomlValue parsed;
-    checkKeyDepth(where, value);
-    try {
-        const toml::table table = toml::parse("value = " + value);
-        if (table.size() != 1) throw InputError(where, fmt::format("'{}' is more than a value", value));
-        parsed = convertValue(*table.get("value"), where, path);
-    } catch (const toml::parse_error& error) {
-        throw InputError(where, fmt::format("'{}' is no TOML value: {}", value, error.description()),
-                         "a value as in a scene file: 0.5, [1, 2, 3], \"text\", { … }");
-    }
+void changeField(std::shared_ptr<TomlNode> root, const std::string& where, const std::string& path,
+                 const std::string& value) {
+    const TomlValue parsed = parseTomlValue(where, path, value);
     const std::vector<std::string> steps = stepsOf(path);
-    std::shared_ptr<TomlNode> node = node_;
+    std::shared_ptr<TomlNode> node = std::move(root);
     for (size_t i = 0; i + 1 < steps.size(); ++i) {
         const auto found = node->values.find(steps[i]);
         if (found == node->values.end()) {

@@ -1,6 +1,4 @@
-// What a table says, as a fingerprint: TomlTable::addTo.
-#include "scenes/core/content_hash.h"
-#include "scenes/toml/toml_node.h"
+#include "scenes/toml/toml_hash.h"
 
 #include <fmt/format.h>
 
@@ -51,8 +49,8 @@ class TreeHasher {
 
 } // namespace
 
-void TomlTable::addTo(ContentHash& hash, std::string_view except) const {
-    TreeHasher(hash).add(*node_, except);
+void addTree(ContentHash& hash, const TomlNode& root, std::string_view except) {
+    TreeHasher(hash).add(root, except);
 }
 
 } // namespace plumbline

@@ -1,6 +1,6 @@
-// How deep the tables of a TOML text will be, before a parser recurses into them.
+#include "scenes/toml/toml_key_depth.h"
+
 #include "scenes/core/error.h"
-#include "scenes/toml/toml_node.h"
 
 #include <fmt/format.h>
 

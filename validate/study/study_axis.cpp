@@ -51,7 +51,8 @@ StudyAxis readStudyAxis(const TomlTable& table, const std::string& name) {
     if (table.has("field") == table.has("fields"))
         table.fail({}, table.has("field") ? "has both field and fields" : "changes nothing",
                    "field = \"camera.width\", or fields = […] that take each value together");
-    axis.fields = table.has("field") ? std::vector<std::string>{table.text("field")} : table.texts("fields");
+    axis.fields =
+        table.has("field") ? std::vector<std::string>{table.text("field")} : table.distinctTexts("fields");
     if (axis.fields.empty()) table.fail("fields", "is empty", "at least one");
     for (const std::string& field : axis.fields)
         if (field.empty() || !std::all_of(field.begin(), field.end(), isPathCharacter))

@@ -1,7 +1,7 @@
 // The values an axis of a study takes.
 #pragma once
 
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 #include "validate/study/study.h"
 
 namespace plumbline {

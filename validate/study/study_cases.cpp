@@ -3,7 +3,7 @@
 #include "scenes/core/content_hash.h"
 #include "scenes/core/error.h"
 #include "scenes/frame/scene_metadata.h"
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 
 #include <algorithm>
 #include <limits>

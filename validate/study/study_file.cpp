@@ -1,7 +1,7 @@
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/scene_file/scene_file.h"
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 #include "validate/study/study.h"
 #include "validate/study/study_axis.h"
 
@@ -19,29 +19,14 @@ const std::vector<std::string> kStatistics{"median", "mean", "min", "max", "coun
 /// What rows can be told apart by beside the axes.
 const std::vector<std::string> kColumns{"scene", "technique"};
 
-/// A text of one line: it ends up in tables, pages and plots.
-std::string readLine(const TomlTable& table, const char* key) {
-    std::string text = table.text(key);
-    if (text.empty() ||
-        std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
-        table.fail(key, text.empty() ? "is empty" : "has a control character", "a text of one line");
-    return text;
-}
-
-std::vector<std::string> textsOrOne(const TomlTable& table, const char* key) {
-    std::vector<std::string> texts = table.texts(key, std::vector<std::string>{});
-    if (texts.empty()) table.fail(key, "is empty", "at least one");
-    return texts;
-}
-
 class StudyReader {
   public:
     explicit StudyReader(fs::path file) : file_(std::move(file)), root_(TomlTable::readFile(file_)) {}
 
     Study read() {
         study_.name = file_.stem().string();
-        study_.title = readLine(root_, "title");
-        study_.purpose = readLine(root_, "purpose");
+        study_.title = root_.line("title");
+        study_.purpose = root_.line("purpose");
         study_.memory = root_.text("memory", "1G");
         study_.errorPx = root_.text("error_px", "");
         study_.timeLimitSeconds = root_.integer("time_limit_seconds", 1, 86400, 60);
@@ -60,10 +45,10 @@ class StudyReader {
     void readGrid(const TomlTable& table) {
         StudyGrid grid;
         grid.name = table.name(gridNames_);
-        grid.scenes = textsOrOne(table, "scenes");
+        grid.scenes = table.distinctTexts("scenes");
+        if (grid.scenes.empty()) table.fail("scenes", "is empty", "at least one");
         for (const std::string& scene : grid.scenes)
             grid.sceneFiles.push_back(findSceneOf(table, scene));
-        refuseTwice(table, "scenes", grid.scenes);
         grid.sceneChanges = table.texts("scene_set", std::vector<std::string>{});
         grid.settings = table.texts("set", std::vector<std::string>{});
         grid.timingBudgetMs = table.number("timing_budget_ms", 0, 1e6, 0.0);
@@ -72,7 +57,7 @@ class StudyReader {
             addAxis(grid, axis, axis.name(axisNames));
         std::set<std::string> labels;
         for (const TomlTable& technique : table.tables("technique")) {
-            StudyTechnique entry{readLine(technique, "label"), technique.text("name")};
+            StudyTechnique entry{technique.line("label"), technique.text("name")};
             if (entry.label == kAgainstReference || !labels.insert(entry.label).second)
                 technique.fail("label", fmt::format("is \"{}\"", entry.label), "a text of its own");
             technique.finish();
@@ -101,12 +86,6 @@ class StudyReader {
                 table.fail(key, fmt::format("\"{}\" is changed twice", field),
                            "each field on one axis, once");
         grid.axes.push_back(std::move(axis));
-    }
-
-    static void refuseTwice(const TomlTable& table, const char* key, std::vector<std::string> texts) {
-        std::sort(texts.begin(), texts.end());
-        const auto twice = std::adjacent_find(texts.begin(), texts.end());
-        if (twice != texts.end()) table.fail(key, fmt::format("\"{}\" is there twice", *twice), "each once");
     }
 
     /// Beside the study, else in the library.
@@ -162,7 +141,7 @@ class StudyReader {
 
     void readTable(const TomlTable& table) {
         const StudyGrid& grid = readGridName(table);
-        StudyTable entry{readLine(table, "title"), table.choice("rows", groupings(grid)),
+        StudyTable entry{table.line("title"), table.choice("rows", groupings(grid)),
                          table.choice("columns", groupings(grid)), readRows(table, grid)};
         if (entry.rows == entry.columns) table.fail("columns", "is what the rows are", "another grouping");
         table.finish();
@@ -173,7 +152,7 @@ class StudyReader {
         const StudyGrid& grid = readGridName(table);
         StudyPlot plot;
         plot.name = table.name(plotNames_);
-        plot.title = readLine(table, "title");
+        plot.title = table.line("title");
         plot.x = table.choice("x", groupings(grid));
         plot.lines = table.choice("lines", groupings(grid), "technique");
         if (table.has("panels")) plot.panels = table.choice("panels", groupings(grid));

@@ -191,53 +191,65 @@ std::string with(const std::string& old, const std::string& replacement) {
 
 TEST(Manifest, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(manifestMessage(with("title = 'Mine'\n", "titel = 'Mine'\n")),
-              "technique.toml:1: title is missing; expected a text");
-    EXPECT_EQ(manifestMessage(with("limits = []", "limits = []\nlimit = []")),
-              "technique.toml:6: limit is not a field of it; expected channels, citation, geometry, inputs, "
-              "limits, "
-              "parameter, refused_surfaces, shadows, surfaces or title; did you mean 'limits'?");
-    EXPECT_THAT(manifestMessage(with("['height']", "['hight']")),
-                AllOf(StartsWith("technique.toml:3: inputs: 'hight' is not known; expected height"),
+              "technique.toml:1: title: is missing; expected a text of one line");
+    EXPECT_EQ(
+        manifestMessage(with("limits = []", "limits = []\nlimit = []")),
+        "technique.toml:6: limit: unknown field; expected channels, citation, geometry, inputs, limits, "
+        "parameter, refused_surfaces, shadows, surfaces or title; did you mean 'limits'?");
+    EXPECT_THAT(manifestMessage(with("['height']", "[\n'hight']")),
+                AllOf(StartsWith("technique.toml:4: inputs: holds the text \"hight\"; expected height"),
                       EndsWith("did you mean 'height'?")));
     EXPECT_EQ(manifestMessage(with("['flat']", "'flat'")),
-              "technique.toml:4: surfaces is not a list; expected [\"…\", \"…\"]");
-    EXPECT_EQ(manifestMessage(with("['flat']", "[]")),
-              "technique.toml:4: surfaces is empty; expected flat, quadric, quadric_full, quadric_nearest or "
-              "quadric_perpendicular");
+              "technique.toml:4: surfaces: is the text \"flat\"; expected an array of texts");
+    EXPECT_EQ(manifestMessage(with("['flat']", "['flat', 'flat']")),
+              "technique.toml:4: surfaces: holds \"flat\" twice; expected each once");
+    EXPECT_EQ(
+        manifestMessage(with("['flat']", "[]")),
+        "technique.toml:4: surfaces: is empty; expected flat, quadric, quadric_full, quadric_nearest or "
+        "quadric_perpendicular");
     EXPECT_EQ(manifestMessage(with("'me'", "7")),
-              "technique.toml:2: citation is not a text; expected a text in quotes");
+              "technique.toml:2: citation: is 7; expected a text in quotes");
+    EXPECT_THAT(manifestMessage(std::string(kGood) + "geometry = 'proxie'"),
+                HasSubstr("did you mean 'proxy'?"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Q']"),
+                HasSubstr("channels: holds the text \"Q\""));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Z']"), HasSubstr("neither A nor id"));
+    EXPECT_EQ(manifestMessage(std::string(kGood) + "channels = ['id', 'Z']"), "");
+    EXPECT_THAT(manifestMessage("title = "), HasSubstr("technique.toml:1: "));
+    EXPECT_THAT(manifestMessage("\xff\xfe"), HasSubstr("technique.toml:1: "));
+}
+
+TEST(Manifest, MistakesInParametersAreNamedWithTheirLine) {
     EXPECT_EQ(
         manifestMessage(with("'int'", "'integer'")),
-        "technique.toml:8: parameter.type: 'integer' is not known; expected int, float, bool or choice");
+        "technique.toml:8: parameter.type: is the text \"integer\"; expected int, float, bool or choice");
     EXPECT_EQ(manifestMessage(with("default = 3", "default = 30")),
-              "technique.toml:9: steps = '30'; expected a whole number from 1 to 9");
+              "technique.toml:9: parameter.default: is 30; expected a whole number from 1 to 9");
     EXPECT_EQ(manifestMessage(with("default = 3", "default = '3'")),
-              "technique.toml:9: default '3' is not of type int; expected 1 to 9");
+              "technique.toml:9: parameter.default: is the text \"3\"; expected a whole number from 1 to 9");
+    EXPECT_EQ(manifestMessage(with("default = 3", "default = 3.0")),
+              "technique.toml:9: parameter.default: is 3.0; expected a whole number from 1 to 9");
     EXPECT_EQ(manifestMessage(with("[1, 9]", "[9, 1]")),
-              "technique.toml:10: range [9, 1] is empty; expected [lowest, highest]");
+              "technique.toml:10: parameter.range: [9, 1] is empty; expected [lowest, highest]");
     EXPECT_EQ(manifestMessage(with("[1, 9]", "[1, inf]")),
-              "technique.toml:10: range is not a whole number; expected a whole number of 32 bits");
+              "technique.toml:10: parameter.range: is inf; expected a whole number from -2147483647 to "
+              "2147483647");
     EXPECT_EQ(manifestMessage(with("unit = 'steps'", "units = 'steps'")),
-              "technique.toml:6: parameter.unit is missing; expected a text");
-    EXPECT_THAT(manifestMessage(with("'steps'", "'shadow'")), HasSubstr("belongs to the harness"));
+              "technique.toml:6: parameter.unit: is missing; expected a text");
+    EXPECT_THAT(manifestMessage(with("'steps'", "'shadow'")),
+                HasSubstr("technique.toml:7: parameter.name: 'shadow' belongs to the harness"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'float'")), HasSubstr("is a word of GLSL"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'a b'")), HasSubstr("can't be a GLSL name"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'gl_x'")), HasSubstr("can't be a GLSL name"));
-    EXPECT_THAT(manifestMessage(std::string(kGood) + kParameter + kParameter), HasSubstr("declared twice"));
-    EXPECT_THAT(manifestMessage(std::string(kGood) + "geometry = 'proxie'"),
-                HasSubstr("did you mean 'proxy'?"));
-    EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Q']"), HasSubstr("'Q' is not known"));
-    EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Z']"), HasSubstr("neither A nor id"));
-    EXPECT_EQ(manifestMessage(std::string(kGood) + "channels = ['id', 'Z']"), "");
     for (const char* name : {"kAmbient", "uHeightMap", "outColor", "gIterations", "cone_step"})
         EXPECT_THAT(manifestMessage(with("'steps'", "'" + std::string(name) + "'")),
                     HasSubstr("belongs to the harness"));
+    EXPECT_THAT(manifestMessage(std::string(kGood) + kParameter + kParameter),
+                HasSubstr("technique.toml:14: parameter.name: 'steps' is declared twice"));
     EXPECT_THAT(manifestMessage(std::string(kGood) +
                                 "[[parameter]]\nname='f'\ntype='float'\ndefault=1\nrange=[0, 1e300]\n"
                                 "unit=''\nmeaning='m'\n"),
-                HasSubstr("range is not a number"));
-    EXPECT_THAT(manifestMessage("title = "), HasSubstr("technique.toml:1: "));
-    EXPECT_THAT(manifestMessage("\xff\xfe"), HasSubstr("technique.toml:1: "));
+                HasSubstr("parameter.range: is 1e+300; expected a number from"));
 }
 
 TEST(Manifest, ASurfaceCanBeRefusedWithAReason) {
@@ -251,10 +263,10 @@ TEST(Manifest, ASurfaceCanBeRefusedWithAReason) {
               "technique: 'mine' doesn't compose with surface 'quadric': too round; expected @flat");
     EXPECT_EQ(message(""), "technique: 'mine' doesn't compose with surface 'quadric'; expected @flat");
     EXPECT_THAT(message("flat = 'no'\n"),
-                HasSubstr("technique.toml:7: surface 'flat' is both taken and refused"));
+                HasSubstr("technique.toml:7: refused_surfaces.flat: is among the surfaces as well"));
     EXPECT_THAT(message("quadrik = 'no'\n"), HasSubstr("did you mean 'quadric'?"));
     EXPECT_THAT(message("quadric = 3\n"),
-                HasSubstr("technique.toml:7: refused_surfaces.quadric is not a text"));
+                HasSubstr("technique.toml:7: refused_surfaces.quadric: is 3; expected a text"));
 }
 
 TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
@@ -262,7 +274,7 @@ TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
         const TemporaryFolder folder;
         folder.write("bent/surface.toml",
                      "title = 'Bent'\ncitation = 'me'\nshadows = ['none']\nlimits = []\n" + inputs + rest);
-        folder.write("bent/bent.glsl", "");
+        folder.write("bent/bent.glsl", "// nothing");
         return messageOf<InputError>([&] {
             const Manifest manifest = readSurfaceManifest(folder.path() / "bent");
             EXPECT_TRUE(manifest.isBent());
@@ -273,11 +285,12 @@ TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
     EXPECT_EQ(message("inputs = ['quadric']\n", variant), "");
     EXPECT_EQ(message("inputs = ['quadric_full']\n", variant), "");
     EXPECT_THAT(message("inputs = ['quadric', 'quadric_full']\n", variant),
-                HasSubstr("surface.toml:5: a base is given one quadric; expected quadric or quadric_full"));
+                HasSubstr("surface.toml:5: inputs: holds two quadrics; expected quadric or quadric_full"));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 'quadrik'\n"),
-                AllOf(HasSubstr("surface.toml:6: variant_of: 'quadrik' is not known"),
+                AllOf(HasSubstr("surface.toml:6: variant_of: is the text \"quadrik\""),
                       EndsWith("did you mean 'quadric'?")));
-    EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"), HasSubstr("variant_of is not a text"));
+    EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"),
+                HasSubstr("variant_of: is 3; expected flat"));
 }
 
 TEST(Settings, CoefficientsChooseTheQuadricsOfTheVertices) {
@@ -305,7 +318,8 @@ TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {
     };
     EXPECT_THAT(kinds(""), ElementsAre("normal"));
     EXPECT_THAT(kinds(":which=max_mipmap"), ElementsAre("max_mipmap"));
-    EXPECT_THAT(manifestMessage(with("['height']", "['steps']")), HasSubstr("inputs: 'steps' is not known"));
+    EXPECT_THAT(manifestMessage(with("['height']", "['steps']")),
+                HasSubstr("inputs: holds the text \"steps\""));
 }
 
 TEST(Manifest, TwoMapsThatAreReadInOneWayAreRefused) {

@@ -1,5 +1,5 @@
-// TOML files read strictly: every field is asked for by name and type, and what nobody asked for is an error.
-// Used for scenes; good for any other TOML of the project.
+// TOML files read strictly, all of the project's: scenes, studies, manifests. Every field is asked for by
+// name and type, and what nobody asked for is an error.
 //
 //     TomlTable root = TomlTable::readFile("stone.toml");
 //     const std::string purpose = root.text("purpose");
@@ -22,7 +22,7 @@
 namespace plumbline {
 
 class ContentHash;
-struct TomlNode; // of toml_file.cpp
+struct TomlNode; // toml_tree.h
 struct TomlValue;
 
 class TomlTable {
@@ -46,6 +46,8 @@ class TomlTable {
 
     // Without a fallback the field is required. Numbers must be finite and within [low, high].
     std::string text(std::string_view key, std::optional<std::string> fallback = {}) const;
+    /// A text of one line, not empty: it ends up in tables, pages and plots.
+    std::string line(std::string_view key) const;
     bool boolean(std::string_view key, std::optional<bool> fallback = {}) const;
     int integer(std::string_view key, int low, int high, std::optional<int> fallback = {}) const;
     double number(std::string_view key, double low, double high, std::optional<double> fallback = {}) const;
@@ -63,6 +65,12 @@ class TomlTable {
     /// An array of texts.
     std::vector<std::string> texts(std::string_view key,
                                    std::optional<std::vector<std::string>> fallback = {}) const;
+    /// An array of texts, none of them empty, each once.
+    std::vector<std::string> distinctTexts(std::string_view key,
+                                           std::optional<std::vector<std::string>> fallback = {}) const;
+    /// An array of some of `choices`, each once.
+    std::vector<std::string> someOf(std::string_view key, const std::vector<std::string>& choices,
+                                    std::optional<std::vector<std::string>> fallback = {}) const;
     /// A text or an array of texts.
     std::vector<std::string> textOrTexts(std::string_view key) const;
     /// A number, text or boolean, or an array of them: each as TOML writes it ("0.5", "\"text\"").
@@ -84,6 +92,10 @@ class TomlTable {
   private:
     explicit TomlTable(std::shared_ptr<TomlNode> node);
     const TomlValue* find(std::string_view key) const;
+    std::string where(std::string_view key, const TomlValue* value) const;
+    /// About an element of the array `key`: on its own line.
+    [[noreturn]] void failElement(std::string_view key, const TomlValue& element, std::string_view what,
+                                  std::string_view expected, std::string_view hint = {}) const;
     [[noreturn]] void failMissing(std::string_view key, std::string_view expected) const;
 
     std::shared_ptr<TomlNode> node_;

@@ -1,8 +1,10 @@
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
-#include "scenes/toml/toml_node.h"
+#include "scenes/toml/toml_change.h"
+#include "scenes/toml/toml_hash.h"
+#include "scenes/toml/toml_tree.h"
 
 #include <fmt/format.h>
 
@@ -10,68 +12,6 @@
 #include <cmath>
 
 namespace plumbline {
-
-namespace {
-
-std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::string& file,
-                                       const std::string& path);
-
-std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::string& file,
-                                       const std::string& path) {
-    auto node = std::make_shared<TomlNode>();
-    node->file = file;
-    node->path = path;
-    node->line = std::max(1, static_cast<int>(table.source().begin.line));
-    for (const auto& [key, element] : table) {
-        TomlValue value = convertValue(element, file, joinPath(path, key.str()));
-        value.line =
-            static_cast<int>(key.source().begin.line); // a table's own line may be that of a later header
-        if (value.line == 0) value.line = node->line;
-        node->values.emplace(std::string(key.str()), std::move(value));
-    }
-    return node;
-}
-
-} // namespace
-
-std::string joinPath(const std::string& path, std::string_view key) {
-    if (path.empty()) return std::string(key);
-    return key.empty() ? path : fmt::format("{}.{}", path, key);
-}
-
-TomlValue convertValue(const toml::node& node, const std::string& file, const std::string& path) {
-    TomlValue value;
-    value.line = static_cast<int>(node.source().begin.line);
-    if (const auto* boolean = node.as_boolean()) {
-        value.content = boolean->get();
-    } else if (const auto* integer = node.as_integer()) {
-        value.content = integer->get();
-    } else if (const auto* number = node.as_floating_point()) {
-        value.content = number->get();
-    } else if (const auto* text = node.as_string()) {
-        value.content = text->get();
-    } else if (const auto* table = node.as_table()) {
-        value.content = convertTable(*table, file, path);
-    } else if (const auto* array = node.as_array()) {
-        TomlValue::Array elements;
-        for (const toml::node& element : *array)
-            elements.push_back(convertValue(element, file, path));
-        value.content = std::move(elements);
-    }
-    return value;
-}
-
-std::string describe(const TomlValue& value) {
-    if (const auto* boolean = value.as<bool>()) return *boolean ? "true" : "false";
-    if (const auto* integer = value.as<int64_t>()) return fmt::format("{}", *integer);
-    if (const auto* number = value.as<double>()) return fmt::format("{}", *number);
-    if (const auto* text = value.as<std::string>())
-        return fmt::format("the text \"{}\"", text->size() > 60 ? text->substr(0, 60) + "…" : *text);
-    if (const auto* array = value.as<TomlValue::Array>()) return fmt::format("an array of {}", array->size());
-    if (value.as<std::shared_ptr<TomlNode>>()) return "a table";
-    return "a date or time";
-}
-
 namespace {
 
 std::string rangeText(const char* what, double low, double high) {
@@ -126,13 +66,15 @@ TomlTable TomlTable::readFile(const std::filesystem::path& file) {
 }
 
 TomlTable TomlTable::parse(const std::string& fileName, const std::string& text) {
-    checkKeyDepth(fileName, text);
-    try {
-        return TomlTable(convertTable(toml::parse(text, fileName), fileName, {}));
-    } catch (const toml::parse_error& error) {
-        throw InputError(fmt::format("{}:{}", fileName, error.source().begin.line),
-                         fmt::format("is not valid TOML: {}", error.description()));
-    }
+    return TomlTable(parseToml(fileName, text));
+}
+
+void TomlTable::change(const std::string& where, const std::string& path, const std::string& value) {
+    changeField(node_, where, path, value);
+}
+
+void TomlTable::addTo(ContentHash& hash, std::string_view except) const {
+    addTree(hash, *node_, except);
 }
 
 bool TomlTable::has(std::string_view key) const {
@@ -152,12 +94,22 @@ const TomlValue* TomlTable::find(std::string_view key) const {
     return found == node_->values.end() ? nullptr : &found->second;
 }
 
+std::string TomlTable::where(std::string_view key, const TomlValue* value) const {
+    const std::string path = joinPath(node_->path, key);
+    return fmt::format("{}:{}{}{}", node_->file, value ? value->line : node_->line, path.empty() ? "" : ": ",
+                       path);
+}
+
 std::string TomlTable::where(std::string_view key) const {
     const auto found = node_->values.find(key);
-    const int line = found == node_->values.end() ? node_->line : found->second.line;
-    const std::string path = joinPath(node_->path, key);
-    if (found != node_->values.end() && !found->second.changedBy.empty()) return found->second.changedBy;
-    return fmt::format("{}:{}{}{}", node_->file, line, path.empty() ? "" : ": ", path);
+    if (found == node_->values.end()) return where(key, nullptr);
+    return found->second.changedBy.empty() ? where(key, &found->second) : found->second.changedBy;
+}
+
+void TomlTable::failElement(std::string_view key, const TomlValue& element, std::string_view what,
+                            std::string_view expected, std::string_view hint) const {
+    const bool changed = !node_->values.find(key)->second.changedBy.empty();
+    throw InputError(changed ? where(key) : where(key, &element), what, expected, hint);
 }
 
 void TomlTable::fail(std::string_view key, std::string_view what, std::string_view expected,
@@ -175,6 +127,17 @@ std::string TomlTable::text(std::string_view key, std::optional<std::string> fal
     if (!value) failMissing(key, "a text");
     const auto* text = value->as<std::string>();
     if (!text) fail(key, "is " + describe(*value), "a text in quotes");
+    return *text;
+}
+
+std::string TomlTable::line(std::string_view key) const {
+    const TomlValue* value = find(key);
+    if (!value) failMissing(key, "a text of one line");
+    const auto* text = value->as<std::string>();
+    if (!text) fail(key, "is " + describe(*value), "a text in quotes");
+    const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
+    if (text->empty() || std::any_of(text->begin(), text->end(), isControl))
+        fail(key, text->empty() ? "is empty" : "has a control character", "a text of one line");
     return *text;
 }
 
@@ -265,11 +228,42 @@ std::vector<std::string> TomlTable::texts(std::string_view key,
     if (!value && fallback) return *fallback;
     if (!value) failMissing(key, "an array of texts");
     const auto* array = value->as<TomlValue::Array>();
+    if (!array) fail(key, "is " + describe(*value), "an array of texts");
     std::vector<std::string> result;
-    if (array)
-        for (const TomlValue& element : *array)
-            if (const auto* text = element.as<std::string>()) result.push_back(*text);
-    if (!array || result.size() != array->size()) fail(key, "is " + describe(*value), "an array of texts");
+    for (const TomlValue& element : *array) {
+        const auto* text = element.as<std::string>();
+        if (!text) failElement(key, element, "holds " + describe(element), "texts");
+        result.push_back(*text);
+    }
+    return result;
+}
+
+std::vector<std::string> TomlTable::distinctTexts(std::string_view key,
+                                                  std::optional<std::vector<std::string>> fallback) const {
+    const TomlValue* value = find(key);
+    const std::vector<std::string> result = texts(key, std::move(fallback));
+    if (!value) return result;
+    const auto& elements = *value->as<TomlValue::Array>();
+    for (size_t i = 0; i < result.size(); ++i) {
+        if (result[i].empty()) failElement(key, elements[i], "holds an empty text", "texts");
+        if (std::find(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(i), result[i]) !=
+            result.begin() + static_cast<std::ptrdiff_t>(i))
+            failElement(key, elements[i], fmt::format("holds \"{}\" twice", result[i]), "each once");
+    }
+    return result;
+}
+
+std::vector<std::string> TomlTable::someOf(std::string_view key, const std::vector<std::string>& choices,
+                                           std::optional<std::vector<std::string>> fallback) const {
+    const TomlValue* value = find(key);
+    if (!value && !fallback) failMissing(key, "an array with some of " + listOf(choices));
+    const std::vector<std::string> result = distinctTexts(key, std::move(fallback));
+    if (!value) return result;
+    const auto& elements = *value->as<TomlValue::Array>();
+    for (size_t i = 0; i < result.size(); ++i)
+        if (std::find(choices.begin(), choices.end(), result[i]) == choices.end())
+            failElement(key, elements[i], "holds " + describe(elements[i]), listOf(choices),
+                        didYouMean(result[i], choices));
     return result;
 }
 
@@ -291,7 +285,9 @@ std::vector<std::string> TomlTable::scalars(std::string_view key) const {
             if (text->find_first_of("\"\\\n") != std::string::npos)
                 fail(key, "holds " + describe(element), "a text of one line, without quotes and backslashes");
             result.push_back('"' + *text + '"');
-        } else if (element.as<bool>() || element.as<int64_t>() || element.as<double>()) {
+        } else if (const auto* number = element.as<double>()) {
+            result.push_back(fmt::format("{}", *number)); // 3.0 as 3
+        } else if (element.as<bool>() || element.as<int64_t>()) {
             result.push_back(describe(element));
         } else {
             fail(key, "holds " + describe(element), "numbers, texts, true or false");

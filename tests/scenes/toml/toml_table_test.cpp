@@ -1,4 +1,4 @@
-#include "scenes/toml/toml_file.h"
+#include "scenes/toml/toml_table.h"
 #include "tests/scenes/core/test_files.h"
 
 #include <gmock/gmock.h>
@@ -13,7 +13,7 @@ TomlTable parse(const std::string& text) {
     return TomlTable::parse("a.toml", text);
 }
 
-TEST(TomlFile, ReadsWhatIsAskedFor) {
+TEST(TomlTable, ReadsWhatIsAskedFor) {
     const TomlTable root = parse("name = 'n'\nflag = true\ncount = 3\nsize = 2\nplace = [1, 2.5, -3]\n"
                                  "[camera]\nwidth = 8\n[[light]]\nname='a'\n[[light]]\nname='b'\n");
     EXPECT_EQ(root.text("name"), "n");
@@ -27,7 +27,7 @@ TEST(TomlFile, ReadsWhatIsAskedFor) {
     EXPECT_NO_THROW(root.finish());
 }
 
-TEST(TomlFile, ArraysOfWholeNumbersAndInlineTables) {
+TEST(TomlTable, ArraysOfWholeNumbersAndInlineTables) {
     const TomlTable root = parse("a = [3, 1, 2]\nb = []\nc = [1, 2.5]\nt = [{ x = 1 },\n{ x = 2, y = 3 }]\n");
     EXPECT_THAT(root.integers("a", 1, 3), ElementsAre(3, 1, 2));
     EXPECT_TRUE(root.integers("b", 1, 3).empty());
@@ -41,7 +41,7 @@ TEST(TomlFile, ArraysOfWholeNumbersAndInlineTables) {
     EXPECT_EQ(inputErrorOf([&] { tables[1].finish(); }), "a.toml:5: t.y: unknown field; expected x");
 }
 
-TEST(TomlFile, FallbacksStandForMissingFieldsAlone) {
+TEST(TomlTable, FallbacksStandForMissingFieldsAlone) {
     const TomlTable root = parse("a = 1\n");
     EXPECT_EQ(root.integer("b", 0, 9, 5), 5);
     EXPECT_EQ(root.number("b", 0, 9, 0.5), 0.5);
@@ -53,7 +53,7 @@ TEST(TomlFile, FallbacksStandForMissingFieldsAlone) {
               "a.toml:1: b: is missing; expected a whole number from 0 to 9");
 }
 
-TEST(TomlFile, WrongTypesAndRanges) {
+TEST(TomlTable, WrongTypesAndRanges) {
     const TomlTable root = parse("a = 1.5\nb = 'text'\nc = [1, 2]\nd = nan\ne = inf\nf = 2024-01-01\n"
                                  "g = 99999999999\nh = [1, 'x', 3]\n[t]\nu = -1\n");
     EXPECT_EQ(inputErrorOf([&] { root.integer("a", 0, 9); }),
@@ -74,7 +74,7 @@ TEST(TomlFile, WrongTypesAndRanges) {
     EXPECT_THAT(inputErrorOf([&] { root.boolean("a"); }), HasSubstr("true or false"));
 }
 
-TEST(TomlFile, UnknownFieldsAreErrors) {
+TEST(TomlTable, UnknownFieldsAreErrors) {
     const TomlTable root = parse("widht = 3\n");
     root.integer("width", 0, 9, 1);
     root.integer("height", 0, 9, 1);
@@ -82,14 +82,43 @@ TEST(TomlFile, UnknownFieldsAreErrors) {
               "a.toml:1: widht: unknown field; expected height or width; did you mean 'width'?");
 }
 
-TEST(TomlFile, ChoicesHaveHints) {
+TEST(TomlTable, TextsOfOneLine) {
+    const TomlTable root = parse("a = 'one'\nb = ''\nc = \"x\\ny\"\nd = 3\n");
+    EXPECT_EQ(root.line("a"), "one");
+    EXPECT_EQ(inputErrorOf([&] { root.line("b"); }), "a.toml:2: b: is empty; expected a text of one line");
+    EXPECT_EQ(inputErrorOf([&] { root.line("c"); }),
+              "a.toml:3: c: has a control character; expected a text of one line");
+    EXPECT_EQ(inputErrorOf([&] { root.line("d"); }), "a.toml:4: d: is 3; expected a text in quotes");
+    EXPECT_EQ(inputErrorOf([&] { root.line("e"); }), "a.toml:1: e: is missing; expected a text of one line");
+}
+
+TEST(TomlTable, ElementsOfListsAreNamedWithTheirOwnLine) {
+    TomlTable root = parse("a = [\n  'x',\n  'y',\n]\nb = ['x',\n'x']\nc = ['x',\n'']\nd = ['x',\n3]\n");
+    const std::vector<std::string> known{"x", "yes"};
+    EXPECT_THAT(root.distinctTexts("a"), ElementsAre("x", "y"));
+    EXPECT_THAT(root.someOf("q", known, std::vector<std::string>{"z"}), ElementsAre("z"));
+    EXPECT_EQ(inputErrorOf([&] { root.someOf("a", known); }),
+              "a.toml:3: a: holds the text \"y\"; expected x or yes");
+    EXPECT_EQ(inputErrorOf([&] { root.someOf("b", known); }),
+              "a.toml:6: b: holds \"x\" twice; expected each once");
+    EXPECT_EQ(inputErrorOf([&] { root.distinctTexts("c"); }),
+              "a.toml:8: c: holds an empty text; expected texts");
+    EXPECT_EQ(inputErrorOf([&] { root.texts("d"); }), "a.toml:10: d: holds 3; expected texts");
+    EXPECT_EQ(inputErrorOf([&] { root.someOf("e", known); }),
+              "a.toml:1: e: is missing; expected an array with some of x or yes");
+    root.change("--scene-set", "b", "['y']");
+    EXPECT_EQ(inputErrorOf([&] { root.someOf("b", known); }),
+              "--scene-set: holds the text \"y\"; expected x or yes");
+}
+
+TEST(TomlTable, ChoicesHaveHints) {
     EXPECT_EQ(inputErrorOf([] {
                   parse("\nwrap = 'repaet'").choice("wrap", {"repeat", "clamp"});
               }),
               "a.toml:2: wrap: is the text \"repaet\"; expected repeat or clamp; did you mean 'repeat'?");
 }
 
-TEST(TomlFile, SyntaxErrorsHaveTheirLine) {
+TEST(TomlTable, SyntaxErrorsHaveTheirLine) {
     EXPECT_THAT(inputErrorOf([] { parse("a = 1\nb = = 2\n"); }), HasSubstr("a.toml:2: is not valid TOML"));
     EXPECT_THAT(inputErrorOf([] { parse("a = 1\na = 2\n"); }), HasSubstr("a.toml:2"));
     EXPECT_THAT(inputErrorOf([] { parse("a = \"\xff\xfe\"\n"); }), HasSubstr("not valid TOML"));
@@ -97,7 +126,7 @@ TEST(TomlFile, SyntaxErrorsHaveTheirLine) {
     EXPECT_THAT(inputErrorOf([] { parse("a = " + std::string(100000, '[')); }), HasSubstr("not valid TOML"));
 }
 
-TEST(TomlFile, KeysAreNoDeeperThanTheParserCanGo) {
+TEST(TomlTable, KeysAreNoDeeperThanTheParserCanGo) {
     const auto deep = [](int parts) {
         std::string key = "a";
         for (int i = 1; i < parts; ++i)

@@ -1,0 +1,12 @@
+// What a TOML tree says, as a fingerprint.
+#pragma once
+
+#include "scenes/core/content_hash.h"
+#include "scenes/toml/toml_tree.h"
+
+namespace plumbline {
+
+/// TomlTable::addTo.
+void addTree(ContentHash& hash, const TomlNode& root, std::string_view except);
+
+} // namespace plumbline
