@@ -146,8 +146,7 @@ RealtimeRenderer::RealtimeRenderer(const Scene& scene, const GlOptions& options,
 
 RealtimeRenderer::~RealtimeRenderer() = default;
 
-TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request,
-                                         const std::map<std::string, std::string>& shared,
+TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request, const Settings& shared,
                                          const std::vector<MicroMesh>* microMeshes,
                                          const PhaseCallback& onPhase) {
     const Technique technique = resolveTechnique(request, shared);

@@ -1,4 +1,4 @@
-// Baked maps as a shader sees them: the GLSL that reads a kind, its sampler, its texture.
+// Baked maps on the GPU: the scale an object's relief is baked at, and its texture.
 #pragma once
 
 #include "realtime/bake/bake.h"
@@ -6,24 +6,8 @@
 #include "scenes/surface/proxy_mesh.h"
 
 #include <string>
-#include <vector>
 
 namespace plumbline {
-
-/// What the kinds that are read in one way have in common. A technique takes one kind of a family at most.
-struct BakedFamily {
-    const char* shader;       // in shaders/
-    const char* sampler;      // sampler2DArray; slices are the array's layers
-    const char* scaleUniform; // vec3, the BakeScale it was baked at; null: it has none
-    int unit;                 // texture unit
-    bool packsLevels;         // all levels in one picture (packLevels); else level 0 alone is sent
-    std::vector<const char*> kinds;
-};
-const std::vector<BakedFamily>& bakedFamilies();
-/// The first texture unit behind the height map's, the colour map's and those of the families.
-int unitBehindBaked();
-/// Throws InputError for a name that is no kind of baked map.
-const BakedFamily& bakedFamily(const std::string& kind);
 
 /// Mapping scales over an object's proxy, world units per unit of s and t.
 struct ReliefExtents {

@@ -1,7 +1,7 @@
 #include "realtime/draw/shadow_maps.h"
 
-#include "realtime/draw/baked_input.h"
 #include "realtime/draw/technique_program.h"
+#include "realtime/technique/baked_family.h"
 #include "scenes/core/error.h"
 #include "scenes/core/free_memory.h"
 

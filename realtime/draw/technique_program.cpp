@@ -1,8 +1,9 @@
 #include "realtime/draw/technique_program.h"
 
-#include "realtime/draw/baked_input.h"
+#include "realtime/technique/baked_family.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 
 #include <fmt/format.h>
 
@@ -99,7 +100,7 @@ std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
 /// Whether `search` names a function that `harness` defines. Asked of the text: a compiler drops a look-up
 /// whose result some setting makes worthless.
 bool callsFunctionOf(const std::filesystem::path& search, const std::filesystem::path& harness) {
-    const std::string text = readText(harness), searchText = readText(search);
+    const std::string text = readWholeFile(harness), searchText = readWholeFile(search);
     const std::regex definition("(?:^|\\n)[a-z]\\w* (\\w+)\\(");
     for (std::sregex_iterator match(text.begin(), text.end(), definition), end; match != end; ++match)
         if (namesIdentifier(searchText, (*match)[1])) return true;
@@ -151,7 +152,7 @@ StageSources reliefLightSources(const Technique& technique) {
 
 std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount) {
     const std::string author = technique.search.shaderFile().string();
-    if (!namesIdentifier(readText(technique.search.shaderFile()), "traceRelief"))
+    if (!namesIdentifier(readWholeFile(technique.search.shaderFile()), "traceRelief"))
         throw InputError(author, "doesn't define traceRelief", "ReliefHit traceRelief(ReliefRay ray) { … }");
     auto program = buildReceiver(reliefSources(technique, lightCount));
     const std::set<std::string> active = program->activeUniforms();

@@ -5,7 +5,7 @@
 // thread, one after the other, never nested.
 #pragma once
 
-#include "realtime/realtime.h"
+#include "realtime/gl/gl_options.h"
 
 #include <memory>
 #include <string>

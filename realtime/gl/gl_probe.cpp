@@ -1,3 +1,5 @@
+#include "realtime/gl/gl_probe.h"
+
 #include "realtime/gl/gl_context.h"
 #include "scenes/core/error.h"
 

@@ -2,11 +2,11 @@
 
 #include "realtime/gl/shader_log.h"
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 
 #include <fmt/format.h>
 
-#include <fstream>
-#include <iterator>
+#include <algorithm>
 
 namespace plumbline {
 namespace {
@@ -54,17 +54,8 @@ std::string readProgramLog(GLuint program) {
 
 } // namespace
 
-std::string readText(const std::filesystem::path& file) {
-    std::error_code ignored;
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream || std::filesystem::is_directory(file, ignored))
-        throw InputError(file.string(),
-                         std::filesystem::exists(file, ignored) ? "can't be read" : "no such file");
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 void ShaderSource::addFile(const std::filesystem::path& file) {
-    addText(file.string(), readText(file));
+    addText(file.string(), readWholeFile(file));
 }
 
 void ShaderSource::addText(const std::string& name, const std::string& text) {

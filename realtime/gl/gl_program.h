@@ -33,9 +33,6 @@ class ShaderSource {
     std::vector<std::string> texts_{""};
 };
 
-/// Whole text of a file. Throws InputError.
-std::string readText(const std::filesystem::path& file);
-
 class GlProgram {
   public:
     /// Compiles and links. Throws InputError: "file:line: message" if the log says where, else the log.

@@ -63,6 +63,12 @@ Parameter boolParameter(std::string name, bool defaultValue, std::string meaning
 
 } // namespace
 
+std::vector<std::string> offeredShadows(const Manifest& manifest) {
+    std::vector<std::string> shadows = manifest.shadows;
+    if (!manifest.drawsMicroTriangles()) shadows.emplace_back("map");
+    return shadows;
+}
+
 std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface) {
     std::vector<Parameter> parameters;
     parameters.push_back(choiceParameter("filter", {"exact", "hardware"},

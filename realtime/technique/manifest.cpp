@@ -3,6 +3,7 @@
 #include "realtime/bake/bake.h"
 #include "realtime/technique/glsl_words.h"
 #include "realtime/technique/manifest_parameters.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/frame/frame.h"

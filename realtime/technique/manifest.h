@@ -57,6 +57,7 @@ struct Manifest {
     std::vector<Parameter> parameters;
 
     bool hasInput(const std::string& input) const;
+    bool drawsMicroTriangles() const { return geometry == Geometry::MicroTriangles; }
     /// Of a surface: whether its base is a quadric.
     bool isBent() const { return hasInput("quadric") || hasInput("quadric_full"); }
     /// FOLDER/NAME.glsl.
@@ -67,13 +68,6 @@ struct Manifest {
 /// names every parameter. Throws InputError.
 Manifest readTechniqueManifest(const std::filesystem::path& folder);
 Manifest readSurfaceManifest(const std::filesystem::path& folder);
-
-/// Names under realtime/techniques/ or realtime/surfaces/, sorted; those that begin with '_' or '.' are left
-/// out.
-std::vector<std::string> techniqueNames();
-std::vector<std::string> surfaceNames();
-std::filesystem::path techniquesFolder();
-std::filesystem::path surfacesFolder();
 
 /// Whether `name` stands in GLSL text as a word of its own, outside of comments.
 bool namesIdentifier(const std::string& glsl, const std::string& name);

@@ -1,7 +1,9 @@
 #include "realtime/technique/technique.h"
 
-#include "realtime/draw/baked_input.h"
+#include "realtime/bake/bake.h"
+#include "realtime/technique/baked_family.h"
 #include "realtime/technique/harness_parameters.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 
 #include <fmt/format.h>
@@ -19,14 +21,6 @@ bool contains(const std::vector<std::string>& list, const std::string& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-fs::path surfaceFolder(const std::string& surface) {
-    const std::vector<std::string> names = surfaceNames();
-    if (!contains(names, surface))
-        throw InputError("technique", fmt::format("no surface is called '{}'", surface), listOf(names),
-                         didYouMean(surface, names));
-    return surfacesFolder() / surface;
-}
-
 std::vector<std::string> namesOf(const std::vector<Parameter>& parameters) {
     std::vector<std::string> names;
     for (const Parameter& parameter : parameters)
@@ -37,9 +31,8 @@ std::vector<std::string> namesOf(const std::vector<Parameter>& parameters) {
 
 /// Own settings over shared ones over defaults.
 std::vector<Technique::Setting> chooseValues(const std::vector<Parameter>& parameters,
-                                             const std::string& where,
-                                             const std::map<std::string, std::string>& own,
-                                             const std::map<std::string, std::string>& shared) {
+                                             const std::string& where, const Settings& own,
+                                             const Settings& shared) {
     std::vector<Technique::Setting> settings;
     for (const Parameter& parameter : parameters) {
         Technique::Setting setting{parameter, parameter.defaultValue};
@@ -53,7 +46,7 @@ std::vector<Technique::Setting> chooseValues(const std::vector<Parameter>& param
 }
 
 std::string resultName(const Technique& technique) {
-    std::map<std::string, std::string> changed;
+    Settings changed;
     for (const auto* settings : {&technique.shaderSettings, &technique.harnessSettings})
         for (const Technique::Setting& setting : *settings)
             if (!(setting.value == setting.parameter.defaultValue))
@@ -131,16 +124,6 @@ std::string displayName(const Pieces& pieces) {
 
 } // namespace
 
-fs::path techniqueFolder(const std::string& search) {
-    const std::vector<std::string> names = techniqueNames();
-    if (contains(names, search)) return techniquesFolder() / search;
-    if (fs::is_directory(search)) return search;
-    const bool isPath = search.find('/') != std::string::npos;
-    throw InputError("technique", fmt::format("'{}' is {}", search, isPath ? "no folder" : "not known"),
-                     isPath ? "a folder with technique.toml" : listOf(names) + ", or a folder",
-                     didYouMean(search, names));
-}
-
 std::vector<std::string> Technique::bakedKinds() const {
     std::vector<std::string> kinds;
     for (const std::string& input : search.inputs) {
@@ -169,8 +152,8 @@ std::string Technique::choice(const std::string& settingName) const {
     return setting ? setting->parameter.format(setting->value) : std::string();
 }
 
-std::map<std::string, std::string> Technique::parameters() const {
-    std::map<std::string, std::string> texts;
+Settings Technique::parameters() const {
+    Settings texts;
     for (const auto* settings : {&shaderSettings, &harnessSettings})
         for (const Setting& setting : *settings)
             texts[setting.parameter.name] = setting.parameter.format(setting.value);
@@ -200,8 +183,7 @@ std::string Technique::glslConstants() const {
     return text;
 }
 
-Technique resolveTechnique(const TechniqueRequest& request,
-                           const std::map<std::string, std::string>& shared) {
+Technique resolveTechnique(const TechniqueRequest& request, const Settings& shared) {
     Pieces pieces = findPieces(request);
     const std::string where = displayName(pieces);
     const std::vector<std::string> known = settingNames(pieces);
@@ -224,11 +206,11 @@ std::vector<std::string> knownSettings(const TechniqueRequest& request) {
     return settingNames(findPieces(request));
 }
 
-std::string techniqueName(const TechniqueRequest& request, const std::map<std::string, std::string>& shared) {
+std::string techniqueName(const TechniqueRequest& request, const Settings& shared) {
     return resolveTechnique(request, shared).name;
 }
 
-std::string displayName(const TechniqueRequest& request, const std::map<std::string, std::string>& settings) {
+std::string displayName(const TechniqueRequest& request, const Settings& settings) {
     try {
         return techniqueName(request, settings);
     } catch (const InputError&) {

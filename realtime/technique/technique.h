@@ -2,11 +2,10 @@
 // value.
 #pragma once
 
-#include "realtime/realtime.h"
 #include "realtime/technique/curvature_set.h"
 #include "realtime/technique/manifest.h"
+#include "realtime/technique/technique_request.h"
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,7 +27,7 @@ struct Technique {
     const Setting* harness(const std::string& settingName) const;
     /// Text of a harness setting; empty if it doesn't apply.
     std::string choice(const std::string& settingName) const;
-    bool drawsMicroTriangles() const { return search.geometry == Geometry::MicroTriangles; }
+    bool drawsMicroTriangles() const { return search.drawsMicroTriangles(); }
     bool hasBentBase() const { return surface && surface->isBent(); }
     /// The quadrics its base is given; only where it is bent.
     CurvatureSet curvatureSet() const;
@@ -40,16 +39,20 @@ struct Technique {
     /// Kinds of the baked maps it reads, with choices made.
     std::vector<std::string> bakedKinds() const;
     /// Every setting as text.
-    std::map<std::string, std::string> parameters() const;
+    Settings parameters() const;
     /// The GLSL constants of shaderSettings, one a line.
     std::string glslConstants() const;
 };
 
-/// Folder of a search: a name of the library, or a path. Throws InputError that lists the names.
-std::filesystem::path techniqueFolder(const std::string& search);
-
 /// Throws InputError: unknown technique or surface, a surface it doesn't compose with, manifest, setting.
 /// Keys of `shared` that the technique doesn't know are ignored.
-Technique resolveTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& shared);
+Technique resolveTechnique(const TechniqueRequest& request, const Settings& shared);
+
+/// Names of the settings a technique takes: its own, its surface's and the harness's.
+std::vector<std::string> knownSettings(const TechniqueRequest& request);
+/// Name as results show it; for a technique whose manifest can't be read, as the user wrote it.
+std::string displayName(const TechniqueRequest& request, const Settings& settings);
+/// Name as results show it, without drawing.
+std::string techniqueName(const TechniqueRequest& request, const Settings& shared);
 
 } // namespace plumbline

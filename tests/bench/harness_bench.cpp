@@ -8,6 +8,7 @@
 #include "realtime/realtime.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 #include "scenes/scene_file/scene_file.h"
 
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ std::string without(std::string text, const std::string& piece) {
 
 /// The file with every count taken out of it.
 void addUncounted(ShaderSource& source, const std::filesystem::path& file) {
-    std::string text = readText(file);
+    std::string text = readWholeFile(file);
     for (const char* count :
          {"++gHeightLookups;", "++gBakedLookups;", "gBakedLookups += 4;", "++gIterations;"})
         text = without(text, count);

@@ -73,6 +73,8 @@ TEST_F(EndToEnd, ListsScenesAndMetrics) {
     EXPECT_EQ(scenes.exitCode, 0);
     EXPECT_THAT(scenes.out, HasSubstr("stone_torus"));
     EXPECT_THAT(run({"list", "metrics"}).out, HasSubstr("silhouette.iou"));
+    EXPECT_THAT(run({"list", "techniques"}).out, HasSubstr("\nlinear_binary: "));
+    EXPECT_THAT(run({"list", "surfaces"}).out, HasSubstr("\nquadric: "));
 }
 
 TEST_F(EndToEnd, ReferenceGivesEqualBytesTwiceAndOnOneOrTwoThreads) {

@@ -1,4 +1,5 @@
 #include "realtime/bake/bake_cache.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/frame/scene_metadata.h"
@@ -6,6 +7,10 @@
 #include "scenes/scene_file/scene_file.h"
 #include "validate/cli/shared.h"
 #include "validate/report/page_bundle.h"
+
+#ifdef PLUMBLINE_GL
+#include "realtime/gl/gl_probe.h"
+#endif
 
 #include <fmt/format.h>
 
@@ -90,6 +95,19 @@ void reportCache() {
                           static_cast<double>(bytes) / 1e6));
 }
 
+bool checkTechniques() {
+    try {
+        std::string names;
+        for (const Manifest& technique : listTechniques())
+            names += (names.empty() ? "" : ", ") + technique.name;
+        printLine(true, "techniques", names);
+        return true;
+    } catch (const std::runtime_error& error) {
+        printLine(false, "techniques", error.what());
+        return false;
+    }
+}
+
 #ifdef PLUMBLINE_GL
 bool checkGl() {
     bool any = false;
@@ -103,25 +121,10 @@ bool checkGl() {
     return any;
 }
 
-bool checkTechniques() {
-    try {
-        std::string names;
-        for (const TechniqueInfo& technique : listTechniques())
-            names += (names.empty() ? "" : ", ") + technique.name;
-        printLine(true, "techniques", names);
-        return true;
-    } catch (const std::runtime_error& error) {
-        printLine(false, "techniques", error.what());
-        return false;
-    }
-}
 #else
 bool checkGl() {
     printLine(false, "GL", "built without it (preset no-gl): no 'validate' and no 'realtime'");
     return false;
-}
-bool checkTechniques() {
-    return true;
 }
 #endif
 

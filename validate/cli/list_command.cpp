@@ -1,4 +1,6 @@
 #include "realtime/bake/bake.h"
+#include "realtime/technique/harness_parameters.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "scenes/scene_file/scene_file.h"
 #include "validate/cli/shared.h"
@@ -33,19 +35,18 @@ void listBakes() {
     }
 }
 
-#ifdef PLUMBLINE_GL
-void printParameters(const std::vector<TechniqueInfo::Parameter>& parameters) {
-    for (const TechniqueInfo::Parameter& parameter : parameters)
-        fmt::print("    {} = {}  {}{}{}: {}\n", parameter.name, parameter.defaultValue, parameter.type,
-                   parameter.range.empty() ? "" : " " + parameter.range,
+void printParameters(const std::vector<Parameter>& parameters) {
+    for (const Parameter& parameter : parameters)
+        fmt::print("    {} = {}  {} {}{}: {}\n", parameter.name, parameter.format(parameter.defaultValue),
+                   parameter.typeName(), parameter.rangeText(),
                    parameter.unit.empty() ? "" : ", " + parameter.unit, parameter.meaning);
 }
 
 void listAllSurfaces() {
-    for (const SurfaceInfo& surface : listSurfaces()) {
+    for (const Manifest& surface : listSurfaces()) {
         fmt::print("{}: {}\n    source: {}\n", surface.name, surface.title, surface.citation);
         if (!surface.variantOf.empty()) fmt::print("    variant of: {}\n", surface.variantOf);
-        fmt::print("    shadows: {}\n", fmt::join(surface.shadows, ", "));
+        fmt::print("    shadows: {}\n", fmt::join(offeredShadows(surface), ", "));
         if (!surface.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(surface.inputs, ", "));
         printParameters(surface.parameters);
         for (const std::string& limit : surface.limits)
@@ -54,30 +55,21 @@ void listAllSurfaces() {
 }
 
 void listAllTechniques() {
-    for (const TechniqueInfo& technique : listTechniques()) {
+    for (const Manifest& technique : listTechniques()) {
         fmt::print("{}: {}\n", technique.name, technique.title);
         if (!technique.citation.empty()) fmt::print("    source: {}\n", technique.citation);
         if (!technique.surfaces.empty())
             fmt::print("    surfaces: {}\n", fmt::join(technique.surfaces, ", "));
         for (const auto& [surface, reason] : technique.refusals)
             fmt::print("    not on {}: {}\n", surface, reason);
-        if (!technique.shadows.empty()) fmt::print("    shadows: {}\n", fmt::join(technique.shadows, ", "));
+        if (const std::vector<std::string> shadows = offeredShadows(technique); !shadows.empty())
+            fmt::print("    shadows: {}\n", fmt::join(shadows, ", "));
         if (!technique.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(technique.inputs, ", "));
         printParameters(technique.parameters);
         for (const std::string& limit : technique.limits)
             fmt::print("    limit: {}\n", limit);
     }
 }
-#else
-void listAllTechniques() {
-    throw MachineError("list techniques", "this program was built without OpenGL (preset no-gl)",
-                       "a build with it");
-}
-void listAllSurfaces() {
-    throw MachineError("list surfaces", "this program was built without OpenGL (preset no-gl)",
-                       "a build with it");
-}
-#endif
 
 } // namespace
 

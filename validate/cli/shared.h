@@ -8,7 +8,8 @@
 #include "validate/results/results.h"
 
 #ifdef PLUMBLINE_GL
-#include "realtime/realtime.h"
+#include "realtime/gl/gl_options.h"
+#include "realtime/technique/technique.h"
 #endif
 
 #include <functional>

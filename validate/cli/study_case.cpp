@@ -1,6 +1,6 @@
 #include "validate/cli/study_case.h"
 
-#include "realtime/technique/technique.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/content_hash.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"

@@ -1,4 +1,5 @@
 // The part of shared.h that needs realtime/.
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "validate/cli/shared.h"
 
@@ -18,10 +19,10 @@ constexpr const char* kSearchForVariants = "linear_binary";
 /// search.
 std::vector<TechniqueRequest> allTechniques() {
     std::set<std::string> variants;
-    for (const SurfaceInfo& surface : listSurfaces())
+    for (const Manifest& surface : listSurfaces())
         if (!surface.variantOf.empty()) variants.insert(surface.name);
     std::vector<TechniqueRequest> requests;
-    for (const TechniqueInfo& info : listTechniques()) {
+    for (const Manifest& info : listTechniques()) {
         TechniqueRequest request;
         request.search = info.name;
         if (info.surfaces.empty()) requests.push_back(request);
@@ -41,7 +42,7 @@ void requireSurface(const TechniqueRequest& request) {
     std::vector<std::string> surfaces;
     std::map<std::string, std::string> refusals;
     try {
-        const TechniqueInfo info = techniqueInfo(request);
+        const Manifest info = readTechniqueManifest(techniqueFolder(request.search));
         surfaces = info.surfaces;
         refusals = info.refusals;
     } catch (const InputError&) {
@@ -60,12 +61,13 @@ void requireSurface(const TechniqueRequest& request) {
 /// technique's folder are reported beside the results of the others.
 void requireExists(const TechniqueRequest& request) {
     std::vector<std::string> names;
-    for (const TechniqueInfo& info : listTechniques())
+    for (const Manifest& info : listTechniques())
         names.push_back(info.name);
     std::error_code ignored;
     if (std::find(names.begin(), names.end(), request.search) == names.end() &&
         !std::filesystem::is_directory(request.search, ignored)) {
-        (void)techniqueInfo(request); // says more where there is a folder of that name with a broken manifest
+        (void)readTechniqueManifest(techniqueFolder(
+            request.search)); // says more where there is a folder of that name with a broken manifest
         throw InputError("--technique", fmt::format("there is no technique '{}'", request.search),
                          listOf(names) + ", or a folder", didYouMean(request.search, names));
     }
@@ -129,7 +131,7 @@ void checkSettings(const std::map<std::string, std::string>& settings,
 
 bool drawsMicroTriangles(const TechniqueRequest& request) {
     try {
-        return techniqueInfo(request).drawsMicroTriangles;
+        return readTechniqueManifest(techniqueFolder(request.search)).drawsMicroTriangles();
     } catch (const InputError&) {
         return false;
     }

@@ -1,5 +1,6 @@
 #include "validate/cli/trial.h"
 
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "validate/compare/frame_metadata.h"
 
@@ -13,7 +14,7 @@ namespace {
 
 std::vector<std::string> limitsOf(const TechniqueRequest& request) {
     try {
-        return techniqueInfo(request).limits;
+        return readTechniqueManifest(techniqueFolder(request.search)).limits;
     } catch (const InputError&) {
         return {};
     }

@@ -1,5 +1,6 @@
 #include "validate/worker/technique_worker.h"
 
+#include "realtime/technique/technique.h"
 #include "scenes/core/error.h"
 #include "validate/worker/child_process.h"
 #include "validate/worker/worker_descriptor.h"

@@ -1,4 +1,5 @@
 // Searches in baked maps against exact_cells, the perfect search on the same base.
+#include "realtime/technique/technique.h"
 #include "scenes/maps/generate_map.h"
 #include "tests/realtime/gl_fixture.h"
 #include "tests/realtime/temporary_folder.h"

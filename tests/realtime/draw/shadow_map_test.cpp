@@ -2,6 +2,7 @@
 #include "realtime/draw/baked_input.h"
 #include "realtime/draw/shadow_maps.h"
 #include "realtime/draw/technique_program.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/free_memory.h"
 #include "tests/realtime/draw/shadow_scenes.h"
 
@@ -361,7 +362,7 @@ TEST(ShadowMap, EverySearchComposesWithItOnEverySurface) {
                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
     int drawn = 0;
-    for (const TechniqueInfo& info : listTechniques())
+    for (const Manifest& info : listTechniques())
         for (const std::string& surface : info.surfaces) {
             const std::string name = info.name + "@" + surface + ":shadow=map,shadow_bias=0.5";
             SCOPED_TRACE(name);

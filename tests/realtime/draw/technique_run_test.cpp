@@ -1,4 +1,6 @@
 // Techniques as data: what a user's folder can do, and what happens when it is wrong.
+#include "realtime/technique/technique.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/data_folder.h"
 #include "tests/realtime/gl_fixture.h"
 #include "tests/realtime/temporary_folder.h"
@@ -58,7 +60,7 @@ class UserTechnique : public testing::Test {
 };
 
 TEST_F(UserTechnique, ACopyInAnotherFolderDrawsTheSameWithNothingBuilt) {
-    const std::filesystem::path original = techniqueInfo(parseTechnique("linear_binary")).folder;
+    const std::filesystem::path original = techniqueFolder("linear_binary");
     std::filesystem::copy(original, folder_->path() / "linear_binary");
     const std::string copy = (folder_->path() / "linear_binary").string();
     for (const char* rest : {"", "@quadric:linear_steps=33"})
@@ -126,8 +128,8 @@ TEST_F(UserTechnique, ABakedMapItNeverReadsIsAnError) {
     EXPECT_EQ(message(), "");
 }
 
-TEST_F(UserTechnique, AnEmptyShaderIsAnError) {
-    write("");
+TEST_F(UserTechnique, AShaderWithoutTraceReliefIsAnError) {
+    write("// not written yet\n");
     EXPECT_THAT(message(), HasSubstr("doesn't define traceRelief"));
 }
 

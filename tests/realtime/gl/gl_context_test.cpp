@@ -1,4 +1,5 @@
 // Contexts of both backends in one process.
+#include "realtime/gl/gl_probe.h"
 #include "tests/realtime/gl_fixture.h"
 #include "tests/realtime/temporary_folder.h"
 

@@ -53,7 +53,7 @@ TEST(ShaderSource, EveryPieceKeepsItsNameAndItsLines) {
 TEST(ShaderSource, AMissingFileIsAnInputError) {
     ShaderSource source;
     EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/no/such.glsl"); }), "/no/such.glsl: no such file");
-    EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/tmp"); }), "/tmp: can't be read");
+    EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/tmp"); }), "/tmp: is not a file");
 }
 
 } // namespace

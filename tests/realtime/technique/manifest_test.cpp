@@ -1,5 +1,7 @@
 // Manifests, settings and names, without OpenGL.
+#include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique.h"
+#include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "tests/realtime/temporary_folder.h"
 
@@ -72,7 +74,7 @@ TEST(TechniqueName, OwnSettingsWinOverSharedOnesAndForeignSharedOnesAreIgnored) 
 
 TEST(TechniqueList, TheLibraryIsSortedAndLeavesOutTheTemplate) {
     std::vector<std::string> names;
-    for (const TechniqueInfo& info : listTechniques())
+    for (const Manifest& info : listTechniques())
         names.push_back(info.name);
     EXPECT_TRUE(std::is_sorted(names.begin(), names.end()));
     EXPECT_THAT(names, testing::IsSupersetOf({"linear_binary", "micro_triangles", "normal_mapping"}));
@@ -80,9 +82,9 @@ TEST(TechniqueList, TheLibraryIsSortedAndLeavesOutTheTemplate) {
 }
 
 TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
-    for (const TechniqueInfo& info : listTechniques()) {
+    for (const Manifest& info : listTechniques()) {
         EXPECT_FALSE(info.title.empty());
-        EXPECT_EQ(info.drawsMicroTriangles, info.surfaces.empty());
+        EXPECT_EQ(info.drawsMicroTriangles(), info.surfaces.empty());
         for (const std::string& surface : info.surfaces)
             EXPECT_NO_THROW(nameOf(info.name + "@" + surface)) << info.name << " " << surface;
     }
@@ -90,16 +92,16 @@ TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
 
 TEST(TechniqueList, ShadowsListedByTechniqueAndSurfaceAreThoseThatCanBeAsked) {
     std::map<std::string, std::vector<std::string>> ofSurface;
-    for (const SurfaceInfo& surface : listSurfaces())
-        ofSurface[surface.name] = surface.shadows;
+    for (const Manifest& surface : listSurfaces())
+        ofSurface[surface.name] = offeredShadows(surface);
     const auto contains = [](const std::vector<std::string>& list, const char* value) {
         return std::find(list.begin(), list.end(), value) != list.end();
     };
-    for (const TechniqueInfo& info : listTechniques())
+    for (const Manifest& info : listTechniques())
         for (const std::string& surface : info.surfaces)
             for (const char* shadow : {"relief", "none", "map"}) {
                 const std::string name = info.name + "@" + surface + ":shadow=" + shadow;
-                if (contains(info.shadows, shadow) && contains(ofSurface.at(surface), shadow))
+                if (contains(offeredShadows(info), shadow) && contains(ofSurface.at(surface), shadow))
                     EXPECT_NO_THROW(nameOf(name)) << name;
                 else
                     EXPECT_THROW(nameOf(name), InputError) << name;

@@ -1,5 +1,6 @@
 // The shaders stay in the common subset of GLSL 4.1 and GLSL ES 3.0, by the reference compiler's judgement.
 #include "realtime/draw/technique_program.h"
+#include "realtime/technique/technique_list.h"
 #include "tests/realtime/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -43,7 +44,7 @@ TEST(PortableGlsl, EveryTechniqueIsGlsl410AndGlslEs300) {
     for (const size_t lights : {0u, 1u, 3u}) {
         for (const bool shadowMaps : {false, true})
             check(plainSources(lights, shadowMaps), "plain");
-        for (const TechniqueInfo& info : listTechniques())
+        for (const Manifest& info : listTechniques())
             for (const std::string& surface : info.surfaces)
                 for (const char* shadow : {"", "map"}) {
                     const std::map<std::string, std::string> settings =
@@ -54,7 +55,7 @@ TEST(PortableGlsl, EveryTechniqueIsGlsl410AndGlslEs300) {
                 }
     }
     check(plainLightSources(), "plain, light pass");
-    for (const TechniqueInfo& info : listTechniques())
+    for (const Manifest& info : listTechniques())
         for (const std::string& surface : info.surfaces)
             check(reliefLightSources(resolveTechnique({info.name, surface, {}}, {})),
                   info.name + "@" + surface + ", light pass");
