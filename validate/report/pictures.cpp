@@ -1,7 +1,5 @@
 #include "validate/report/pictures.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -20,23 +18,12 @@ Picture paint(const Frame& frame, ColorOf&& colorOf) {
     return picture;
 }
 
-Rgb mix(const Rgb& a, const Rgb& b, double t) {
-    Rgb result;
-    for (size_t i = 0; i < 3; ++i)
-        result[i] = static_cast<uint8_t>(std::lround((1 - t) * double(a[i]) + t * double(b[i])));
-    return result;
-}
-
 /// Colour of a pixel that the two frames don't share; the error has no meaning there.
 Rgb unsharedColor(int inReference, int inTest) {
     return inReference == 0 && inTest == 0 ? palette::kNothing : palette::kUnshared;
 }
 
 } // namespace
-
-std::string cssColor(const Rgb& color) {
-    return fmt::format("#{:02x}{:02x}{:02x}", color[0], color[1], color[2]);
-}
 
 uint8_t srgbCode(double linear) {
     if (!(linear > 0)) return 0;
@@ -68,46 +55,23 @@ Picture silhouettePicture(const FramePair& pair) {
     });
 }
 
-Rgb divergingColor(double x) {
-    // Luminance falls evenly from the middle to both ends, so that equal errors of either sign look equally
-    // strong.
-    constexpr Rgb kNear{5, 76, 135}, kNearMid{100, 170, 215}, kZero{247, 247, 247}, kFarMid{240, 165, 80},
-        kFar{150, 65, 0};
-    const double strength = std::min(std::abs(x), 1.0);
-    const Rgb &middle = x < 0 ? kNearMid : kFarMid, &end = x < 0 ? kNear : kFar;
-    return strength < 0.5 ? mix(kZero, middle, 2 * strength) : mix(middle, end, 2 * strength - 1);
-}
-
 Picture depthErrorPicture(const FramePair& pair, std::span<const float> referenceDepth,
                           std::span<const float> testDepth, double range) {
     return paint(pair.reference(), [&](size_t i) {
         const int inReference = pair.referenceIds()[i], inTest = pair.testIds()[i];
         if (inReference == 0 || inReference != inTest) return unsharedColor(inReference, inTest);
         const double error = double(testDepth[i]) - double(referenceDepth[i]);
-        return std::isfinite(error) ? divergingColor(error / range) : palette::kInvalid;
+        return std::isfinite(error) ? colorAt(colormap::kDiverging, error / range) : palette::kInvalid;
     });
-}
-
-Rgb sequentialColor(double x) {
-    // Luminance falls evenly from pale yellow to dark brown.
-    constexpr Rgb kPale{255, 247, 205}, kMiddle{225, 130, 35}, kDark{70, 25, 5};
-    const double t = std::clamp(x, 0.0, 1.0);
-    return t < 0.5 ? mix(kPale, kMiddle, 2 * t) : mix(kMiddle, kDark, 2 * t - 1);
 }
 
 Picture iterationsPicture(const Frame& test, double most) {
     const auto rounds = test.channel("cost.iterations"), id = test.channel("id");
     return paint(test, [&](size_t i) {
         if (!(id[i] > 0)) return palette::kNothing;
-        return std::isfinite(rounds[i]) ? sequentialColor(rounds[i] / most) : palette::kInvalid;
+        return std::isfinite(rounds[i]) ? colorAt(colormap::kSequential, rounds[i] / most)
+                                        : palette::kInvalid;
     });
-}
-
-Rgb curvatureColor(double x) {
-    // The figure's blue, green and red; the green is the palest, so that either sign is told from level by
-    // lightness alone.
-    constexpr Rgb kConcave{0, 72, 168}, kLevel{160, 218, 170}, kConvex{196, 56, 16};
-    return mix(kLevel, x < 0 ? kConcave : kConvex, std::min(std::abs(x), 1.0));
 }
 
 double curvatureRange(const Frame& test, const std::string& channel) {
@@ -125,7 +89,8 @@ Picture curvaturePicture(const Frame& test, const std::string& channel, double r
     const auto id = test.channel("id"), curvature = test.channel(channel);
     return paint(test, [&](size_t i) {
         if (!(id[i] > 0)) return palette::kNothing;
-        return std::isfinite(curvature[i]) ? curvatureColor(curvature[i] / range) : palette::kInvalid;
+        return std::isfinite(curvature[i]) ? colorAt(colormap::kCurvature, curvature[i] / range)
+                                           : palette::kInvalid;
     });
 }
 

@@ -1,7 +1,7 @@
 #include "validate/report/report_data.h"
 
+#include "validate/report/colors.h"
 #include "validate/report/failing_pixels.h"
-#include "validate/report/pictures.h"
 #include "validate/results/metric_table_json.h"
 
 #include <fmt/format.h>
@@ -14,15 +14,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// So that the page paints as pictures.cpp does.
-void addColors(Json& json) {
+Json colorsJson() {
+    Json json;
     for (const auto& [name, color] : palette::all())
         json["palette"][name] = cssColor(color);
-    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0})
-        json["diverging"].push_back(cssColor(divergingColor(x)));
-    for (const double x : {0.0, 0.5, 1.0})
-        json["sequential"].push_back(cssColor(sequentialColor(x)));
-    json["shadow_threshold"] = kShadowThreshold;
+    for (const ColorMap& map : colormap::all()) {
+        Json& entry = json["maps"][std::string(map.name)];
+        entry["low"] = map.low;
+        for (const Rgb& stop : map.stops)
+            entry["stops"].push_back(cssColor(stop));
+    }
+    return json;
 }
 
 Json toJson(const FrameEntry& frame) {
@@ -82,7 +84,8 @@ std::string reportDataJson(const Results& results, const ReportData& data) {
     json["failing"] = {{"of", data.failingOf}, {"meaning", FailingPixels::meaning()}};
     json["curves"] = {
         {"thresholds", badpixThresholds()}, {"named", kNamedThresholds}, {"edges", histogramEdges()}};
-    addColors(json);
+    json["colors"] = colorsJson();
+    json["shadow_threshold"] = kShadowThreshold;
     return scriptSafe(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

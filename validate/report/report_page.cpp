@@ -2,9 +2,9 @@
 
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "validate/report/colors.h"
 #include "validate/report/page_bundle.h"
 #include "validate/report/page_template.h"
-#include "validate/report/pictures.h"
 #include "validate/report/report_cells.h"
 #include "validate/report/report_data.h"
 #include "validate/results/output_files.h"
@@ -69,20 +69,17 @@ data referenceData(const ReferenceSummary& reference) {
     return entry;
 }
 
-data paletteData() {
+/// A palette's colours, and maps as the stops of a CSS gradient.
+data colorsData() {
     data colors{data::type::object};
     for (const auto& [name, color] : palette::all())
         colors.set(name, cssColor(color));
-    std::string gradient;
-    for (int i = -4; i <= 4; ++i)
-        gradient += (i > -4 ? "," : "") + cssColor(divergingColor(i / 4.0));
-    colors.set("gradient", gradient);
-    std::string sequential;
-    for (int i = 0; i <= 4; ++i)
-        sequential += (i > 0 ? "," : "") + cssColor(sequentialColor(i / 4.0));
-    colors.set("sequential", sequential);
-    colors.set("curvature", fmt::format("{},{},{}", cssColor(curvatureColor(-1)), cssColor(curvatureColor(0)),
-                                        cssColor(curvatureColor(1))));
+    for (const ColorMap& map : colormap::all()) {
+        std::vector<std::string> stops;
+        for (const Rgb& stop : map.stops)
+            stops.push_back(cssColor(stop));
+        colors.set(std::string(map.name), fmt::format("{}", fmt::join(stops, ",")));
+    }
     return colors;
 }
 
@@ -240,7 +237,7 @@ std::string reportPage(const Results& results, const ReportPictures& pictures, c
     page.set("certificate", certificateLine(results.reference.certificate));
     page.set("reference_picture", pictures.reference);
     page.set("reference", referenceData(results.reference));
-    page.set("colors", paletteData());
+    page.set("colors", colorsData());
     page.set("style", std::string(pageStyle()));
     const bool interactive = !scripts.data.empty();
     page.set("interactive", interactive);

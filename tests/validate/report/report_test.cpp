@@ -35,7 +35,26 @@ TEST(Pictures, SrgbCodes) {
     EXPECT_EQ(srgbCode(kNanF), 0);
 }
 
-TEST(Pictures, SilhouetteColoursEachCase) {
+TEST(ColorAt, MeetsStopsAndIsStraightBetweenThem) {
+    const std::array<Rgb, 3> stops{{{0, 10, 20}, {100, 110, 120}, {200, 10, 255}}};
+    const ColorMap map{"map", 0, stops}, diverging{"diverging", -1, stops};
+    EXPECT_EQ(colorAt(map, 0), stops[0]);
+    EXPECT_EQ(colorAt(map, 0.25), (Rgb{50, 60, 70}));
+    EXPECT_EQ(colorAt(map, 0.5), stops[1]);
+    EXPECT_EQ(colorAt(map, 0.75), (Rgb{150, 60, 188})); // 187.5 away from zero
+    EXPECT_EQ(colorAt(map, 1), stops[2]);
+    for (const double x : {-1.0, -0.5, 0.0, 0.5, 1.0})
+        EXPECT_EQ(colorAt(diverging, x), colorAt(map, (x + 1) / 2)) << x;
+}
+
+TEST(ColorAt, BeyondTheEndsIsTheEnd) {
+    for (const ColorMap& map : colormap::all()) {
+        EXPECT_EQ(colorAt(map, map.low - 3), map.stops.front()) << map.name;
+        EXPECT_EQ(colorAt(map, 7), map.stops.back()) << map.name;
+    }
+}
+
+TEST(Pictures, SilhouetteColorsEachCase) {
     Frame reference = emptyFrame(5, 1), test = emptyFrame(5, 1);
     paintPixel(reference, 1, 0, 1, 2); // agree
     paintPixel(test, 1, 0, 1, 2);
@@ -59,16 +78,16 @@ TEST(Pictures, DepthErrorIsSymmetricAndSaturates) {
         paintPixel(test, x, 0, 1, depths[x]);
     const Picture picture =
         depthErrorPicture(FramePair(reference, test, {}), reference.channel("Z"), test.channel("Z"), 0.5);
-    EXPECT_EQ(pixelOf(picture, 0, 0), divergingColor(0));
-    EXPECT_EQ(pixelOf(picture, 1, 0), divergingColor(-1)); // nearer by the range
-    EXPECT_EQ(pixelOf(picture, 2, 0), divergingColor(1));
-    EXPECT_EQ(pixelOf(picture, 3, 0), divergingColor(1)); // beyond it
+    EXPECT_EQ(pixelOf(picture, 0, 0), colorAt(colormap::kDiverging, 0));
+    EXPECT_EQ(pixelOf(picture, 1, 0), colorAt(colormap::kDiverging, -1)); // nearer by the range
+    EXPECT_EQ(pixelOf(picture, 2, 0), colorAt(colormap::kDiverging, 1));
+    EXPECT_EQ(pixelOf(picture, 3, 0), colorAt(colormap::kDiverging, 1)); // beyond it
     EXPECT_EQ(pixelOf(picture, 4, 0), palette::kInvalid);
-    EXPECT_GT(divergingColor(-1)[2], divergingColor(-1)[0]); // too near is blue
-    EXPECT_GT(divergingColor(1)[0], divergingColor(1)[2]);   // too far is orange
+    EXPECT_GT(colorAt(colormap::kDiverging, -1)[2], colorAt(colormap::kDiverging, -1)[0]); // too near is blue
+    EXPECT_GT(colorAt(colormap::kDiverging, 1)[0], colorAt(colormap::kDiverging, 1)[2]); // too far is orange
 }
 
-TEST(Pictures, ShadowColoursEachCase) {
+TEST(Pictures, ShadowColorsEachCase) {
     Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
     paintRectangle(reference, 0, 0, 4, 1);
     paintRectangle(test, 0, 0, 4, 1);
@@ -93,19 +112,19 @@ TEST(Pictures, CurvatureIsRedWhereConvexBlueWhereConcaveGreenWhereLevel) {
         set(test, "curvature.a", x, 0, values[x]);
     }
     const Picture picture = curvaturePicture(test, "curvature.a", 0.5);
-    EXPECT_EQ(pixelOf(picture, 0, 0), curvatureColor(0));
-    EXPECT_EQ(pixelOf(picture, 1, 0), curvatureColor(1));
-    EXPECT_EQ(pixelOf(picture, 2, 0), curvatureColor(-1));
-    EXPECT_EQ(pixelOf(picture, 3, 0), curvatureColor(0.5)); // by magnitude
-    EXPECT_EQ(pixelOf(picture, 4, 0), curvatureColor(1));   // beyond the range
+    EXPECT_EQ(pixelOf(picture, 0, 0), colorAt(colormap::kCurvature, 0));
+    EXPECT_EQ(pixelOf(picture, 1, 0), colorAt(colormap::kCurvature, 1));
+    EXPECT_EQ(pixelOf(picture, 2, 0), colorAt(colormap::kCurvature, -1));
+    EXPECT_EQ(pixelOf(picture, 3, 0), colorAt(colormap::kCurvature, 0.5)); // by magnitude
+    EXPECT_EQ(pixelOf(picture, 4, 0), colorAt(colormap::kCurvature, 1));   // beyond the range
     EXPECT_EQ(pixelOf(picture, 5, 0), palette::kInvalid);
     EXPECT_EQ(pixelOf(picture, 11, 0), palette::kNothing);
     const auto strongest = [](const Rgb& color) {
         return std::max_element(color.begin(), color.end()) - color.begin();
     };
-    EXPECT_EQ(strongest(curvatureColor(1)), 0);
-    EXPECT_EQ(strongest(curvatureColor(0)), 1);
-    EXPECT_EQ(strongest(curvatureColor(-1)), 2);
+    EXPECT_EQ(strongest(colorAt(colormap::kCurvature, 1)), 0);
+    EXPECT_EQ(strongest(colorAt(colormap::kCurvature, 0)), 1);
+    EXPECT_EQ(strongest(colorAt(colormap::kCurvature, -1)), 2);
     // Ten finite values; nine of them within 0.5, whatever the tenth.
     EXPECT_EQ(curvatureRange(test, "curvature.a"), 0.5);
     EXPECT_EQ(curvatureRange(empty, "curvature.a"), 0);

@@ -70,11 +70,16 @@ export function framePixels(frameFile, channel, pixels) {
   return out.trim().split("\n").map((text) => (text === "inf" ? Infinity : Math.fround(Number(text))));
 }
 
-/** Of a technique's frame, as panes and the address name it. */
-export function frameId(report, technique) {
+/** What the program tells the page (page/src/data.ts). */
+export function reportDataOf(report) {
   const page = readFileSync(reportFile(report), "utf8");
   const [, json] = page.match(/<script type="application\/json" id="report-data">([^]*?)<\/script>/);
-  return JSON.parse(json).frames.find(({ kind, name }) => kind === "technique" && name === technique).id;
+  return JSON.parse(json);
+}
+
+/** Of a technique's frame, as panes and the address name it. */
+export function frameId(report, technique) {
+  return reportDataOf(report).frames.find(({ kind, name }) => kind === "technique" && name === technique).id;
 }
 
 export function resultsOf(name) {

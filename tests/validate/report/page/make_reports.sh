@@ -12,6 +12,11 @@ small=(small_torus --scene-set camera.width=200 --scene-set camera.height=150 --
 "$program" validate small_torus --scene-set camera.width=96 --scene-set camera.height=72 --rate 32 \
     --technique linear_binary --technique parallax_slope --single-file -o "$folder/single"
 
+# The same frames with every picture as PNG.
+"$program" validate small_torus --scene-set camera.width=96 --scene-set camera.height=72 --rate 64 \
+    --technique exact_cells@quadric -o "$folder/exact"
+"$program" compare "$folder"/exact/frames/{reference,exact_cells-on-quadric}.exr --plain-report -o "$folder/exact_plain"
+
 # A scene takes its name from its file, a technique from its folder.
 hostile="$folder/<img src=x onerror=alert('scene')>.toml"
 cp "$here/hostile.toml" "$hostile"

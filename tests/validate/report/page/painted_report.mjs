@@ -36,10 +36,14 @@ export const palette = {
   dark: "#515253",
   invalid: "#616263",
   unshared: "#717273",
+  uncertain_agrees: "#818283",
+  uncertain_differs: "#919293",
 };
 /** Blue where too near, white, orange where too far; of none of the program's own shades. */
 export const diverging = ["#000080", "#4040ff", "#ffffff", "#ffc040", "#804000"];
 export const sequential = ["#f0f0e0", "#808040", "#202000"];
+export const gray = ["#e0e0e0", "#404040"];
+const maps = { diverging: { low: -1, stops: diverging }, sequential: { low: 0, stops: sequential }, gray: { low: 0, stops: gray } };
 
 /** `frames`: entries with their `stored` layers. Removed after the test `t`. */
 export function writeReport(t, { width, height, frames, objects = [], techniques = [], change = () => {} }) {
@@ -57,9 +61,7 @@ export function writeReport(t, { width, height, frames, objects = [], techniques
     depth_range: { world: 0.5, note: "of the test" },
     failing: { of: 3, meaning: "of the test" },
     curves: { thresholds: [0.01, 0.1], named: [0.01], edges: [-0.1, 0, 0.1] },
-    palette,
-    diverging,
-    sequential,
+    colors: { palette, maps },
     shadow_threshold: 0.5,
   };
   change(data);

@@ -3,13 +3,11 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openReport, panesSettled } from "./browser.mjs";
 import { hex, kRgb, kWidth, painted, shownPixels } from "./painted_frames.mjs";
-import { diverging, palette, sequential } from "./painted_report.mjs";
+import { diverging, gray, palette, sequential } from "./painted_report.mjs";
 
-// Of the page's own.
-const kUncertainAgrees = "#96cdbc";
-const kUncertainDiffers = "#009e73";
 const [kNear, kNearMiddle, kZero, kFarMiddle, kFar] = diverging;
 const [kPale, kMedium, kDark] = sequential;
+const [kLightest, kDarkest] = gray;
 
 /** Sixteen times `otherwise`, but for the pixels listed by colour. */
 function picture(otherwise, ...exceptions) {
@@ -17,7 +15,7 @@ function picture(otherwise, ...exceptions) {
   for (const [color, ...at] of exceptions) for (const pixel of at) pixels[pixel] = color;
   return pixels;
 }
-const { nothing, agree, missing, extra, other, dark, invalid, unshared } = palette;
+const { nothing, agree, missing, extra, other, dark, invalid, unshared, uncertain_agrees, uncertain_differs } = palette;
 
 /** Pixels that no two frames' comparison reaches: nothing in both, then those where the objects differ. */
 const kUncompared = [
@@ -46,7 +44,7 @@ const kLayers = [
     what: "silhouette",
     frame: "t1",
     layer: "silhouette",
-    pixels: picture(agree, [nothing, 0], [missing, 2], [extra, 3], [other, 4], [kUncertainAgrees, 5, 7], [kUncertainDiffers, 6]),
+    pixels: picture(agree, [nothing, 0], [missing, 2], [extra, 3], [other, 4], [uncertain_agrees, 5, 7], [uncertain_differs, 6]),
     legend: [
       "nothing in both 1",
       "agree 9",
@@ -115,8 +113,8 @@ const kLayers = [
       [missing, 9, 15],
       [extra, 10, 14],
       [invalid, 11],
-      [kUncertainAgrees, 5, 12],
-      [kUncertainDiffers, 7, 13],
+      [uncertain_agrees, 5, 12],
+      [uncertain_differs, 7, 13],
     ),
     legend: [
       "nothing there 1",
@@ -163,7 +161,7 @@ const kLayers = [
     what: "depth of the reference", // light is near
     frame: "r",
     layer: "depth",
-    pixels: picture("#f0f0f0", [nothing, 0, 3], ["#303030", 2], ["#909090", 4]),
+    pixels: picture(kLightest, [nothing, 0, 3], [kDarkest, 2], ["#909090", 4]),
     legend: ["nothing there 2"],
     ends: ["2", "3 world units", "4"],
     read: { 2: "4 world units", 8: "2 world units" },

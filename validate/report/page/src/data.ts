@@ -81,15 +81,26 @@ export interface ReportData {
   failing: { of: number; meaning: string };
   /** In relief depths. `named`: the thresholds of the metrics badpix_…pct. */
   curves: { thresholds: number[]; named: number[]; edges: number[] };
-  /** Of the difference pictures, "#rrggbb": what a pixel is. */
-  palette: { [color in PaletteColor]: string };
-  /** Stops of the colour maps, equally apart, "#rrggbb": of signed errors from -1 to 1, of others from 0 to 1. */
-  diverging: [near: string, string, zero: string, string, far: string];
-  sequential: [string, string, string];
+  /** Of validate/report/colors.h, "#rrggbb": what a pixel is, and stops of the maps that values are coloured by. */
+  colors: {
+    palette: { [color in PaletteColor]: string };
+    maps: { [map in MapName]: { low: number; stops: string[] } };
+  };
   /** A shadow's value from here on is dark. */
   shadow_threshold: number;
 }
-export type PaletteColor = "nothing" | "agree" | "missing" | "extra" | "other" | "dark" | "invalid" | "unshared";
+export type PaletteColor =
+  | "nothing"
+  | "agree"
+  | "missing"
+  | "extra"
+  | "other"
+  | "dark"
+  | "invalid"
+  | "unshared"
+  | "uncertain_agrees"
+  | "uncertain_differs";
+export type MapName = "diverging" | "sequential" | "gray";
 
 /** What the reference says of itself: uncertain unless it plainly isn't (validate/metrics/frame_pair.h). */
 export function saysUncertain(value: number): boolean {

@@ -1,11 +1,10 @@
 // Below a picture: a colour bar with its ends, middle and unit and the controls of its range, or categories with their pixels.
-import { cssColor, type Colors } from "./colormaps";
+import { cssColor, type Colors } from "./colors";
 import { make, setText } from "./dom";
 import { significant, wholeNumber } from "./numbers";
-import { isRange, mappedColor, type Range } from "./paint";
+import { isRange, type Range } from "./paint";
 import type { Reading } from "./readings";
 
-const kStops = 17; // of the bar's gradient: the maps are straight between fewer
 /** The slider runs over so many decades each side of the range to begin with. */
 const kDecades = 2;
 const kStepsPerDecade = 50;
@@ -42,18 +41,19 @@ export class Legend {
   }
 
   private build(reading: Reading, usual: Range): void {
-    const isContinuous = reading.map !== "none" && reading.map !== "picture";
+    const map = reading.map === "none" || reading.map === "picture" ? undefined : this.colors.maps[reading.map];
     this.low = this.high = null;
-    this.element.replaceChildren(...(isContinuous ? [this.bar, this.ends, this.controls] : []), this.categories, this.note);
+    this.element.replaceChildren(...(map ? [this.bar, this.ends, this.controls] : []), this.categories, this.note);
     setText(this.note, reading.note ?? "");
-    if (!isContinuous) return;
+    if (!map) return;
+    this.bar.style.background = `linear-gradient(to right, ${map.stops.map(cssColor).join(", ")})`;
     const tell = () => {
       const high = this.high?.value ?? NaN;
       const low = reading.map === "diverging" ? -high : (this.low?.value ?? 0);
       if (isRange(reading.layer, low, high)) this.onRange([low, high]);
     };
     const where = `pane ${this.paneIndex + 1}`;
-    const linear = reading.map === "grey" ? usual : null;
+    const linear = reading.map === "gray" ? usual : null;
     if (linear) this.low = new RangeEnd("lightest at", where, usual[0], linear, tell);
     this.high = new RangeEnd(linear ? "darkest at" : "full colour at", where, usual[1], linear, tell);
     const reset = make("button", { type: "button", click: () => this.onRange(undefined), "aria-label": `Reset range, ${where}` }, "Reset");
@@ -62,8 +62,6 @@ export class Legend {
 
   private showRange(reading: Reading, range: Range): void {
     const [low, high] = range;
-    const colors = Array.from({ length: kStops }, (_, i) => mappedColor(this.colors, reading.map, low + ((high - low) * i) / (kStops - 1), range));
-    this.bar.style.background = `linear-gradient(to right, ${colors.map(cssColor).join(", ")})`;
     const sign = (value: number) => (reading.map === "diverging" && value > 0 ? "+" : "") + significant(value, 4);
     const words = reading.map === "diverging" ? [" too near", "", " too far"] : ["", "", ""];
     [sign(low) + words[0], `${sign((low + high) / 2)} ${reading.unit}`, sign(high) + words[2]].forEach((text, i) =>

@@ -1,5 +1,5 @@
 // Layers in colour.
-import type { Colors, Packed } from "./colormaps";
+import { colorAt, type Colors, type Packed } from "./colors";
 import type { ReportData } from "../data";
 import type { LayerKey } from "./layers";
 import { roundedUp } from "./numbers";
@@ -23,18 +23,17 @@ export function isRange(layer: LayerKey, low: number, high: number): boolean {
 }
 
 /** Colour of a value; NaN isn't given one. */
-export function mappedColor(colors: Colors, map: Reading["map"], value: number, [low, high]: Range): Packed {
+function colorOfValue({ palette, maps }: Colors, map: Reading["map"], value: number, [low, high]: Range): Packed {
   switch (map) {
     case "picture":
       return value;
-    case "diverging":
-      return colors.diverging(value / high);
-    case "sequential":
-      return colors.sequential((value - low) / (high - low));
-    case "grey":
-      return colors.grey((value - low) / (high - low));
     case "none":
-      return colors.palette.invalid;
+      return palette.invalid;
+    case "diverging":
+      return colorAt(maps[map], value / high);
+    case "sequential":
+    case "gray":
+      return colorAt(maps[map], (value - low) / (high - low));
   }
 }
 
@@ -48,7 +47,7 @@ export function paintLayer(colors: Colors, reading: Reading, range: Range, pixel
       pixels[pixel] = categoryColors[category];
       ++counts[category];
     } else {
-      pixels[pixel] = mappedColor(colors, reading.map, reading.valueAt(pixel), range);
+      pixels[pixel] = colorOfValue(colors, reading.map, reading.valueAt(pixel), range);
     }
   }
   return { pixels, counts };
@@ -66,7 +65,7 @@ function rangeOfValues(reading: Reading, pixelCount: number): Range {
   for (let pixel = 0; pixel < pixelCount; ++pixel) if (reading.categoryAt(pixel) < 0) values[count++] = reading.valueAt(pixel);
   const sorted = values.subarray(0, count).sort();
   if (count === 0) return [0, 1];
-  if (reading.map === "grey") return [sorted[0], sorted[count - 1]];
+  if (reading.map === "gray") return [sorted[0], sorted[count - 1]];
   return [0, roundedUp(sorted[Math.floor((count - 1) * (1 - kBeyondRange))])];
 }
 

@@ -2,7 +2,7 @@
 import type { ReportData } from "../data";
 import type { FrameData, FrameStore } from "../frame_store";
 import { frameById, frameLabel, referenceOf } from "../frames";
-import { colorsOf, type Colors } from "./colormaps";
+import { colorsOf, type Colors } from "./colors";
 import { make, setOptions, setText } from "./dom";
 import { layersOf, reasonAgainst } from "./layers";
 import { Legend } from "./legend";

@@ -1,8 +1,8 @@
 // A layer of a frame read pixel by pixel: each pixel has a value, or belongs to a category that says why it has none (of layers that
 // are categories altogether, every pixel does). Painting, legend, ranges and the read-out all go by this.
-import { saysUncertain, type LayerName, type ReportData } from "../data";
+import { saysUncertain, type LayerName, type MapName, type ReportData } from "../data";
 import type { FrameData, Layer } from "../frame_store";
-import { colorsOf, packColor, type Colors, type Packed } from "./colormaps";
+import { colorsOf, packColor, type Colors, type Packed } from "./colors";
 import type { LayerKey } from "./layers";
 
 export type DepthUnit = "world" | "relief";
@@ -16,8 +16,8 @@ export interface Category {
 
 export interface Reading {
   layer: LayerKey;
-  /** How a value becomes a colour. */
-  map: "none" | "diverging" | "sequential" | "grey" | "picture";
+  /** How a value becomes a colour; "picture": it is one, "none": there are no values. */
+  map: MapName | "picture" | "none";
   /** Of a value; "" of pictures and categories. */
   unit: string;
   /** A sentence for the legend. */
@@ -46,7 +46,7 @@ export function readLayer(report: ReportData, layer: LayerKey, frame: FrameData,
     case "iterations":
       return readCovered(palette, layer, "iterations", frame, "sequential");
     case "depth":
-      return readCovered(palette, layer, "world units", frame, "grey");
+      return readCovered(palette, layer, "world units", frame, "gray");
     case "failing":
       return readFailing(report, palette, frame);
     default:
@@ -91,8 +91,8 @@ function isUncertain(planes: readonly Layer[], pixel: number): boolean {
 function uncertainCategories(palette: Palette, planes: readonly Layer[]): Category[] {
   const always = planes.length > 0;
   return [
-    { label: "agree, reference uncertain", color: palette.uncertainAgrees, always },
-    { label: "differ, reference uncertain", color: palette.uncertainDiffers, always },
+    { label: "agree, reference uncertain", color: palette.uncertain_agrees, always },
+    { label: "differ, reference uncertain", color: palette.uncertain_differs, always },
   ];
 }
 
@@ -228,7 +228,7 @@ function readCovered(
   layer: "fetches" | "iterations" | "depth",
   unit: string,
   frame: FrameData,
-  map: "sequential" | "grey",
+  map: "sequential" | "gray",
 ): Reading {
   const id = plane(frame, "id");
   const values = plane(frame, layer);

@@ -1,7 +1,7 @@
 // The values of one pixel in every pane.
 import type { ReportData } from "../data";
 import type { FrameData } from "../frame_store";
-import { channelsOf, cssColor } from "./colormaps";
+import { channelsOf, cssColor } from "./colors";
 import { make, setText } from "./dom";
 import { shortestFloat, significant } from "./numbers";
 import type { Reading } from "./readings";
