@@ -1,6 +1,6 @@
 #include "reference/certify/certify.h"
 
-#include "reference/certify/edge_screen.h"
+#include "reference/certify/edge_pieces.h"
 #include "reference/certify/uncertain.h"
 #include "scenes/core/nearest_rank.h"
 

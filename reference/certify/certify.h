@@ -2,9 +2,9 @@
 #pragma once
 
 #include "reference/rates/rate.h"
-#include "reference/reference.h"
 #include "reference/trace/embree_scene.h"
 #include "reference/trace/render.h"
+#include "scenes/frame/certificate.h"
 #include "scenes/frame/frame.h"
 #include "scenes/scene/scene.h"
 

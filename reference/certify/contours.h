@@ -3,20 +3,13 @@
 // a contour passes.
 #pragma once
 
-#include "scenes/core/math.h"
+#include "reference/trace/screen.h"
 #include "scenes/surface/micro_mesh.h"
 
 #include <functional>
 #include <vector>
 
 namespace plumbline {
-
-/// Where a micro-mesh is looked at from.
-struct Viewpoint {
-    bool distant = false;
-    Vec3 place{0}; // world; if distant: unit direction towards the viewer
-    Vec3 towards(const Vec3& point) const { return distant ? place : place - point; }
-};
 
 struct ContourEdge {
     Vec3 a, b;         // world

@@ -1,6 +1,6 @@
 #include "reference/certify/uncertain.h"
 
-#include "reference/certify/edge_screen.h"
+#include "reference/certify/edge_pieces.h"
 #include "reference/trace/embree.h"
 
 #include <tbb/parallel_for.h>

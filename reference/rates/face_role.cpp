@@ -1,6 +1,6 @@
 #include "reference/rates/face_role.h"
 
-#include "reference/certify/edge_screen.h"
+#include "reference/trace/screen.h"
 #include "scenes/scene/camera.h"
 #include "scenes/surface/displaced_surface.h"
 

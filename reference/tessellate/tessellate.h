@@ -2,7 +2,7 @@
 #pragma once
 
 #include "reference/tessellate/lattice.h"
-#include "scenes/scene/scene.h"
+#include "scenes/scene/relief.h"
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/micro_mesh.h"
 

@@ -4,7 +4,7 @@
 
 #include "reference/tessellate/lattice.h"
 #include "reference/tessellate/map_deviation.h"
-#include "scenes/scene/scene.h"
+#include "scenes/scene/relief.h"
 #include "scenes/surface/base_surface.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // Whether the true surface turns one side to a viewer, or a light, all around a place.
 #pragma once
 
-#include "scenes/scene/scene.h"
+#include "scenes/scene/relief.h"
 #include "scenes/surface/base_surface.h"
 
 namespace plumbline {

@@ -3,7 +3,7 @@
 
 #include "reference/trace/patch_neighbours.h"
 #include "scenes/core/math.h"
-#include "scenes/scene/scene.h"
+#include "scenes/scene/relief.h"
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/displaced_surface.h"
 

@@ -117,7 +117,6 @@ Vec2 chooseTile(const ControlMesh& mesh, const SurfaceSurvey& survey, const Heig
 }
 
 int chooseProxyRate(const SurfaceSurvey& survey, Scheme scheme, std::string& reason) {
-    constexpr int kLargestRate = 64; // of scene files
     int rate = 1;
     if (scheme == Scheme::None || survey.flat) {
         reason = fmt::format("The polygons real-time techniques get: {}.",
@@ -126,7 +125,7 @@ int chooseProxyRate(const SurfaceSurvey& survey, Scheme scheme, std::string& rea
     }
     rate = std::clamp(
         static_cast<int>(std::ceil(std::sqrt(kProxyPolygons / static_cast<double>(survey.patchCount)))), 1,
-        kLargestRate);
+        kMostProxyRate);
     reason =
         fmt::format("Segments per edge of the polygons real-time techniques get: about {} polygons in all.",
                     survey.patchCount * rate * rate);

@@ -36,10 +36,4 @@ struct SceneDraft {
 /// no tile given.
 SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const DraftWishes& wishes);
 
-/// The scene file of a draft. `meshFile`, `mapFile`: as the file is to name them, relative to its folder.
-/// `storesHeight`: what the map's values are. Throws InputError for a path that isn't UTF-8, as a TOML file
-/// must be.
-std::string sceneText(const SceneDraft& draft, const std::filesystem::path& meshFile,
-                      const std::filesystem::path& mapFile, const HeightMap& map, bool storesHeight);
-
 } // namespace plumbline

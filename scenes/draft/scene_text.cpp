@@ -1,6 +1,6 @@
-// The scene file of a draft: values with their reasons as comments.
+#include "scenes/draft/scene_text.h"
+
 #include "scenes/core/error.h"
-#include "scenes/draft/scene_draft.h"
 #include "scenes/toml/toml_tree.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "scenes/maps/generate_map.h"
 
 #include "scenes/core/error.h"
+#include "scenes/maps/generate_stone.h"
 #include "scenes/maps/map_texels.h"
 
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// The generated maps `cobbles` and `noise`.
+#include "scenes/maps/generate_stone.h"
+
 #include "scenes/maps/map_texels.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Height maps and colour maps from pictures (image_file.h reads the pixels).
 #pragma once
 
+#include "scenes/maps/color_map.h"
 #include "scenes/maps/height_map.h"
-#include "scenes/scene/scene.h"
 
 #include <filesystem>
 

@@ -68,8 +68,4 @@ inline void stretchToFullRange(std::vector<float>& texels) {
         texel = static_cast<float>((texel - least) / range);
 }
 
-// The kinds that need more than a formula.
-std::vector<float> cobbleTexels(int size, unsigned seed);
-std::vector<float> noiseTexels(int size, unsigned seed);
-
 } // namespace plumbline

@@ -2,10 +2,11 @@
 // World space: right-handed, Y up, world units.
 #pragma once
 
-#include "scenes/maps/height_map.h"
+#include "scenes/maps/color_map.h"
 #include "scenes/mesh/control_mesh.h"
 #include "scenes/scene/camera.h"
 #include "scenes/scene/light.h"
+#include "scenes/scene/relief.h"
 
 #include <filesystem>
 #include <memory>
@@ -15,35 +16,9 @@
 
 namespace plumbline {
 
-/// Linear RGB picture, row 0 = bottom, sampled bilinearly with repeat at st, like the relief.
-struct ColorMap {
-    std::string name;
-    int width = 0, height = 0;
-    std::vector<float> rgb; // width x height x 3, linear
-
-    Vec3 sample(const Vec2& st) const;
-};
-
 /// What the relief stands on: the limit surface of the control mesh, or the polygon proxy that real-time
 /// techniques are given (proxy_mesh.h).
 enum class Base { Limit, Proxy };
-
-/// Faces that meet in an edge may disagree about its displacement, where texture coordinates jump or a crease
-/// has two normals. Weld: the mean of both, the surface stays closed. Open: each face keeps its own, the
-/// surface gapes.
-enum class Seams { Weld, Open };
-
-/// P = S + k * (offset - depth * d(st)), st = tile * uv + uvOffset, k the surface's unit normal n(u,v) or one
-/// axis for all of it.
-struct Relief {
-    std::shared_ptr<const HeightMap> map; // never null; `constant` in the file becomes a 1x1 map
-    double depth = 0;                     // world units, >= 0
-    double offset = 0;                    // world units
-    Vec2 tile{1, 1};
-    Vec2 uvOffset{0, 0};
-    Seams seams = Seams::Weld;
-    std::optional<Vec3> axisWorld{}; // k, unit; none: along the normal
-};
 
 struct SceneObject {
     std::string name;

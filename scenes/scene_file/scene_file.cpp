@@ -85,7 +85,8 @@ class SceneReader {
         std::set<std::string> names;
         const std::vector<TomlTable> tables = root_.tables("light");
         if (tables.size() > kMostLights)
-            tables[kMostLights].fail({}, fmt::format("is one of {} lights", tables.size()), "at most 16");
+            tables[kMostLights].fail({}, fmt::format("is one of {} lights", tables.size()),
+                                     fmt::format("at most {}", kMostLights));
         for (const TomlTable& table : tables) {
             Light light;
             light.name = table.name(names);
@@ -149,7 +150,7 @@ class SceneReader {
             table.fail("stores", "is \"height\"", "\"depth\" or nothing: generated maps are depths");
         const TomlTable generate = table.table("generate");
         const std::string kind = generate.choice("kind", generatedMapKinds());
-        const int size = generate.integer("size", 1, 16384, 256);
+        const int size = generate.integer("size", 1, kMostGeneratedTexels, 256);
         const int seed = generate.integer("seed", 0, std::numeric_limits<int>::max(), 1);
         generate.finish();
         try {
@@ -163,7 +164,8 @@ class SceneReader {
         const std::vector<TomlTable> tables = root_.tables("object");
         if (tables.empty()) root_.fail("object", "is missing", "at least one [[object]]");
         if (tables.size() > kMostObjects)
-            tables[kMostObjects].fail({}, fmt::format("is one of {} objects", tables.size()), "at most 4096");
+            tables[kMostObjects].fail({}, fmt::format("is one of {} objects", tables.size()),
+                                      fmt::format("at most {}", kMostObjects));
         std::set<std::string> names;
         for (const TomlTable& table : tables) {
             SceneObject object;
@@ -185,7 +187,7 @@ class SceneReader {
         object.scheme = scheme == "loop"   ? Scheme::Loop
                         : scheme == "none" ? Scheme::None
                                            : Scheme::CatmullClark;
-        object.proxyRate = table.integer("proxy_rate", 1, 64, 1);
+        object.proxyRate = table.integer("proxy_rate", 1, kMostProxyRate, 1);
         if (table.has("mesh") == table.has("shape"))
             table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has no surface", "mesh or shape");
         object.mesh = table.has("mesh") ? readObj(readPath(table, "mesh")) : readShape(table.table("shape"));

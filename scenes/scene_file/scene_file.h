@@ -2,6 +2,7 @@
 #pragma once
 
 #include "scenes/scene/scene.h"
+#include "scenes/scene_file/scene_library.h"
 
 #include <filesystem>
 
@@ -21,16 +22,5 @@ Scene parseScene(const std::filesystem::path& file, const std::string& text);
 /// One height map of a scene, by the name it has there. Throws InputError: what readScene refuses, or a name
 /// that lists those there are.
 std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name);
-
-/// A path as it is, or the name of a scene in scenes/library/. Throws InputError that lists the names.
-std::filesystem::path findScene(const std::string& nameOrPath);
-
-/// Names and purposes of the scenes in scenes/library/, sorted.
-struct LibraryScene {
-    std::string name;
-    std::string purpose;
-    std::filesystem::path file;
-};
-std::vector<LibraryScene> libraryScenes();
 
 } // namespace plumbline

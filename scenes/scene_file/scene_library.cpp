@@ -1,7 +1,8 @@
+#include "scenes/scene_file/scene_library.h"
+
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
-#include "scenes/scene_file/scene_file.h"
 #include "scenes/toml/toml_table.h"
 
 #include <fmt/format.h>

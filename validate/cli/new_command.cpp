@@ -1,6 +1,6 @@
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
-#include "scenes/draft/scene_draft.h"
+#include "scenes/draft/scene_text.h"
 #include "scenes/maps/map_file.h"
 #include "scenes/mesh/obj_file.h"
 #include "scenes/scene_file/scene_file.h"

@@ -4,9 +4,13 @@
 #include "scenes/mesh/control_mesh.h"
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace plumbline {
+
+/// "shape 'torus'": where an error about a shape is.
+std::string whereOfShape(std::string_view shape);
 
 /// Throws InputError "shape 'torus': minor = -1; expected a positive number" unless value is positive and
 /// finite.

@@ -13,46 +13,6 @@ namespace plumbline {
 
 namespace {
 
-std::string whereOfShape(std::string_view shape) {
-    return fmt::format("shape '{}'", shape);
-}
-
-} // namespace
-
-void requirePositive(std::string_view shape, std::string_view parameter, double value) {
-    if (!(value > 0) || !std::isfinite(value))
-        throw InputError(whereOfShape(shape), fmt::format("{} = {}", parameter, value),
-                         "a positive, finite number");
-}
-
-void requireFinite(std::string_view shape, std::string_view parameter, double value) {
-    if (!std::isfinite(value))
-        throw InputError(whereOfShape(shape), fmt::format("{} = {}", parameter, value), "a finite number");
-}
-
-void requireSegments(std::string_view shape, std::string_view parameter, int value, int fewest, int most) {
-    if (value < fewest || value > most)
-        throw InputError(whereOfShape(shape), fmt::format("{} = {}", parameter, value),
-                         fmt::format("a whole number from {} to {}", fewest, most));
-}
-
-void requireFaces(std::string_view shape, int64_t faces) {
-    if (faces > kMostShapeFaces)
-        throw InputError(whereOfShape(shape), fmt::format("{} faces", faces),
-                         fmt::format("at most {}", kMostShapeFaces),
-                         "a control mesh is coarse; the reference subdivides it as far as the relief needs");
-}
-
-int appendUvLattice(ControlMesh& mesh, int columns, int rows, const Vec2& low, const Vec2& high) {
-    const int first = static_cast<int>(mesh.uvs.size());
-    for (int j = 0; j <= rows; ++j)
-        for (int i = 0; i <= columns; ++i)
-            mesh.uvs.push_back(low + (high - low) * Vec2(double(i) / columns, double(j) / rows));
-    return first;
-}
-
-namespace {
-
 /// One lattice of vertices with one of uvs, closed in the directions said. `position(i, j)` for the distinct
 /// vertices.
 template <typename Position>

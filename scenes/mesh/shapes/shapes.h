@@ -12,6 +12,7 @@
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
+#include "scenes/mesh/shapes/teapot.h"
 
 #include <array>
 #include <string>
@@ -21,7 +22,6 @@ namespace plumbline {
 
 inline constexpr int kMostShapeSegments = 4096; // along one direction
 inline constexpr int kMostShapeFaces = 1 << 18; // a cage is coarse: finer detail is the tessellator's part
-inline constexpr int kMostTeapotSegments = 64;  // along a patch
 
 /// A plane in the xz plane facing +Y, centred; uv (0,0) at (-x, +z), so that seen from above it isn't
 /// mirrored. Segments >= 1.
@@ -50,18 +50,5 @@ ControlMesh makeTorus(double major, double minor, int segmentsMajor, int segment
 /// bottom: continuing the front). Normals are the faces', so that `scheme = "none"` keeps hard edges.
 /// Segments >= 1.
 ControlMesh makeBox(const Vec3& size, int segments);
-
-/// The classic teapot (Newell 1975): its 32 bicubic Bezier patches meshed with `segments` quads a side,
-/// coincident vertices joined, so that limits lie on the patches at every vertex; y up, standing on y = 0,
-/// spout towards +x, about 3.15 high. Spout and handle run into the body without a joint, as in the data; the
-/// spout's mouth and the gap under the lid are open. Charts, u around
-/// and v along by arc length: body [0,4] x [0,1] upwards, bottom [0,4] x [0,1] outwards, lid [0,2] x [0,1]
-/// upwards, handle [0,1] x [0,2], spout [0,1] x [0,1]: whole numbers, so that maps close, and units of about
-/// one length, so that stones are about as large everywhere. Segments in [2, kMostTeapotSegments] (at 1 a
-/// tube of two faces is no manifold; at 64 the poles have 256 neighbours, and a limit surface takes 512).
-ControlMesh makeTeapot(int segments);
-
-/// Bezier patches of the teapot as they are in the data, z up: 16 control points each, row by row. For tests.
-std::vector<std::array<Vec3, 16>> teapotPatches();
 
 } // namespace plumbline

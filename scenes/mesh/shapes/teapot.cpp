@@ -1,11 +1,7 @@
-// The teapot of Martin Newell (University of Utah, 1975): 32 bicubic Bezier patches. The numbers are the
-// published data set (Crow: The Origins of the Teapot, IEEE CG&A 7(1), 1987; the lid and bottom as in the
-// version everybody uses since, scaled down in height by 1.3), rewritten as rings of control points, which
-// holds every symmetry: body, lid and bottom are profiles turned about the z axis, handle and spout are half
-// sections mirrored at y = 0.
+#include "scenes/mesh/shapes/teapot.h"
+
 #include "scenes/mesh/shapes/limit_points.h"
 #include "scenes/mesh/shapes/shape_parts.h"
-#include "scenes/mesh/shapes/shapes.h"
 
 #include <cmath>
 #include <map>

@@ -1,5 +1,5 @@
 // Scenes drafted for meshes nobody has looked at: what they show, and that their files say so.
-#include "scenes/draft/scene_draft.h"
+#include "scenes/draft/scene_text.h"
 #include "scenes/mesh/obj_file.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/displaced_surface.h"

@@ -1,14 +1,18 @@
-// Contour edges on a screen: which of the screen's points lie within an edge's error of it.
+// What a camera or a light has before it: a plane in units of its own ("pixels") that world points are
+// projected onto. World space, world units.
 #pragma once
 
-#include "reference/certify/contours.h"
+#include "scenes/core/math.h"
 #include "scenes/scene/camera.h"
-#include "scenes/scene/light.h"
-
-#include <optional>
-#include <vector>
 
 namespace plumbline {
+
+/// Where a surface is looked at from.
+struct Viewpoint {
+    bool distant = false;
+    Vec3 place{0}; // world; if distant: unit direction towards the viewer
+    Vec3 towards(const Vec3& point) const { return distant ? place : place - point; }
+};
 
 /// A plane in front of a viewer, in units of its own ("pixels").
 class Screen {
@@ -36,26 +40,5 @@ class Screen {
     double scale_ = 1; // pixels per world unit, at depth 1 if perspective
     Vec2 centre_{0};
 };
-
-/// A short straight piece of a contour edge, on a screen.
-struct EdgePiece {
-    Vec3 a, b;    // projected
-    Vec3 third;   // projected; the side where the micro-triangle is
-    double reach; // pixels: how far the true contour may be
-    double errorWorld;
-    Vec3 middle() const { return 0.5 * (a + b); }
-    /// Nearest point of the piece, in pixels; z by interpolation.
-    Vec3 nearest(const Vec2& pixel) const;
-    /// Beside the middle by a little: towards the micro-triangle, and away from it.
-    Vec3 justInside() const;
-    Vec3 justOutside() const { return outside(0); }
-    /// Farther out, by a share of the reach.
-    Vec3 outside(double ofReach) const;
-};
-
-/// Pieces of an edge that are short against their reach and a pixel; none where it isn't in front of the
-/// viewer. `largest`: no reach is above this.
-void forEachPiece(const Screen& screen, const ContourEdge& edge, double largestReach,
-                  const std::function<void(const EdgePiece&)>& visit);
 
 } // namespace plumbline
