@@ -1,0 +1,123 @@
+// The layout's rule, checked on the text of the tree: scenes/ holds what reference/ and realtime/ agree on,
+// those two never include each other, and within each the folders build on one another in one order.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace plumbline {
+namespace {
+
+/// What the files of a folder may include beside those of that folder: folders with all below them, or single
+/// headers. Rows above only, so that no two folders include each other. A file belongs to the longest name
+/// that holds it.
+struct Folder {
+    std::string_view name;
+    std::vector<std::string_view> mayInclude;
+};
+
+const std::vector<Folder>& folders() {
+    static const std::vector<Folder> table{
+        {"scenes/core", {}},
+        {"scenes/toml", {"scenes/core"}},
+        {"scenes/image", {"scenes/core"}},
+        {"scenes/mesh", {"scenes/core"}},
+        {"scenes/maps", {"scenes/core", "scenes/image"}},
+        {"scenes/scene", {"scenes/core", "scenes/maps", "scenes/mesh"}},
+        {"scenes/surface", {"scenes/core", "scenes/maps", "scenes/mesh", "scenes/scene"}},
+        {"scenes/scene_file",
+         {"scenes/core", "scenes/toml", "scenes/maps", "scenes/mesh", "scenes/scene", "scenes/surface"}},
+        {"scenes/draft", {"scenes/core", "scenes/toml", "scenes/scene", "scenes/surface"}},
+        {"scenes/frame", {"scenes/core", "scenes/image", "scenes/scene"}},
+        {"reference/tessellate", {"scenes"}},
+        {"reference/export", {"scenes"}},
+        {"reference/trace", {"scenes", "reference/tessellate"}},
+        {"reference/rates", {"scenes", "reference/tessellate", "reference/trace"}},
+        {"reference/certify", {"scenes", "reference/tessellate", "reference/trace", "reference/rates"}},
+        {"reference", {"scenes"}},
+        {"realtime", {"scenes"}},
+        {"validate", {"scenes", "reference", "realtime"}},
+    };
+    return table;
+}
+
+bool isWithin(std::string_view path, std::string_view folder) {
+    return path == folder || (path.starts_with(folder) && path[folder.size()] == '/');
+}
+
+const Folder* folderOf(std::string_view path) {
+    const Folder* longest = nullptr;
+    for (const Folder& folder : folders())
+        if (isWithin(path, folder.name) && (!longest || folder.name.size() > longest->name.size()))
+            longest = &folder;
+    return longest;
+}
+
+bool mayInclude(const Folder& folder, std::string_view header) {
+    return isWithin(header, folder.name) ||
+           std::ranges::any_of(folder.mayInclude,
+                               [&](std::string_view name) { return isWithin(header, name); });
+}
+
+/// The path in `#include "PATH"`; empty for any other line.
+std::string_view includedBy(std::string_view line) {
+    constexpr std::string_view kInclude = "#include \"";
+    if (!line.starts_with(kInclude)) return {};
+    line.remove_prefix(kInclude.size());
+    return line.substr(0, line.find('"'));
+}
+
+std::vector<std::string> offencesIn(const std::filesystem::path& root, const std::filesystem::path& file) {
+    std::vector<std::string> offences;
+    const std::string path = file.lexically_relative(root).generic_string();
+    const Folder* folder = folderOf(path);
+    std::ifstream stream(file);
+    std::string line;
+    for (int number = 1; std::getline(stream, line); ++number) {
+        const std::string_view header = includedBy(line);
+        if (!header.empty() && !mayInclude(*folder, header))
+            offences.push_back(fmt::format("{}:{}: includes {}; {} may include itself, {}", path, number,
+                                           header, folder->name, fmt::join(folder->mayInclude, ", ")));
+    }
+    return offences;
+}
+
+TEST(IncludeOrder, HoldsInEveryFile) {
+    const std::filesystem::path root = PLUMBLINE_SOURCE_DIR;
+    std::vector<std::string> offences;
+    size_t files = 0;
+    for (const char* module : {"scenes", "reference", "realtime", "validate"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / module)) {
+            const std::string extension = entry.path().extension().string();
+            if (extension != ".h" && extension != ".cpp") continue;
+            ++files;
+            const std::vector<std::string> found = offencesIn(root, entry.path());
+            offences.insert(offences.end(), found.begin(), found.end());
+        }
+    std::ranges::sort(offences);
+    EXPECT_TRUE(offences.empty()) << fmt::format("{}", fmt::join(offences, "\n"));
+    EXPECT_GT(files, 100u); // the tree was found
+}
+
+/// Whether a row's files are among those a name stands for, or it is the row of the header named.
+bool covers(std::string_view name, const Folder& row) {
+    return isWithin(row.name, name) || folderOf(name) == &row;
+}
+
+TEST(IncludeOrder, TableNamesOnlyFoldersAbove) {
+    for (size_t row = 0; row < folders().size(); ++row)
+        for (const std::string_view name : folders()[row].mayInclude)
+            for (size_t below = row; below < folders().size(); ++below)
+                EXPECT_FALSE(covers(name, folders()[below]))
+                    << folders()[row].name << " names " << name << ", which isn't above it";
+}
+
+} // namespace
+} // namespace plumbline
