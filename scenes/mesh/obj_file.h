@@ -1,5 +1,5 @@
-// Wavefront OBJ through tinyobjloader: polygons kept, uv and normal indices of their own;
-// subdivision tags through obj_tags.h.
+// Wavefront OBJ in one pass over its text: polygons kept, uv and normal indices of their own; subdivision
+// tags through obj_tags.h. No library for it knows the lines that errors name.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
