@@ -29,19 +29,26 @@ for (const [what, options] of Object.entries({
     assert.deepEqual(await seriousFindings(page), []);
   });
 
-test("axe does find a button without a name", async (t) => {
+test("button without a name: axe-core finds it", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   await page.evaluate(() => document.body.append(document.createElement("button")));
-  assert.equal((await seriousFindings(page)).filter((finding) => finding.startsWith("button-name")).length, 1);
+  assert.equal(
+    (await seriousFindings(page)).filter((finding) => finding.startsWith("button-name")).length,
+    1,
+  );
 });
 
 for (const width of [390, 1280])
-  test(`nothing sticks out at ${width} pixels, targets are 24 pixels high`, async (t) => {
+  test(`${width} pixels wide: nothing overflows, targets are 24 pixels high`, async (t) => {
     const { page } = await openReport(t, reportFile("torus"), { width });
     await panesSettled(page);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
-    const small = await page.locator("button:visible, select:visible").evaluateAll((controls) =>
-      controls.filter((control) => control.getBoundingClientRect().height < 24).map((control) => control.outerHTML.slice(0, 120)),
-    );
+    const small = await page
+      .locator("button:visible, select:visible")
+      .evaluateAll((controls) =>
+        controls
+          .filter((control) => control.getBoundingClientRect().height < 24)
+          .map((control) => control.outerHTML.slice(0, 120)),
+      );
     assert.deepEqual(small, []);
   });

@@ -1,4 +1,4 @@
-// What the page's tests share: a browser, pages that keep account of what they did, and the values of frames.
+// Shared by the page's tests: a browser, pages that record what they did, and the values of frames.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { after } from "node:test";
@@ -24,11 +24,17 @@ async function startedBrowser() {
 after(() => browser?.close());
 
 /**
- * A page with `file` open and loaded. `account` lists what a report must not do: errors, dialogs, requests beyond its folder.
- * Closes with the test `t`.
+ * A page with `file` open and loaded. `account` lists what a report must not do: errors, dialogs, requests
+ * outside its folder. Closes with the test `t`.
  */
-export async function openReport(t, file, { hash = "", width = 1280, height = 900, colorScheme = "light" } = {}) {
-  const context = await (await startedBrowser()).newContext({ viewport: { width, height }, colorScheme, acceptDownloads: true });
+export async function openReport(
+  t,
+  file,
+  { hash = "", width = 1280, height = 900, colorScheme = "light" } = {},
+) {
+  const context = await (
+    await startedBrowser()
+  ).newContext({ viewport: { width, height }, colorScheme, acceptDownloads: true });
   t.after(() => context.close());
   const page = await context.newPage();
   const account = { errors: [], dialogs: [], requests: [] };
@@ -53,24 +59,32 @@ export async function openReport(t, file, { hash = "", width = 1280, height = 90
 export async function panesSettled(page) {
   await page.waitForFunction(() => {
     const panes = [...document.querySelectorAll(".pane:not([hidden])")];
-    return panes.length > 0 && panes.every((pane) => pane.dataset.state === "ready" || pane.dataset.state === "error");
+    return (
+      panes.length > 0 &&
+      panes.every((pane) => pane.dataset.state === "ready" || pane.dataset.state === "error")
+    );
   });
   // The picture is drawn in the next frame.
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
-/** Writes of the page's state to the address are held back a little. */
+/** The page writes its state to the address with a delay. */
 export async function addressHolds(page, text) {
   await page.waitForFunction((wanted) => decodeURIComponent(location.hash).includes(wanted), text);
 }
 
 /** Floats of a frame's channel at pixels [[x, y], …], read by Plumbline's own reader. */
 export function framePixels(frameFile, channel, pixels) {
-  const out = execFileSync(FRAME_PIXEL, [frameFile, channel, ...pixels.flat().map(String)], { encoding: "utf8" });
-  return out.trim().split("\n").map((text) => (text === "inf" ? Infinity : Math.fround(Number(text))));
+  const out = execFileSync(FRAME_PIXEL, [frameFile, channel, ...pixels.flat().map(String)], {
+    encoding: "utf8",
+  });
+  return out
+    .trim()
+    .split("\n")
+    .map((text) => (text === "inf" ? Infinity : Math.fround(Number(text))));
 }
 
-/** What the program tells the page (page/src/data.ts). */
+/** The data that the program hands to the page (page/src/data.ts). */
 export function reportDataOf(report) {
   const page = readFileSync(reportFile(report), "utf8");
   const [, json] = page.match(/<script type="application\/json" id="report-data">([^]*?)<\/script>/);

@@ -27,7 +27,10 @@ async function pngPixels(page, ending) {
     canvas.getContext("2d").drawImage(image, 0, 0);
     const codes = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
     const two = (code) => code.toString(16).padStart(2, "0");
-    return Array.from({ length: codes.length / 4 }, (_, i) => `#${two(codes[4 * i])}${two(codes[4 * i + 1])}${two(codes[4 * i + 2])}`);
+    return Array.from(
+      { length: codes.length / 4 },
+      (_, i) => `#${two(codes[4 * i])}${two(codes[4 * i + 1])}${two(codes[4 * i + 2])}`,
+    );
   }, data);
 }
 
@@ -46,13 +49,17 @@ for (const { layer, ending, leastColors, leastApart = 0 } of [
 ])
   test(`${layer}: the canvas agrees with the PNG picture, code for code`, async (t) => {
     const range = layer === "iterations" ? `&range.iterations=0,${kMostIterations}` : "";
-    const { page } = await openReport(t, reportFile(kReport), { hash: `#n=1&f1=${technique.id}&l1=${layer}${range}` });
+    const { page } = await openReport(t, reportFile(kReport), {
+      hash: `#n=1&f1=${technique.id}&l1=${layer}${range}`,
+    });
     await panesSettled(page);
     const [canvas, png] = [await shownPixels(page), await pngPixels(page, ending)];
     const apart = canvas.filter((color) => kApart[color]).length;
     assert.ok(new Set(canvas).size >= leastColors, `${new Set(canvas).size} colours`);
     assert.ok(apart >= leastApart && apart < 0.25 * canvas.length, `${apart} pixels apart`);
-    const wrong = canvas.flatMap((color, at) => ((kApart[color] ?? [color]).includes(png[at]) ? [] : [`${at}: ${color}, PNG ${png[at]}`]));
+    const wrong = canvas.flatMap((color, at) =>
+      (kApart[color] ?? [color]).includes(png[at]) ? [] : [`${at}: ${color}, PNG ${png[at]}`],
+    );
     assert.deepEqual(wrong, []);
     assert.equal(png.length, canvas.length);
   });

@@ -1,4 +1,5 @@
-// The report opens from disk, quietly: no error, no request beyond its folder, nothing run that came as text.
+// The report opens from disk without errors and without requests outside its folder, and runs nothing that
+// came as text.
 import assert from "node:assert/strict";
 import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -19,7 +20,7 @@ function expectQuiet({ errors, dialogs, requests }) {
   assert.deepEqual(requests, []);
 }
 
-test("opens from disk without an error and without a request beyond its folder", async (t) => {
+test("report on disk: opens without errors and without requests outside its folder", async (t) => {
   const { page, account } = await openReport(t, reportFile("torus"));
   await panesSettled(page);
   assert.equal(await page.locator(".pane[data-state=error]").count(), 0);
@@ -29,29 +30,37 @@ test("opens from disk without an error and without a request beyond its folder",
   t.diagnostic(`first picture after ${ms} ms`);
 });
 
-test("an account of a page that does misbehave isn't empty", async (t) => {
+test("page that misbehaves: is recorded", async (t) => {
   const file = join(temporaryFolder(t), "index.html");
-  writeFileSync(file, "<img src='http://127.0.0.1:9/x'><img src='../beside.png'><script>alert(1); console.error(2); fail()</script>");
+  writeFileSync(
+    file,
+    "<img src='http://127.0.0.1:9/x'><img src='../beside.png'><script>alert(1); console.error(2); fail()</script>",
+  );
   const { page, account } = await openReport(t, file);
   await page.waitForTimeout(100);
   assert.ok(account.errors.length >= 2);
   assert.deepEqual(account.dialogs, ["1"]);
-  assert.deepEqual(account.requests, ["http://127.0.0.1:9/x", pathToFileURL(join(file, "../../beside.png")).href]);
+  assert.deepEqual(account.requests, [
+    "http://127.0.0.1:9/x",
+    pathToFileURL(join(file, "../../beside.png")).href,
+  ]);
 });
 
-test("a single file opens anywhere", async (t) => {
+test("single file: opens in another folder", async (t) => {
   const folder = temporaryFolder(t);
   copyFileSync(reportFile("single"), join(folder, "moved.html"));
   const { page, account } = await openReport(t, join(folder, "moved.html"));
   await panesSettled(page);
   assert.equal(await page.locator(".pane[data-state=error]").count(), 0);
   assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);
-  const broken = await page.evaluate(() => [...document.images].filter((image) => image.complete && image.naturalWidth === 0).length);
+  const broken = await page.evaluate(
+    () => [...document.images].filter((image) => image.complete && image.naturalWidth === 0).length,
+  );
   assert.equal(broken, 0);
   expectQuiet(account);
 });
 
-test("text that looks like markup is shown and never run", async (t) => {
+test("text that looks like markup: is shown, not run", async (t) => {
   const { page, account } = await openReport(t, reportFile("hostile"));
   await panesSettled(page);
   const { scene, techniques } = resultsOf("hostile");
@@ -68,24 +77,37 @@ test("text that looks like markup is shown and never run", async (t) => {
     scripts: [...document.scripts].filter((script) => script.text.startsWith("alert")).length,
   }));
   assert.deepEqual(made, { images: 0, scripts: 0 });
-  assert.ok(await page.locator("#plots").innerText().then((text) => text.includes(hostile)));
+  assert.ok(
+    await page
+      .locator("#plots")
+      .innerText()
+      .then((text) => text.includes(hostile)),
+  );
   expectQuiet(account);
 });
 
-test("a missing or damaged frame is told of in its pane, the rest works", async (t) => {
+test("missing or damaged frame: its pane says so, the rest works", async (t) => {
   const { page: whole } = await openReport(t, reportFile("torus"));
-  const files = await whole.evaluate(() => JSON.parse(document.getElementById("report-data").textContent).frames.map(({ file }) => file));
+  const files = await whole.evaluate(() =>
+    JSON.parse(document.getElementById("report-data").textContent).frames.map(({ file }) => file),
+  );
   const folder = join(temporaryFolder(t), "report");
   mkdirSync(folder);
   cpSync(join(reportFile("torus"), ".."), folder, { recursive: true });
   const technique = files[files.findIndex((file) => file.includes("linear_binary"))];
-  for (const damage of [(file) => rmSync(file), (file) => writeFileSync(file, "plumblineFrame("), (file) => writeFileSync(file, "")]) {
+  for (const damage of [
+    (file) => rmSync(file),
+    (file) => writeFileSync(file, "plumblineFrame("),
+    (file) => writeFileSync(file, ""),
+  ]) {
     damage(join(folder, technique));
     const { page } = await openReport(t, join(folder, "index.html"));
     await panesSettled(page);
     const panes = page.locator(".pane:not([hidden])");
     assert.equal(await panes.first().getAttribute("data-state"), "ready"); // the reference
-    const failed = page.locator(`.pane:not([hidden])[data-frame='${frameId("torus", "linear_binary")}'][data-state=error]`);
+    const failed = page.locator(
+      `.pane:not([hidden])[data-frame='${frameId("torus", "linear_binary")}'][data-state=error]`,
+    );
     assert.ok((await failed.count()) > 0);
     assert.ok((await failed.first().innerText()).includes(technique));
     assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);

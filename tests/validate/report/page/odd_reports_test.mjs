@@ -1,19 +1,37 @@
-// Reports with frames missing or named alike, and addresses that ask for what can't be.
+// Reports with missing frames or equal names, and addresses with values that can't be shown.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openReport, panesSettled } from "./browser.mjs";
-import { hex, kObjects, kReference, kSummary, kTechnique, kWidth, painted, shownPixels } from "./painted_frames.mjs";
+import {
+  hex,
+  kObjects,
+  kReference,
+  kSummary,
+  kTechnique,
+  kWidth,
+  painted,
+  shownPixels,
+} from "./painted_frames.mjs";
 import { colors } from "./painted_report.mjs";
 
-test("names that frames share don't mix them up", async (t) => {
+test("frames of equal names: are told apart", async (t) => {
   const namesakes = ["reference", "all techniques"].map((name, i) => ({
     ...kTechnique,
     id: `t${i + 1}`,
     name,
     stored: { ...kTechnique.stored, color: colors(Array(16).fill([i + 1, 0, 0])) },
   }));
-  const techniques = namesakes.map(({ name }) => ({ name, parameters: {}, gl: {}, error: null, silhouette: { iou: 0.5 } }));
-  const { page } = await openReport(t, painted(t, { frames: [kReference, ...namesakes, kSummary], techniques }));
+  const techniques = namesakes.map(({ name }) => ({
+    name,
+    parameters: {},
+    gl: {},
+    error: null,
+    silhouette: { iou: 0.5 },
+  }));
+  const { page } = await openReport(
+    t,
+    painted(t, { frames: [kReference, ...namesakes, kSummary], techniques }),
+  );
   for (const [index, { name }] of namesakes.entries()) {
     await page.getByRole("button", { name: `View ${name}` }).click();
     await panesSettled(page);
@@ -22,7 +40,9 @@ test("names that frames share don't mix them up", async (t) => {
       ["r", `t${index + 1}`, `t${index + 1}`, `t${index + 1}`],
     );
     const second = page.locator(".pane canvas").nth(1);
-    const [red] = await second.evaluate((canvas) => [...canvas.getContext("2d").getImageData(0, 0, 1, 1).data]);
+    const [red] = await second.evaluate((canvas) => [
+      ...canvas.getContext("2d").getImageData(0, 0, 1, 1).data,
+    ]);
     assert.equal(red, index + 1);
   }
   const labels = await page.getByLabel("Pane 1: frame").locator("option").allInnerTexts();
@@ -36,10 +56,16 @@ const kTwoRows = [
 
 for (const { what, frames, text, panes } of [
   { what: "without a frame", frames: [], text: "There are no frames to view.", panes: 0 },
-  { what: "of the reference alone", frames: [kReference], text: "No technique drew a frame", panes: 1 },
+  { what: "with the reference alone", frames: [kReference], text: "No technique drew a frame", panes: 1 },
 ])
-  test(`a report ${what} says so, sorts and plots`, async (t) => {
-    const techniques = kTwoRows.map((row, i) => ({ ...row, parameters: {}, gl: {}, error: null, cost: { fetches_mean: 5 + i } }));
+  test(`report ${what}: says so, sorts and plots`, async (t) => {
+    const techniques = kTwoRows.map((row, i) => ({
+      ...row,
+      parameters: {},
+      gl: {},
+      error: null,
+      cost: { fetches_mean: 5 + i },
+    }));
     const metrics = [
       { key: "silhouette.iou", label: "IoU", unit: "", meaning: "", better: "high" },
       { key: "cost.fetches_mean", label: "look-ups", unit: "1", meaning: "", better: "low" },
@@ -50,23 +76,44 @@ for (const { what, frames, text, panes } of [
     assert.equal(await page.locator(".pane:not([hidden])").count(), panes);
     if (panes > 0) await panesSettled(page);
     await page.getByRole("button", { name: "IoU" }).click();
-    assert.deepEqual(await page.locator("#techniques tbody tr").evaluateAll((rows) => rows.map(({ dataset }) => dataset.technique)), ["second", "first"]);
+    assert.deepEqual(
+      await page
+        .locator("#techniques tbody tr")
+        .evaluateAll((rows) => rows.map(({ dataset }) => dataset.technique)),
+      ["second", "first"],
+    );
     assert.deepEqual(await page.locator("#plots .front button").allInnerTexts(), ["first", "second"]);
     assert.equal(await page.locator("#plots svg[aria-label]").count(), 1);
     assert.deepEqual(account.errors, []);
   });
 
-test("relief depths are offered only where one is known", async (t) => {
+test("unknown relief depths: aren't offered as a unit", async (t) => {
   const objects = kObjects.map((object) => ({ ...object, relief_depth: null }));
-  const { page } = await openReport(t, painted(t, { objects }), { hash: "#n=1&f1=t1&l1=depth_error&unit=relief" });
+  const { page } = await openReport(t, painted(t, { objects }), {
+    hash: "#n=1&f1=t1&l1=depth_error&unit=relief",
+  });
   await panesSettled(page);
   assert.equal(await page.getByLabel("Depth errors in").inputValue(), "world");
   assert.match(await page.locator(".viewer-note").innerText(), /unit=relief/);
-  assert.ok(await page.getByLabel("Depth errors in").locator("option[value=relief]").evaluate((option) => option.disabled));
+  assert.ok(
+    await page
+      .getByLabel("Depth errors in")
+      .locator("option[value=relief]")
+      .evaluate((option) => option.disabled),
+  );
 });
 
-test("an address with numbers that can't be is told of and left at the usual", async (t) => {
-  const refused = ["zoom=,,", "pixel=,", "wipe=", "range.fetches=-5,-1", "range.fetches=5,10", "range.depth=-2,0", "range.depth_error=,", "f1=nobody"];
+test("address with impossible numbers: is reported, defaults are used", async (t) => {
+  const refused = [
+    "zoom=,,",
+    "pixel=,",
+    "wipe=",
+    "range.fetches=-5,-1",
+    "range.fetches=5,10",
+    "range.depth=-2,0",
+    "range.depth_error=,",
+    "f1=nobody",
+  ];
   const file = painted(t);
   for (const each of refused) {
     const { page, account } = await openReport(t, file, { hash: `#n=1&${each}` });
@@ -79,11 +126,15 @@ test("an address with numbers that can't be is told of and left at the usual", a
   }
 });
 
-test("a zoom closer than the closest is held to it, at any size", async (t) => {
+test("zoom beyond the closest: is clamped, at any size", async (t) => {
   const { page } = await openReport(t, painted(t), { hash: "#n=1&zoom=1e300,2,2" });
   await panesSettled(page);
   const scale = async () => Number(await page.locator(".pane").first().getAttribute("data-scale"));
-  const width = () => page.locator(".pane-view").first().evaluate((view) => view.clientWidth);
+  const width = () =>
+    page
+      .locator(".pane-view")
+      .first()
+      .evaluate((view) => view.clientWidth);
   const perPixel = async () => ((await scale()) * (await width())) / kWidth;
   const usable = async () => assert.ok((await scale()) <= 8 || (await perPixel()) <= 97, `${await scale()}`);
   await usable();
@@ -92,7 +143,7 @@ test("a zoom closer than the closest is held to it, at any size", async (t) => {
   await usable();
 });
 
-test("what isn't the viewer's in the address leaves the viewer alone", async (t) => {
+test("other keys of the address: leave the viewer unchanged", async (t) => {
   const { page } = await openReport(t, painted(t), { hash: "#n=1&f1=nobody" });
   await panesSettled(page);
   const note = await page.locator(".viewer-note").innerText();
@@ -105,9 +156,11 @@ test("what isn't the viewer's in the address leaves the viewer alone", async (t)
   assert.equal(await page.locator(".viewer-note").innerText(), "untouched");
 });
 
-test("where a frame can't be loaded the picture before it goes", async (t) => {
+test("frame that can't be loaded: the earlier picture disappears", async (t) => {
   const broken = { ...kTechnique, id: "t2", name: "broken", file: "data/missing.js" };
-  const { page } = await openReport(t, painted(t, { frames: [kReference, kTechnique, broken] }), { hash: "#n=1&f1=t1&l1=color" });
+  const { page } = await openReport(t, painted(t, { frames: [kReference, kTechnique, broken] }), {
+    hash: "#n=1&f1=t1&l1=color",
+  });
   await panesSettled(page);
   assert.equal((await shownPixels(page))[7], "#1523f8");
   await page.getByLabel("Pane 1: frame").selectOption("t2");
@@ -115,14 +168,16 @@ test("where a frame can't be loaded the picture before it goes", async (t) => {
   assert.deepEqual(await shownPixels(page), Array(16).fill(""));
 });
 
-test("frames out of sight are forgotten, and come back when they are asked for", async (t) => {
+test("frames out of sight: are forgotten, and loaded again on demand", async (t) => {
   const many = Array.from({ length: 12 }, (_, i) => ({
     ...kTechnique,
     id: `t${i + 1}`,
     name: `technique ${i + 1}`,
     stored: { ...kTechnique.stored, color: colors(Array(16).fill([i + 1, 0, 0])) },
   }));
-  const { page } = await openReport(t, painted(t, { frames: [kReference, ...many] }), { hash: "#n=1&f1=r&l1=color" });
+  const { page } = await openReport(t, painted(t, { frames: [kReference, ...many] }), {
+    hash: "#n=1&f1=r&l1=color",
+  });
   const loads = new Map();
   page.on("request", (request) => {
     const name = request.url().split("/").at(-1);
@@ -130,7 +185,10 @@ test("frames out of sight are forgotten, and come back when they are asked for",
   });
   const look = async (i) => {
     await page.getByLabel("Pane 1: frame").selectOption(`t${i}`);
-    await page.waitForFunction((id) => document.querySelector(`.pane[data-frame="${id}"][data-state="ready"]`), `t${i}`);
+    await page.waitForFunction(
+      (id) => document.querySelector(`.pane[data-frame="${id}"][data-state="ready"]`),
+      `t${i}`,
+    );
     await panesSettled(page);
     assert.equal((await shownPixels(page))[0], hex(i, 0, 0));
   };

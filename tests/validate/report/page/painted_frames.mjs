@@ -5,22 +5,39 @@ export const kWidth = 4;
 export const kHeight = 4;
 const kNone8 = 255;
 const kNone16 = 65535;
-// Pixels 0 nothing, 2 missing, 3 extra, 4 another object, 5 and 7 uncertain but alike (7: the plane says "none"), 6 uncertain and
-// missing; all others alike.
-const kTrueIds = [0, 1, 1, 0, 1, 1, 1, 1, 3, 2, 1, 1, 1, 1, 1, 1];
+// Pixels 0 nothing, 2 missing, 3 extra, 4 another object, 5 and 7 uncertain but equal (7: the plane says
+// "none"), 6 uncertain and missing; all others equal.
+const kReferenceIds = [0, 1, 1, 0, 1, 1, 1, 1, 3, 2, 1, 1, 1, 1, 1, 1];
 const kIds = [0, 1, 0, 1, 2, 1, 0, 1, 3, 2, 1, 1, 1, 1, 1, 1];
 const kUncertain = [0, 0, 0, 0, 0, 1, 1, kNone8, 0, 0, 0, 0, 0, 0, 0, 0];
 // Errors, world units: 1 -0.125, 5 +0.5, 7 -0.5, 8 +0.25, 9 +0.125, 10 none, 11 +0.0625; no other.
-const kTrueDepth = [NaN, 2, 4, NaN, 3, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2];
+const kReferenceDepth = [NaN, 2, 4, NaN, 3, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2];
 const kDepth = [NaN, 1.875, NaN, 2, 2, 2.5, NaN, 1.5, 2.25, 2.125, NaN, 2.0625, 2, 2, 2, 2];
-// 1 lit, 8 dark, 9 and 15 false light, 10 and 14 false shadow, 11 none, of the rest 5 and 12 alike, 7 and 13 not: 5 and 7 are
-// uncertain as a whole, 12 and 13 in this light; 14 and 15 are about the threshold.
-const kTrueSun = [0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0.25, 0.5];
+// 1 lit, 8 dark, 9 and 15 false light, 10 and 14 false shadow, 11 none, of the rest 5 and 12 alike, 7 and 13
+// not: 5 and 7 are uncertain as a whole, 12 and 13 in this light; 14 and 15 are about the threshold.
+const kReferenceSun = [0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 0, 0, 1, 0, 0.25, 0.5];
 const kSun = [0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, NaN, 1, 1, 0.5, 0.49];
 const kUncertainSun = [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0];
 export const kRgb = Array.from({ length: 16 }, (_, i) => [3 * i, 5 * i, 255 - i]);
 /** In 256ths of a degree: 1 and 11 0, 8 45, 9 90 degrees, 10 none, else 22.5 where both show the same. */
-const kAngles = [kNone16, 0, kNone16, kNone16, kNone16, 5760, kNone16, 5760, 11520, 23040, kNone16, 0, 5760, 5760, 5760, 5760];
+const kAngles = [
+  kNone16,
+  0,
+  kNone16,
+  kNone16,
+  kNone16,
+  5760,
+  kNone16,
+  5760,
+  11520,
+  23040,
+  kNone16,
+  0,
+  5760,
+  5760,
+  5760,
+  5760,
+];
 const kFetches = [0, 0, 0, 10, 20, 20, 0, 20, 40, kNone8, 20, 20, 20, 20, 20, 20];
 const kIterations = [0, 0, 0, 300, 600, 600, 0, 600, 600, 600, 600, 600, 600, 600, 600, 600];
 const kFailing = [0, 1, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0];
@@ -31,9 +48,9 @@ export const kReference = {
   kind: "reference",
   stored: {
     color: colors(kRgb.map(([r, g, b]) => [b, r, g])),
-    id: bytes(kTrueIds, { has_none: true }),
-    depth: floats(kTrueDepth),
-    "shadow.sun": floats(kTrueSun),
+    id: bytes(kReferenceIds, { has_none: true }),
+    depth: floats(kReferenceDepth),
+    "shadow.sun": floats(kReferenceSun),
     uncertain: bytes(kUncertain, { has_none: true }),
     "uncertain.shadow.sun": bytes(kUncertainSun, { has_none: true }),
   },
@@ -52,7 +69,12 @@ export const kTechnique = {
     iterations: words(kIterations),
   },
 };
-export const kSummary = { id: "s", name: "all techniques", kind: "summary", stored: { failing: bytes(kFailing, { has_none: true }) } };
+export const kSummary = {
+  id: "s",
+  name: "all techniques",
+  kind: "summary",
+  stored: { failing: bytes(kFailing, { has_none: true }) },
+};
 export const kObjects = [
   { id: 1, name: "stone", relief_depth: 0.25 },
   { id: 2, name: "ball", relief_depth: null },
@@ -60,11 +82,17 @@ export const kObjects = [
 ];
 /** A report of these; `more` as writeReport() takes it. */
 export const painted = (t, more = {}) =>
-  writeReport(t, { width: kWidth, height: kHeight, frames: [kReference, kTechnique, kSummary], objects: kObjects, ...more });
+  writeReport(t, {
+    width: kWidth,
+    height: kHeight,
+    frames: [kReference, kTechnique, kSummary],
+    objects: kObjects,
+    ...more,
+  });
 
 export const hex = (...rgb) => `#${rgb.map((code) => code.toString(16).padStart(2, "0")).join("")}`;
 
-/** Colours of the first pane's canvas; "" where it is transparent. */
+/** "#rrggbb" of the first pane's canvas; "" where it is transparent. */
 export const shownPixels = (page) =>
   page
     .locator(".pane canvas")

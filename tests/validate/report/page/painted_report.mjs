@@ -7,7 +7,10 @@ import { reportFile } from "./browser.mjs";
 
 const kSizes = { u8: 1, u16: 2, f32: 4 };
 
-/** Bytes of equal weight side by side, the most significant first, each the difference to the one before; zlib; base64. */
+/**
+ * Bytes of equal weight side by side, the most significant first, each the difference to the one before;
+ * zlib; base64.
+ */
 function packed(type, values) {
   const size = kSizes[type];
   const bytes = Buffer.alloc(size * values.length);
@@ -21,11 +24,28 @@ function packed(type, values) {
   return deflateSync(bytes).toString("base64");
 }
 
-export const bytes = (values, more = {}) => ({ type: "u8", components: 1, data: packed("u8", values), ...more });
-export const words = (values, more = {}) => ({ type: "u16", components: 1, data: packed("u16", values), ...more });
+export const bytes = (values, more = {}) => ({
+  type: "u8",
+  components: 1,
+  data: packed("u8", values),
+  ...more,
+});
+export const words = (values, more = {}) => ({
+  type: "u16",
+  components: 1,
+  data: packed("u16", values),
+  ...more,
+});
 export const floats = (values) => ({ type: "f32", components: 1, data: packed("f32", values) });
 /** Of [r, g, b] each. */
-export const colors = (pixels) => ({ type: "u8", components: 3, data: packed("u8", [0, 1, 2].flatMap((c) => pixels.map((rgb) => rgb[c]))) });
+export const colors = (pixels) => ({
+  type: "u8",
+  components: 3,
+  data: packed(
+    "u8",
+    [0, 1, 2].flatMap((c) => pixels.map((rgb) => rgb[c])),
+  ),
+});
 
 export const palette = {
   nothing: "#010203",
@@ -43,7 +63,11 @@ export const palette = {
 export const diverging = ["#000080", "#4040ff", "#ffffff", "#ffc040", "#804000"];
 export const sequential = ["#f0f0e0", "#808040", "#202000"];
 export const gray = ["#e0e0e0", "#404040"];
-const maps = { diverging: { low: -1, stops: diverging }, sequential: { low: 0, stops: sequential }, gray: { low: 0, stops: gray } };
+const maps = {
+  diverging: { low: -1, stops: diverging },
+  sequential: { low: 0, stops: sequential },
+  gray: { low: 0, stops: gray },
+};
 
 /** `frames`: entries with their `stored` layers. Removed after the test `t`. */
 export function writeReport(t, { width, height, frames, objects = [], techniques = [], change = () => {} }) {
@@ -54,9 +78,19 @@ export function writeReport(t, { width, height, frames, objects = [], techniques
     schema: 1,
     width,
     height,
-    results: { schema: 1, program: "test", base: null, scene: { name: "painted", purpose: "", hash: "", width, height }, techniques },
+    results: {
+      schema: 1,
+      program: "test",
+      base: null,
+      scene: { name: "painted", purpose: "", hash: "", width, height },
+      techniques,
+    },
     metrics: [],
-    frames: frames.map(({ stored, ...entry }) => ({ file: `data/${entry.id}.js`, layers: Object.keys(stored), ...entry })),
+    frames: frames.map(({ stored, ...entry }) => ({
+      file: `data/${entry.id}.js`,
+      layers: Object.keys(stored),
+      ...entry,
+    })),
     objects,
     depth_range: { world: 0.5, note: "of the test" },
     failing: { of: 3, meaning: "of the test" },
@@ -66,7 +100,10 @@ export function writeReport(t, { width, height, frames, objects = [], techniques
   };
   change(data);
   for (const { id, stored } of frames)
-    writeFileSync(join(folder, `data/${id}.js`), `plumblineFrame(${JSON.stringify(`data/${id}.js`)},${JSON.stringify(stored)});\n`);
+    writeFileSync(
+      join(folder, `data/${id}.js`),
+      `plumblineFrame(${JSON.stringify(`data/${id}.js`)},${JSON.stringify(stored)});\n`,
+    );
   const built = reportFile("torus"); // for its script and style
   writeFileSync(join(folder, "report.js"), readFileSync(join(built, "../report.js")));
   const [style] = readFileSync(built, "utf8").match(/<style>[^]*?<\/style>/);
@@ -75,8 +112,13 @@ export function writeReport(t, { width, height, frames, objects = [], techniques
     `<!DOCTYPE html><html lang="en"><head><meta charset="utf-8"><title>painted</title><script src="report.js" defer></script>${style}</head>
 <body><main><section id="techniques"><div class="wide"><table><thead><tr><th data-key="name">technique</th><th data-key="silhouette.iou" data-better="high">IoU</th></tr></thead>
 <tbody>${techniques
-      .map(({ name, silhouette }) => `<tr data-technique="${name}"><th>${name}</th><td data-value="${silhouette.iou}">${silhouette.iou}</td></tr>`)
-      .join("\n")}</tbody></table></div></section><section id="viewer" aria-label="Pictures"></section><section id="plots"></section></main>
+      .map(
+        ({ name, silhouette }) =>
+          `<tr data-technique="${name}"><th>${name}</th><td data-value="${silhouette.iou}">${silhouette.iou}</td></tr>`,
+      )
+      .join(
+        "\n",
+      )}</tbody></table></div></section><section id="viewer" aria-label="Pictures"></section><section id="plots"></section></main>
 <script type="application/json" id="report-data">${JSON.stringify(data).replaceAll("<", "\\u003c")}</script></body></html>\n`,
   );
   return join(folder, "index.html");

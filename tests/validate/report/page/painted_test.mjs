@@ -1,4 +1,5 @@
-// Every layer of the viewer against pixels painted by hand: its picture, its legend and its read-out, pixel by pixel.
+// Every layer of the viewer compared with pixels painted by hand: picture, legend and read-out, pixel by
+// pixel.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { openReport, panesSettled } from "./browser.mjs";
@@ -15,7 +16,18 @@ function picture(otherwise, ...exceptions) {
   for (const [color, ...at] of exceptions) for (const pixel of at) pixels[pixel] = color;
   return pixels;
 }
-const { nothing, agree, missing, extra, other, dark, invalid, unshared, uncertain_agrees, uncertain_differs } = palette;
+const {
+  nothing,
+  agree,
+  missing,
+  extra,
+  other,
+  dark,
+  invalid,
+  unshared,
+  uncertain_agrees,
+  uncertain_differs,
+} = palette;
 
 /** Pixels that no two frames' comparison reaches: nothing in both, then those where the objects differ. */
 const kUncompared = [
@@ -44,7 +56,15 @@ const kLayers = [
     what: "silhouette",
     frame: "t1",
     layer: "silhouette",
-    pixels: picture(agree, [nothing, 0], [missing, 2], [extra, 3], [other, 4], [uncertain_agrees, 5, 7], [uncertain_differs, 6]),
+    pixels: picture(
+      agree,
+      [nothing, 0],
+      [missing, 2],
+      [extra, 3],
+      [other, 4],
+      [uncertain_agrees, 5, 7],
+      [uncertain_differs, 6],
+    ),
     legend: [
       "nothing in both 1",
       "agree 9",
@@ -54,8 +74,14 @@ const kLayers = [
       "agree, reference uncertain 2",
       "differ, reference uncertain 1",
     ],
-    note: /all objects, pixels that the reference isn't sure of apart\. The table counts .* as missing or extra/,
-    read: { 0: "nothing in both", 2: "missing", 3: "extra", 4: "another object", 6: "differ, reference uncertain" },
+    note: /^These counts cover all objects.* counts them as missing or extra .* another object as missing/,
+    read: {
+      0: "nothing in both",
+      2: "missing",
+      3: "extra",
+      4: "another object",
+      6: "differ, reference uncertain",
+    },
   },
   {
     what: "depth error in world units", // full colour at 0.5
@@ -100,7 +126,11 @@ const kLayers = [
     ),
     legend: ["nothing there 1", "not the same object in both 4", "not a finite number 1", "no relief 1"],
     ends: ["-1 too near", "0 relief depths", "+1 too far"],
-    read: { 1: "-0.125 world units · -0.5 relief depths", 9: "no relief", 11: "0.0625 world units · 0.25 relief depths" },
+    read: {
+      1: "-0.125 world units · -0.5 relief depths",
+      9: "no relief",
+      11: "0.0625 world units · 0.25 relief depths",
+    },
   },
   {
     what: "shadow",
@@ -127,8 +157,14 @@ const kLayers = [
       "agree, reference uncertain 2",
       "differ, reference uncertain 2",
     ],
-    note: /all objects, pixels that the reference isn't sure of apart\. The table counts .* as right or wrong/,
-    read: { 1: "lit in both", 8: "dark in both", 9: "false light", 14: "false shadow", 7: "differ, reference uncertain" },
+    note: /^These counts cover all objects.* counts them as right or wrong/,
+    read: {
+      1: "lit in both",
+      8: "dark in both",
+      9: "false light",
+      14: "false shadow",
+      7: "differ, reference uncertain",
+    },
   },
   {
     what: "normal angle", // of ten angles the 99th percentile is 45
@@ -193,7 +229,9 @@ async function readAt(page, pixel) {
 
 for (const { what, frame, layer, unit, pixels, legend, note, ends, read } of kLayers)
   test(`${what}: picture, legend and read-out`, async (t) => {
-    const { page, account } = await openReport(t, painted(t), { hash: `#n=1&f1=${frame}&l1=${layer}${unit ? `&unit=${unit}` : ""}` });
+    const { page, account } = await openReport(t, painted(t), {
+      hash: `#n=1&f1=${frame}&l1=${layer}${unit ? `&unit=${unit}` : ""}`,
+    });
     await panesSettled(page);
     assert.equal(await page.locator(".pane").first().getAttribute("data-layer"), layer);
     assert.deepEqual(await shownPixels(page), pixels);
@@ -201,6 +239,7 @@ for (const { what, frame, layer, unit, pixels, legend, note, ends, read } of kLa
     assert.deepEqual(await pane.locator(".categories li").allInnerTexts(), legend);
     if (note) assert.match(await pane.locator(".legend-note").innerText(), note);
     assert.deepEqual(await pane.locator(".bar-ends span").allInnerTexts(), ends ?? []);
-    for (const [pixel, text] of Object.entries(read)) assert.equal(await readAt(page, Number(pixel)), text, `pixel ${pixel}`);
+    for (const [pixel, text] of Object.entries(read))
+      assert.equal(await readAt(page, Number(pixel)), text, `pixel ${pixel}`);
     assert.deepEqual(account.errors, []);
   });

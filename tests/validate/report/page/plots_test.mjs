@@ -1,4 +1,5 @@
-// The plots: the front against its definition, the curves against the results, choices in the address, files that stand alone.
+// The plots: the front equals its definition, curves pass through the results, choices are in the address,
+// saved files are self-contained.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -7,9 +8,10 @@ import { test } from "node:test";
 import { addressHolds, frameId, openReport, reportFile, resultsOf } from "./browser.mjs";
 
 const frontShown = (page) => page.locator("#plots .front button").allInnerTexts();
-const notOnFront = async (page) => ((await page.locator("#plots .left-out").count()) ? page.locator("#plots .left-out").innerText() : "");
+const notOnFront = async (page) =>
+  (await page.locator("#plots .left-out").count()) ? page.locator("#plots .left-out").innerText() : "";
 
-/** By the definition: nobody else is as good in both and better in one. */
+/** By the definition: no other is at least as good in both and better in one. */
 function frontByDefinition(points) {
   const asGood = (a, b) => a.cost <= b.cost && a.merit >= b.merit;
   const better = (a, b) => a.cost < b.cost || a.merit > b.merit;
@@ -51,7 +53,7 @@ function techniquesAt(data, points) {
   });
 }
 
-test("the front of the real results is that of the definition, for qualities high and low", async (t) => {
+test("front of real results: equals the definition, for metrics of either direction", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   const competing = resultsOf("torus").techniques.filter(({ control }) => !control);
   const qualities = {
@@ -64,13 +66,17 @@ test("the front of the real results is that of the definition, for qualities hig
     for (const cost of ["cost.fetches_mean", "cost.ms_median"]) {
       await page.getByLabel("Quality", { exact: true }).selectOption(key);
       await page.getByLabel("Cost", { exact: true }).selectOption(cost);
-      const points = competing.map((each) => ({ name: each.name, cost: each.cost[cost.slice("cost.".length)], merit: merit(each) }));
+      const points = competing.map((each) => ({
+        name: each.name,
+        cost: each.cost[cost.slice("cost.".length)],
+        merit: merit(each),
+      }));
       assert.deepEqual((await frontShown(page)).sort(), frontByDefinition(points), `${key} over ${cost}`);
     }
   assert.match(await notOnFront(page), /micro_triangles is a control/);
 });
 
-test("ties stay on the front together; a bias counts by its size", async (t) => {
+test("front with ties: keeps them all; a bias counts by its magnitude", async (t) => {
   const points = [
     { name: "tie 1", cost: 10, quality: 0.5, bias: -0.1 },
     { name: "tie 2", cost: 10, quality: 0.5, bias: 0.1 },
@@ -79,7 +85,10 @@ test("ties stay on the front together; a bias counts by its size", async (t) => 
     { name: "dearest, best", cost: 20, quality: 0.9, bias: 0.01 },
     { name: "cheapest, worst", cost: 1, quality: 0.1, bias: -0.9 },
   ];
-  const { page } = await openReport(t, changedReport(t, (data) => techniquesAt(data, points)));
+  const { page } = await openReport(
+    t,
+    changedReport(t, (data) => techniquesAt(data, points)),
+  );
   const wanted = ["cheapest, worst", "dearest, best", "tie 1", "tie 2"];
   assert.deepEqual((await frontShown(page)).sort(), wanted);
   await page.getByLabel("Quality", { exact: true }).selectOption("depth.bias_relief");
@@ -88,12 +97,19 @@ test("ties stay on the front together; a bias counts by its size", async (t) => 
   assert.deepEqual(await frontShown(page), ["cheapest, worst"]);
 });
 
-test("random points: the front is that of the definition", async (t) => {
+test("front of random points: equals the definition", async (t) => {
   let seed = 7;
   const random = (count) => (seed = (seed * 48271) % 2147483647) % count; // coarse: many ties
   for (let round = 0; round < 5; ++round) {
-    const points = Array.from({ length: 40 }, (_, index) => ({ name: `t${index}`, cost: 1 + random(12), quality: random(10) / 10 }));
-    const { page } = await openReport(t, changedReport(t, (data) => techniquesAt(data, points)));
+    const points = Array.from({ length: 40 }, (_, index) => ({
+      name: `t${index}`,
+      cost: 1 + random(12),
+      quality: random(10) / 10,
+    }));
+    const { page } = await openReport(
+      t,
+      changedReport(t, (data) => techniquesAt(data, points)),
+    );
     assert.deepEqual(
       (await frontShown(page)).sort(),
       frontByDefinition(points.map(({ name, cost, quality }) => ({ name, cost, merit: quality }))),
@@ -101,12 +117,13 @@ test("random points: the front is that of the definition", async (t) => {
   }
 });
 
-test("who has no look-ups isn't on the front and is named with the reason", async (t) => {
+test("technique without look-ups: listed as left out, with the reason", async (t) => {
   const file = changedReport(t, (data) => {
     const [first, second] = data.results.techniques;
     delete first.cost.fetches_mean;
     first.cost.absent = { fetches_mean: "the shader counts none" };
-    for (const key of Object.keys(second)) if (!["name", "parameters", "gl"].includes(key)) delete second[key];
+    for (const key of Object.keys(second))
+      if (!["name", "parameters", "gl"].includes(key)) delete second[key];
     second.error = "it doesn't compile";
   });
   const { page, account } = await openReport(t, file);
@@ -116,10 +133,11 @@ test("who has no look-ups isn't on the front and is named with the reason", asyn
   assert.deepEqual(account.errors, []);
 });
 
-test("a report without a figure says so instead of drawing", async (t) => {
+test("report without figures: a sentence instead of plots", async (t) => {
   const file = changedReport(t, (data) => {
     for (const technique of data.results.techniques)
-      for (const group of ["silhouette", "depth", "shadow", "normal", "st", "image", "cost"]) delete technique[group];
+      for (const group of ["silhouette", "depth", "shadow", "normal", "st", "image", "cost"])
+        delete technique[group];
     for (const frame of data.frames) {
       delete frame.badpix;
       delete frame.histogram;
@@ -131,51 +149,91 @@ test("a report without a figure says so instead of drawing", async (t) => {
   assert.deepEqual(account.errors, []);
 });
 
-test("names on the plot lie apart, inside of it", async (t) => {
-  const points = Array.from({ length: 12 }, (_, index) => ({ name: `technique_number_${index}@quadric`, cost: 10 + index / 4, quality: 0.9 + index / 500 }));
+test("names in the plot: inside of it, none covers another", async (t) => {
+  const points = Array.from({ length: 12 }, (_, index) => ({
+    name: `technique_number_${index}@quadric`,
+    cost: 10 + index / 4,
+    quality: 0.9 + index / 500,
+  }));
   for (const width of [390, 1280]) {
-    const { page } = await openReport(t, changedReport(t, (data) => techniquesAt(data, points)), { width });
-    const { boxes, frame } = await page.locator("#plots svg").first().evaluate((svg) => {
-      const box = (element) => (({ left, top, right, bottom }) => ({ left, top, right, bottom }))(element.getBoundingClientRect());
-      return { boxes: [...svg.querySelectorAll("text[paint-order]")].map(box), frame: box(svg) };
-    });
+    const { page } = await openReport(
+      t,
+      changedReport(t, (data) => techniquesAt(data, points)),
+      { width },
+    );
+    const { boxes, frame } = await page
+      .locator("#plots svg")
+      .first()
+      .evaluate((svg) => {
+        const box = (element) =>
+          (({ left, top, right, bottom }) => ({ left, top, right, bottom }))(element.getBoundingClientRect());
+        return { boxes: [...svg.querySelectorAll("text[paint-order]")].map(box), frame: box(svg) };
+      });
     assert.ok(boxes.length >= 6, `${boxes.length} names at ${width} pixels`);
     const slack = 1; // glyphs may hang over their line by a pixel
     for (const [i, a] of boxes.entries()) {
-      assert.ok(a.left >= frame.left - slack && a.right <= frame.right + slack && a.top >= frame.top - slack && a.bottom <= frame.bottom + slack);
+      assert.ok(
+        a.left >= frame.left - slack &&
+          a.right <= frame.right + slack &&
+          a.top >= frame.top - slack &&
+          a.bottom <= frame.bottom + slack,
+      );
       for (const b of boxes.slice(i + 1))
-        assert.ok(a.right <= b.left + slack || b.right <= a.left + slack || a.bottom <= b.top + slack || b.bottom <= a.top + slack);
+        assert.ok(
+          a.right <= b.left + slack ||
+            b.right <= a.left + slack ||
+            a.bottom <= b.top + slack ||
+            b.bottom <= a.top + slack,
+        );
     }
   }
 });
 
-test("the BadPix curve passes through the results' figures", async (t) => {
+test("BadPix curve: passes through the figures of the results", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
-  const { curves, frames } = await page.evaluate(() => JSON.parse(document.getElementById("report-data").textContent));
+  const { curves, frames } = await page.evaluate(() =>
+    JSON.parse(document.getElementById("report-data").textContent),
+  );
   for (const { name, depth } of resultsOf("torus").techniques) {
     const { badpix, histogram } = frames.find((frame) => frame.name === name);
-    for (const [key, threshold] of [["badpix_1pct", 0.01], ["badpix_5pct", 0.05], ["badpix_25pct", 0.25]])
-      assert.equal(badpix[curves.thresholds.findIndex((each) => Math.abs(each - threshold) < 1e-12)], depth[key], `${name}, ${key}`);
-    assert.equal(histogram.counts.reduce((sum, count) => sum + count, histogram.below + histogram.above), depth.domain_px);
+    for (const [key, threshold] of [
+      ["badpix_1pct", 0.01],
+      ["badpix_5pct", 0.05],
+      ["badpix_25pct", 0.25],
+    ])
+      assert.equal(
+        badpix[curves.thresholds.findIndex((each) => Math.abs(each - threshold) < 1e-12)],
+        depth[key],
+        `${name}, ${key}`,
+      );
+    assert.equal(
+      histogram.counts.reduce((sum, count) => sum + count, histogram.below + histogram.above),
+      depth.domain_px,
+    );
   }
 });
 
-test("choices are kept in the address", async (t) => {
+test("choices: survive a reload", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   await page.getByLabel("Quality", { exact: true }).selectOption("depth.rmse_relief");
   await page.getByLabel("Cost", { exact: true }).selectOption("cost.ms_median");
-  await page.getByLabel("A stands out").selectOption(frameId("torus", "parallax_slope"));
-  await page.getByLabel("against B").selectOption(frameId("torus", "linear_binary"));
+  await page.getByLabel("Highlight A").selectOption(frameId("torus", "parallax_slope"));
+  await page.getByLabel("compared with B").selectOption(frameId("torus", "linear_binary"));
   await page.getByLabel("Logarithmic share").first().check();
   await addressHolds(page, "plot.badpix=1");
-  const shown = () => page.locator("#plots").evaluate((element) => [...element.querySelectorAll("select, svg, .front")].map((each) => each.value ?? each.outerHTML));
+  const shown = () =>
+    page
+      .locator("#plots")
+      .evaluate((element) =>
+        [...element.querySelectorAll("select, svg, .front")].map((each) => each.value ?? each.outerHTML),
+      );
   const before = await shown();
   await page.reload();
   await page.waitForSelector("#plots svg[aria-label]");
   assert.deepEqual(await shown(), before);
 });
 
-test("a pan in the viewer doesn't draw the plots again", async (t) => {
+test("pan in the viewer: plots aren't drawn again", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   await page.waitForSelector("#plots svg[aria-label]");
   await page.evaluate(() => document.querySelector("#plots svg").setAttribute("data-kept", ""));
@@ -184,8 +242,11 @@ test("a pan in the viewer doesn't draw the plots again", async (t) => {
   assert.equal(await page.locator("#plots svg[data-kept]").count(), 1);
 });
 
-test("saved plots stand alone: no styles, properties or fonts of the page's, white below, also from the dark", async (t) => {
-  const { page } = await openReport(t, reportFile("torus"), { colorScheme: "dark", hash: `#plot.b=${frameId("torus", "linear_binary")}` });
+test("saved plots: self-contained, on white, in the dark scheme too", async (t) => {
+  const { page } = await openReport(t, reportFile("torus"), {
+    colorScheme: "dark",
+    hash: `#plot.b=${frameId("torus", "linear_binary")}`,
+  });
   const buttons = await page.getByRole("button", { name: /^Save SVG/ }).all();
   assert.equal(buttons.length, 3);
   for (const button of buttons) {

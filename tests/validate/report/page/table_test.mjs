@@ -1,10 +1,13 @@
-// The table of metrics sorts, keeps the choice in the address, and leads to the viewer.
+// The table of metrics: sorting, the choice in the address, the buttons that show a technique in the viewer.
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addressHolds, frameId, openReport, panesSettled, reportFile } from "./browser.mjs";
 
 const table = (page) => page.locator("#techniques table");
-const names = (page) => table(page).locator("tbody tr").evaluateAll((rows) => rows.map((row) => row.dataset.technique));
+const names = (page) =>
+  table(page)
+    .locator("tbody tr")
+    .evaluateAll((rows) => rows.map((row) => row.dataset.technique));
 const valuesOf = (page, key) =>
   table(page).evaluate((element, wanted) => {
     const column = [...element.tHead.rows[0].cells].findIndex((cell) => cell.dataset.key === wanted);
@@ -16,13 +19,16 @@ const head = (page, key) => table(page).locator(`th[data-key="${key}"]`);
 function expectSorted(values, compare) {
   const first = values.indexOf(null);
   const present = first < 0 ? values : values.slice(0, first);
-  assert.ok(values.slice(present.length).every((value) => value === null), `absent figures last: ${values}`);
+  assert.ok(
+    values.slice(present.length).every((value) => value === null),
+    `absent figures last: ${values}`,
+  );
   const numbers = present.map(Number);
   assert.ok(numbers.length > 1);
   assert.deepEqual(numbers, [...numbers].sort(compare));
 }
 
-test("better first, worse first, then the program's order again", async (t) => {
+test("three presses: better first, worse first, the program's order", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   const original = await names(page);
   const key = "silhouette.iou";
@@ -38,26 +44,30 @@ test("better first, worse first, then the program's order again", async (t) => {
   assert.equal(await table(page).locator("[aria-sort]").count(), 0);
 });
 
-test("what is better low starts with the low", async (t) => {
+test("lower is better: the first press puts low figures first", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
-  for (const key of await table(page).locator("th[data-better=low]").evaluateAll((heads) => heads.map((cell) => cell.dataset.key))) {
+  for (const key of await table(page)
+    .locator("th[data-better=low]")
+    .evaluateAll((heads) => heads.map((cell) => cell.dataset.key))) {
     await head(page, key).getByRole("button").click();
     expectSorted(await valuesOf(page, key), (a, b) => Math.abs(a) - Math.abs(b));
   }
 });
 
-test("where low is better, a figure with a sign is sorted by its size", async (t) => {
+test("lower is better: signed figures are sorted by magnitude", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   const key = "depth.rmse_relief";
   await table(page).evaluate((element, wanted) => {
     const column = [...element.tHead.rows[0].cells].findIndex((cell) => cell.dataset.key === wanted);
-    ["-0.3", "0.1", "-0.05", "0.2"].forEach((value, row) => (element.tBodies[0].rows[row].cells[column].dataset.value = value));
+    ["-0.3", "0.1", "-0.05", "0.2"].forEach(
+      (value, row) => (element.tBodies[0].rows[row].cells[column].dataset.value = value),
+    );
   }, key);
   await head(page, key).getByRole("button").click();
   assert.deepEqual(await valuesOf(page, key), ["-0.05", "0.1", "0.2", "-0.3"]);
 });
 
-test("absent figures stay last in either direction", async (t) => {
+test("absent figures: last in either direction", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   const key = "cost.fetches_mean"; // micro_triangles has none
   assert.ok((await valuesOf(page, key)).includes(null));
@@ -67,7 +77,7 @@ test("absent figures stay last in either direction", async (t) => {
   }
 });
 
-test("equal figures keep the program's order", async (t) => {
+test("equal figures: keep the program's order", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   const key = "silhouette.missing_px"; // linear_binary and parallax_slope draw one silhouette
   await head(page, key).getByRole("button").click();
@@ -78,7 +88,7 @@ test("equal figures keep the program's order", async (t) => {
   }
 });
 
-test("the choice is kept in the address", async (t) => {
+test("sorting: survives a reload", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   await head(page, "depth.rmse_relief").getByRole("button").click();
   await addressHolds(page, "sort=depth.rmse_relief:asc");
@@ -88,21 +98,29 @@ test("the choice is kept in the address", async (t) => {
   assert.equal(await head(page, "depth.rmse_relief").getAttribute("aria-sort"), "ascending");
 });
 
-test("an address that asks for what there isn't leaves the program's order", async (t) => {
+test("address with unknown choices: the program's order", async (t) => {
   const { page: plain } = await openReport(t, reportFile("torus"));
-  const { page, account } = await openReport(t, reportFile("torus"), { hash: "#sort=no.such:asc&plot.quality=nothing&plot.a=nobody" });
+  const { page, account } = await openReport(t, reportFile("torus"), {
+    hash: "#sort=no.such:asc&plot.quality=nothing&plot.a=nobody",
+  });
   assert.deepEqual(await names(page), await names(plain));
   assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);
   assert.deepEqual(account.errors, []);
 });
 
-test("'view' brings the technique into the viewer and lets it stand out in the plots", async (t) => {
+test("button 'view': shows the technique in the viewer and highlights it in the plots", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   await page.getByRole("button", { name: "View parallax_slope" }).click();
   await panesSettled(page);
-  assert.ok((await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "parallax_slope")}"]`).count()) > 0);
-  assert.equal(await page.getByLabel("A stands out").inputValue(), frameId("torus", "parallax_slope"));
+  assert.ok(
+    (await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "parallax_slope")}"]`).count()) >
+      0,
+  );
+  assert.equal(await page.getByLabel("Highlight A").inputValue(), frameId("torus", "parallax_slope"));
   await page.getByRole("button", { name: "View linear_binary", exact: true }).click();
   await panesSettled(page);
-  assert.ok((await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "linear_binary")}"]`).count()) > 0);
+  assert.ok(
+    (await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "linear_binary")}"]`).count()) >
+      0,
+  );
 });

@@ -1,8 +1,16 @@
-// The viewer: panes zoom as one, wipe, flicker and blend show what they should, the read-out is the frame's own floats.
+// The viewer: shared zoom, wipe, flicker, blend, and a read-out with the floats of the frames.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { test } from "node:test";
-import { addressHolds, frameId, framePixels, openReport, panesSettled, reportFile, reportsFolder } from "./browser.mjs";
+import {
+  addressHolds,
+  frameId,
+  framePixels,
+  openReport,
+  panesSettled,
+  reportFile,
+  reportsFolder,
+} from "./browser.mjs";
 
 const panes = (page) => page.locator(".pane:not([hidden])");
 const arrangement = (page, name) => page.locator(`button[data-view="${name}"]`);
@@ -19,8 +27,8 @@ async function openPanes(t, hash = "") {
 }
 
 /**
- * The screen within the first pane, from one share of its width to another, once it has come to rest; as a hash. Off the frame's
- * edges, which smoothing lets shine through what lies above, and off the focus's ring.
+ * The screen within the first pane, from one share of its width to another, once it has come to rest; as a
+ * hash. Off the frame's edges, which smoothing lets shine through what lies above, and off the focus's ring.
  */
 async function seen(page, from = 0.2, to = 0.8) {
   const { x, y, width, height } = await page.locator(".pane-view:visible").first().boundingBox();
@@ -42,7 +50,7 @@ const kSlope = frameId("torus", "parallax_slope");
 /** The reference's colour as A, a technique's depth error as B. */
 const kTwo = `f1=r&l1=color&f2=${kSlope}&l2=depth_error`;
 
-test("wheel, drag and keys zoom and pan every pane alike", async (t) => {
+test("wheel, drag and keys: zoom and pan all panes together", async (t) => {
   const { page } = await openPanes(t);
   assert.equal(await panes(page).count(), 4);
   const before = await cameras(page);
@@ -69,7 +77,7 @@ test("wheel, drag and keys zoom and pan every pane alike", async (t) => {
   await page.waitForFunction(() => document.querySelector(".pane").dataset.scale === "1");
 });
 
-test("the pixel under the pointer stays under it while the wheel zooms", async (t) => {
+test("wheel: the pixel under the pointer stays there", async (t) => {
   const { page } = await openPanes(t);
   const box = await panes(page).first().locator(".pane-view").boundingBox();
   await page.mouse.move(box.x + 0.62 * box.width, box.y + 0.41 * box.height);
@@ -82,7 +90,7 @@ test("the pixel under the pointer stays under it while the wheel zooms", async (
   assert.equal(await page.locator(".readout caption").innerText(), pixel);
 });
 
-test("the wipe shows A left of the divider and B right of it", async (t) => {
+test("wipe: A left of the divider, B right of it", async (t) => {
   const { page } = await openPanes(t, `#view=wipe&${kTwo}`);
   const divider = page.locator("input.divider");
   const halves = async (wipe) => {
@@ -98,7 +106,7 @@ test("the wipe shows A left of the divider and B right of it", async (t) => {
   assert.ok(Number(await divider.inputValue()) > 0.5);
 });
 
-test("one key flickers between A and B", async (t) => {
+test("key F: alternates between A and B", async (t) => {
   const { page } = await openPanes(t, `#view=flicker&${kTwo}`);
   await page.locator(".pane-view:visible:not([inert])").first().focus();
   const pictures = [];
@@ -111,14 +119,14 @@ test("one key flickers between A and B", async (t) => {
   assert.equal(pictures[1], pictures[3]);
 });
 
-test("no key is taken from a menu", async (t) => {
+test("keys in a menu: left to the menu", async (t) => {
   const { page } = await openPanes(t);
   await page.locator("#viewer select").first().focus();
   await page.keyboard.press("w");
   assert.equal(await arrangement(page, "side").getAttribute("aria-pressed"), "true");
 });
 
-test("the blend goes from A alone to B alone", async (t) => {
+test("blend: from A alone to B alone", async (t) => {
   const alone = async (frame, layer) => seen((await openPanes(t, `#n=1&f1=${frame}&l1=${layer}`)).page);
   const [a, b] = [await alone("r", "color"), await alone(kSlope, "depth_error")];
   const { page } = await openPanes(t, `#view=blend&${kTwo}&opacity=0`);
@@ -134,7 +142,7 @@ test("the blend goes from A alone to B alone", async (t) => {
   assert.equal(pictures[2], b);
 });
 
-test("a key held down doesn't flicker", async (t) => {
+test("key held down: flickers once", async (t) => {
   const { page } = await openPanes(t, `#view=flicker&${kTwo}`);
   await page.locator(".pane-view:visible:not([inert])").first().focus();
   const shown = () => page.locator(".toolbar output").first().innerText();
@@ -147,51 +155,65 @@ test("a key held down doesn't flicker", async (t) => {
   assert.equal(await shown(), "A");
 });
 
-test("the read-out is the frames' own values, float by float", async (t) => {
+test("read-out: equals the frames' values, float by float", async (t) => {
   const technique = "linear_binary";
   const { page } = await openPanes(t, `#n=2&f1=r&l1=depth&f2=${frameId("torus", technique)}&l2=depth_error`);
   const pixels = [];
   for (let y = 3; y < 150; y += 21) for (let x = 5; x < 200; x += 29) pixels.push([x, y]);
   const frame = (name) => `${reportsFolder}/torus/frames/${name}.exr`;
-  const truth = framePixels(frame("reference"), "Z", pixels);
+  const expected = framePixels(frame("reference"), "Z", pixels);
   const drawn = framePixels(frame(technique), "Z", pixels);
   const ids = [frame("reference"), frame(technique)].map((file) => framePixels(file, "id", pixels));
   assert.ok(ids[0].filter((id) => id > 0).length > 10);
 
   for (const [index, [x, y]] of pixels.entries()) {
-    await page.evaluate((pixel) => {
-      const state = new URLSearchParams(location.hash.slice(1));
-      state.set("pixel", pixel.join());
-      location.hash = state.toString();
-    }, [x, y]);
-    await page.waitForFunction(
-      ([px, py]) => document.querySelector(".readout caption").textContent.startsWith(`Pixel ${px} from the left, ${py} from the top`),
+    await page.evaluate(
+      (pixel) => {
+        const state = new URLSearchParams(location.hash.slice(1));
+        state.set("pixel", pixel.join());
+        location.hash = state.toString();
+      },
       [x, y],
     );
-    const cells = await page.locator(".readout tbody tr").evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
-    for (const [row, depths] of [truth, drawn].entries()) {
+    await page.waitForFunction(
+      ([px, py]) =>
+        document
+          .querySelector(".readout caption")
+          .textContent.startsWith(`Pixel ${px} from the left, ${py} from the top`),
+      [x, y],
+    );
+    const cells = await page
+      .locator(".readout tbody tr")
+      .evaluateAll((rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    for (const [row, depths] of [expected, drawn].entries()) {
       const text = cells[row][2];
       if (ids[row][index] > 0) assert.equal(Math.fround(Number(text)), depths[index], `${x}, ${y}: ${text}`);
       else assert.equal(text, "");
     }
     if (ids[0][index] > 0 && ids[0][index] === ids[1][index]) {
-      const error = drawn[index] - truth[index];
+      const error = drawn[index] - expected[index];
       const shown = Number(cells[1][3].split(" ")[0]);
-      assert.ok(Math.abs(shown - error) <= 1e-5 * Math.abs(error), `${x}, ${y}: ${shown} instead of ${error}`); // six digits
+      assert.ok(
+        Math.abs(shown - error) <= 1e-5 * Math.abs(error),
+        `${x}, ${y}: ${shown} instead of ${error}`,
+      ); // six digits
     }
   }
 });
 
-test("arrow keys move the pixel that is read", async (t) => {
+test("arrow keys: move the pixel that is read", async (t) => {
   const { page } = await openPanes(t, "#pixel=100,75");
   await page.locator(".pane-view:visible:not([inert])").first().focus();
   await page.keyboard.press("ArrowRight");
   await page.keyboard.press("Shift+ArrowDown");
   await nextFrame(page);
-  assert.match(await page.locator(".readout caption").innerText(), /^Pixel 101 from the left, 85 from the top/);
+  assert.match(
+    await page.locator(".readout caption").innerText(),
+    /^Pixel 101 from the left, 85 from the top/,
+  );
 });
 
-test("a reload shows the same", async (t) => {
+test("reload: shows the same", async (t) => {
   const { page } = await openPanes(t);
   await arrangement(page, "wipe").click();
   await page.locator("input.divider").fill("0.3");
@@ -215,7 +237,7 @@ test("a reload shows the same", async (t) => {
   assert.deepEqual(await shown(), before);
 });
 
-test("frames a second while four panes pan at 1920 x 1080 (told, not held to)", async (t) => {
+test("pan of four panes at 1920 x 1080: frames a second (reported only)", async (t) => {
   const { page } = await openPanes(t);
   const box = await panes(page).first().locator(".pane-view").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -232,7 +254,10 @@ test("frames a second while four panes pan at 1920 x 1080 (told, not held to)", 
   await page.mouse.down();
   const begin = Date.now();
   for (let step = 0; Date.now() - begin < 2000; ++step)
-    await page.mouse.move(box.x + box.width * (0.5 + 0.3 * Math.sin(step / 9)), box.y + box.height * (0.5 + 0.3 * Math.cos(step / 9)));
+    await page.mouse.move(
+      box.x + box.width * (0.5 + 0.3 * Math.sin(step / 9)),
+      box.y + box.height * (0.5 + 0.3 * Math.cos(step / 9)),
+    );
   await page.mouse.up();
   const frames = await page.evaluate(() => window.framesDrawn);
   t.diagnostic(`${((1000 * frames) / (Date.now() - begin)).toFixed(0)} frames a second`);

@@ -1,6 +1,9 @@
-// What the program tells the page: JSON in the page, written by validate/report/report_data.cpp.
+// The data that the program hands to the page: JSON in the page, written by validate/report/report_data.cpp.
 
-/** results.json, as far as the page reads it; groups hold numbers, and `absent` the reasons of those that aren't there. */
+/**
+ * The part of results.json that the page reads; groups hold numbers, and in `absent` the reasons of missing
+ * ones.
+ */
 export interface Results {
   schema: number;
   program: string;
@@ -14,7 +17,7 @@ export interface TechniqueResult {
   parameters: { [key: string]: string };
   gl: { backend: string; renderer: string };
   error: string | null;
-  /** Of what shows how much of an error isn't the technique's: it doesn't compete. */
+  /** A control shows how much of an error has other causes than the technique; it isn't ranked. */
   control?: boolean;
   silhouette?: Group;
   depth?: Group;
@@ -42,26 +45,29 @@ export type LayerName =
   | "id" // object shown, 0 for none
   | "depth" // planar camera depth, world units; NaN or infinite where nothing is seen
   | "normal_angle" // angle to the reference's normal; `scale` makes degrees of it
-  | "fetches" // look-ups
-  | "iterations" // rounds of the search
-  | "uncertain" // 1: the reference can't tell what is seen (reference only)
+  | "fetches" // texture look-ups
+  | "iterations" // of the search
+  | "uncertain" // 1: which object is seen is uncertain (reference only)
   | "failing" // how many techniques fail at the pixel (of the summary only)
   | `shadow.${string}` // 1 in shadow of that light, 0 lit
-  | `uncertain.shadow.${string}`; // 1: the reference can't tell lit from dark (reference only)
+  | `uncertain.shadow.${string}`; // 1: lit or dark is uncertain (reference only)
 
 /** A frame the page can show. */
 export interface FrameEntry {
   /** Unique. */
   id: string;
-  /** Of a technique its name in the results, which no other technique has. */
+  /** Of a technique: its name in the results, unique among techniques. */
   name: string;
   kind: "reference" | "proxy" | "technique" | "summary";
   /** Beside the page; absent in a report of a single file. */
   file: string;
   layers: LayerName[];
-  /** Share of the domain whose depth is off by more than curves.thresholds[i]; absent without depth or relief. */
+  /** Share of the domain with a depth error above curves.thresholds[i]; absent without depth or relief. */
   badpix?: number[];
-  /** Pixels by signed depth error: counts[i] in edges[i] <= e < edges[i+1] of curves.edges; below and above are beyond the ends. */
+  /**
+   * Pixels by signed depth error: counts[i] in edges[i] <= e < edges[i+1] of curves.edges; below and above
+   * count those outside.
+   */
   histogram?: { counts: number[]; below: number; above: number };
 }
 
@@ -73,20 +79,20 @@ export interface ReportData {
   metrics: MetricInfo[];
   /** The reference first; none if nothing could be drawn. */
   frames: FrameEntry[];
-  /** Objects by id - 1; their relief depth in world units, null where it isn't known or there is none. */
+  /** Objects by id - 1; their relief depth in world units, null if unknown or none. */
   objects: { id: number; name: string; relief_depth: number | null }[];
-  /** Full colour of the signed depth error to begin with, world units, and how it came about. */
+  /** Default range of signed depth errors, world units, and how it was chosen. */
   depth_range: { world: number; note: string };
-  /** Techniques counted in the layer "failing", and what counts as failing, in words. */
+  /** How many techniques the layer "failing" counts, and what counts as failing, in words. */
   failing: { of: number; meaning: string };
   /** In relief depths. `named`: the thresholds of the metrics badpix_…pct. */
   curves: { thresholds: number[]; named: number[]; edges: number[] };
-  /** Of validate/report/colors.h, "#rrggbb": what a pixel is, and stops of the maps that values are coloured by. */
+  /** The tables of validate/report/colors.h, "#rrggbb": what a pixel is, and the stops of colour maps. */
   colors: {
     palette: { [color in PaletteColor]: string };
     maps: { [map in MapName]: { low: number; stops: string[] } };
   };
-  /** A shadow's value from here on is dark. */
+  /** Shadow values from this one on are dark. */
   shadow_threshold: number;
 }
 export type PaletteColor =
@@ -102,13 +108,13 @@ export type PaletteColor =
   | "uncertain_differs";
 export type MapName = "diverging" | "sequential" | "gray";
 
-/** What the reference says of itself: uncertain unless it plainly isn't (validate/metrics/frame_pair.h). */
+/** Of a value of an uncertainty plane, as validate/metrics/frame_pair.h defines it; NaN is uncertain. */
 export function saysUncertain(value: number): boolean {
   return !(value < 0.5);
 }
 
 export function readReportData(): ReportData {
   const element = document.getElementById("report-data");
-  if (!element) throw new Error("the page holds no data");
+  if (!element) throw new Error("the page has no element report-data");
   return JSON.parse(element.textContent ?? "") as ReportData;
 }

@@ -1,4 +1,4 @@
-// Frames of a report, by what they are. Names are anybody's and need not differ from "reference"; ids do.
+// Frames of a report, by what they are. Ids are unique; a technique may have any name, even "reference".
 import type { FrameEntry, ReportData } from "./data";
 
 export function frameById(report: ReportData, id: string): FrameEntry | undefined {
@@ -32,9 +32,11 @@ export function frameLabel(frame: FrameEntry): string {
   }
 }
 
-/** What is looked at first: no control, which shows little, where there is anything else. */
-export function usualTechnique(report: ReportData): FrameEntry | undefined {
-  const controls = new Set(report.results.techniques.filter(({ control }) => control).map(({ name }) => name));
+/** What is shown by default: the first technique that isn't a control, if there is one. */
+export function defaultTechnique(report: ReportData): FrameEntry | undefined {
+  const controls = new Set(
+    report.results.techniques.filter(({ control }) => control).map(({ name }) => name),
+  );
   const frames = techniqueFrames(report);
   return frames.find(({ name }) => !controls.has(name)) ?? frames[0];
 }

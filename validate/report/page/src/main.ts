@@ -1,4 +1,5 @@
-// The interactive part of the report. The page is whole without it but for pictures and plots.
+// The interactive part of the report: viewer, plots and the sorting of the table. Everything else works
+// without it.
 import "./page.css";
 import { readReportData, type FrameEntry } from "./data";
 import { FrameStore } from "./frame_store";
@@ -19,7 +20,7 @@ function section(id: string): HTMLElement {
   return element;
 }
 
-/** What somebody chose to see gives way to the usual panes of the technique. */
+/** In the standard panes, whatever they showed before, and highlighted in the plots. */
 function showTechnique({ id }: FrameEntry): void {
   const chosen = ["view", "n", "vs", "f1", "f2", "f3", "f4", "l1", "l2", "l3", "l4"];
   updateState({ ...Object.fromEntries(chosen.map((key) => [key, undefined])), t: id, [kStateA]: id });

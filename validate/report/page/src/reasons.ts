@@ -1,8 +1,8 @@
-// Why a figure is absent, for those who can't hover: numbered beside the dash, listed below its table.
+// Why figures are absent, readable without hovering: numbered beside the dash, listed below the table.
 import "./reasons.css";
 import { make } from "./viewer/dom";
 
-/** Of every table whose cells tell a reason as their title. */
+/** For every table with cells whose title is a reason. */
 export function listReasons(): void {
   for (const [index, table] of [...document.querySelectorAll(".wide > table")].entries()) {
     const cells = [...table.querySelectorAll<HTMLTableCellElement>("td[title]")];
@@ -10,7 +10,7 @@ export function listReasons(): void {
   }
 }
 
-/** One entry a reason; numbers its cells. */
+/** An entry for each reason; its cells get its number. */
 function reasonList(cells: HTMLTableCellElement[], id: string): HTMLElement {
   const reasons = [...new Set(cells.map((cell) => cell.title))];
   for (const cell of cells) {
@@ -18,5 +18,9 @@ function reasonList(cells: HTMLTableCellElement[], id: string): HTMLElement {
     cell.setAttribute("aria-describedby", `${id}-${number}`);
     cell.append(make("sup", { "aria-hidden": "true" }, String(number)));
   }
-  return make("ol", { class: "reasons" }, ...reasons.map((reason, i) => make("li", { id: `${id}-${i + 1}` }, reason)));
+  return make(
+    "ol",
+    { class: "reasons" },
+    ...reasons.map((reason, i) => make("li", { id: `${id}-${i + 1}` }, reason)),
+  );
 }

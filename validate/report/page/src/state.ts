@@ -1,9 +1,10 @@
-// The page's state: a flat map of strings, kept in the address after '#' as URLSearchParams write it, so that a reload or a copied
-// address shows the same. An address without '=' there is an anchor of the page and none of our business.
+// The page's state: a flat map of strings, kept in the address after '#' in the form of URLSearchParams, so
+// that a reload or a copied address shows the same. A '#' without '=' is an anchor of the page and leaves the
+// state alone.
 
 export type StateListener = (changed: ReadonlySet<string>) => void;
 
-/** Browsers refuse more than some 200 changes of the address in 30 s. */
+/** Browsers refuse more than about 200 changes of the address in 30 s. */
 const kWriteDelayMs = 200;
 
 let values = parse(location.hash) ?? new Map<string, string>();
@@ -19,7 +20,7 @@ export function setState(key: string, value: string | undefined): void {
   updateState({ [key]: value });
 }
 
-/** Changes several keys, of which listeners hear at once. */
+/** Changes several keys; listeners are called once. */
 export function updateState(changes: { [key: string]: string | undefined }): void {
   const next = new Map(values);
   for (const [key, value] of Object.entries(changes)) {
@@ -34,7 +35,7 @@ export function onStateChange(listener: StateListener): void {
   listeners.push(listener);
 }
 
-/** undefined of an anchor. */
+/** undefined for an anchor. */
 function parse(hash: string): Map<string, string> | undefined {
   return hash.includes("=") ? new Map(new URLSearchParams(hash.slice(1))) : undefined;
 }

@@ -1,5 +1,6 @@
-// The program's table of metrics, made sortable: heads become buttons, the choice is kept in the URL. Absent figures stay last in
-// either direction; the first press puts the better ones first, the second the worse ones, the third the program's order.
+// Makes the table of metrics sortable: heads become buttons, the choice is kept in the address. The first
+// press puts better figures first, the second worse ones, the third restores the program's order. Absent
+// figures are last in either direction.
 import "./table.css";
 import { getState, onStateChange, setState } from "./state";
 
@@ -11,14 +12,17 @@ interface Sorting {
 interface Column {
   key: string;
   head: HTMLTableCellElement;
-  /** Of a row, to be sorted by; undefined where the figure is absent. */
+  /** What a row is sorted by; undefined where the figure is absent. */
   valueOf(row: HTMLTableRowElement): number | string | undefined;
   /** Direction that puts the better figures first. */
   first: Direction;
 }
 
-/** `showing`: what brings a technique into the viewer; undefined of one that drew nothing. */
-export function enhanceTable(root: HTMLElement, showing: (technique: string) => (() => void) | undefined): void {
+/** `showing`: returns what shows a technique in the viewer; undefined for one that drew nothing. */
+export function enhanceTable(
+  root: HTMLElement,
+  showing: (technique: string) => (() => void) | undefined,
+): void {
   const table = root.querySelector("table");
   const body = table?.tBodies[0];
   if (!table?.tHead || !body) return;
@@ -56,7 +60,7 @@ function columnOf(head: HTMLTableCellElement, index: number): Column {
     valueOf(row) {
       const text = row.cells[index]?.dataset.value;
       if (text === undefined || text === "") return undefined;
-      // Of what is better near nothing, a bias for one, the size counts.
+      // Where lower is better, signed figures such as a bias are sorted by their magnitude.
       const value = better === "low" ? Math.abs(Number(text)) : Number(text);
       return Number.isNaN(value) ? undefined : value;
     },
@@ -78,14 +82,19 @@ function nextSorting(column: Column, present: Sorting | undefined): Sorting | un
 }
 
 /** Stable: rows of equal figures keep the program's order, in either direction. */
-function sortRows(rows: HTMLTableRowElement[], columns: Column[], sorting: Sorting | undefined): HTMLTableRowElement[] {
+function sortRows(
+  rows: HTMLTableRowElement[],
+  columns: Column[],
+  sorting: Sorting | undefined,
+): HTMLTableRowElement[] {
   const column = columns.find((candidate) => candidate.key === sorting?.key);
   if (!column || !sorting) return rows;
   const sign = sorting.direction === "asc" ? 1 : -1;
   return rows
     .map((row) => ({ row, value: column.valueOf(row) }))
     .sort((a, b) => {
-      if (a.value === undefined || b.value === undefined) return Number(a.value === undefined) - Number(b.value === undefined);
+      if (a.value === undefined || b.value === undefined)
+        return Number(a.value === undefined) - Number(b.value === undefined);
       return a.value === b.value ? 0 : a.value < b.value ? -sign : sign;
     })
     .map(({ row }) => row);
@@ -100,7 +109,10 @@ function addButton(column: Column, press: () => void): void {
   column.head.append(button);
 }
 
-function addShowButton(row: HTMLTableRowElement, showing: (technique: string) => (() => void) | undefined): void {
+function addShowButton(
+  row: HTMLTableRowElement,
+  showing: (technique: string) => (() => void) | undefined,
+): void {
   const { technique } = row.dataset;
   const show = technique === undefined ? undefined : showing(technique);
   if (!show) return;

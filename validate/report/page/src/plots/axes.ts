@@ -1,14 +1,14 @@
 // Scales, ticks and figures as all plots show them.
 import type { ScaleOptions } from "@observablehq/plot";
 
-/** From here on a scale is logarithmic: largest / smallest. */
+/** Largest / smallest value from which on a scale is logarithmic. */
 const kSpansDecades = 10;
-/** Decades from which on ticks are powers of ten alone. */
+/** Decades from which on only powers of ten have ticks. */
 const kManyDecades = 2.5;
 
 export const kPlotStyle = "font-size: 12px; overflow: visible";
 
-/** Of every mark: the plot as a whole has a label, its parts have none. */
+/** For every mark: screen readers read the label of the whole plot, not its parts. */
 export const kUnspoken = { ariaHidden: "true" };
 
 export function formatFigure(value: number): string {
@@ -27,7 +27,8 @@ export function withUnit(label: string, unit: string): string {
 /** Logarithmic where the values are positive and span a decade or more. */
 export function scaleFor(values: number[]): ScaleOptions {
   const [low, high] = [Math.min(...values), Math.max(...values)];
-  if (!(low > 0 && high / low >= kSpansDecades)) return { type: "linear", nice: true, tickFormat: formatFigure };
+  if (!(low > 0 && high / low >= kSpansDecades))
+    return { type: "linear", nice: true, tickFormat: formatFigure };
   return logScale(low / 1.15, high * 1.15);
 }
 
@@ -35,7 +36,7 @@ export function logScale(low: number, high: number): ScaleOptions {
   return { type: "log", domain: [low, high], ticks: logTicks(low, high), tickFormat: formatFigure };
 }
 
-/** 1, 2, 5 of each decade, or the decades alone where there are many. */
+/** 1, 2, 5 of each decade, or only the decades where there are many. */
 function logTicks(low: number, high: number): number[] {
   const steps = Math.log10(high / low) > kManyDecades ? [1] : [1, 2, 5];
   const ticks: number[] = [];

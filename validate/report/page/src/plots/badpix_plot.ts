@@ -1,12 +1,21 @@
-// The share of pixels whose depth is off by more than a threshold, over thresholds: a curve a technique. Scharstein and Szeliski
-// (2002), "A taxonomy and evaluation of dense two-frame stereo correspondence algorithms", take it at one threshold.
+// The share of pixels whose depth error exceeds a threshold, over thresholds: a curve for each technique. At
+// one threshold it is the metric of Scharstein and Szeliski (2002), "A taxonomy and evaluation of dense
+// two-frame stereo correspondence algorithms".
 import * as Plot from "@observablehq/plot";
 import { selectAll } from "d3-selection";
 import type { ReportData } from "../data";
 import { getState, setState } from "../state";
 import { formatFigure, formatPercent, kPlotStyle, kUnspoken, logScale } from "./axes";
 import { toggle } from "./controls";
-import { curveLabel, type Highlight, highlightedLabels, highlightOf, kColorOf, kStateA, roleOf } from "./highlight";
+import {
+  curveLabel,
+  type Highlight,
+  highlightedLabels,
+  highlightOf,
+  kColorOf,
+  kStateA,
+  roleOf,
+} from "./highlight";
 import { plotFigure } from "./plot_figure";
 
 interface Sample {
@@ -17,17 +26,19 @@ interface Sample {
   share: number;
 }
 
-const kTitle = "Pixels off by more than a threshold";
+const kTitle = "Pixels with a depth error above a threshold";
 const kLogKey = "plot.badpix";
 const kOthers = "others";
 
 export function addBadpixPlot(report: ReportData, root: HTMLElement, showFailing?: () => void): () => void {
   const samples = samplesOf(report);
   if (samples.length === 0) return () => {};
-  const figure = plotFigure(root, kTitle, "badpix.svg", (width) => draw(report, samples, highlightOf(report), width));
+  const figure = plotFigure(root, kTitle, "badpix.svg", (width) =>
+    draw(report, samples, highlightOf(report), width),
+  );
   figure.controls.append(toggle("Logarithmic share", kLogKey));
-  figure.notes.append("Depth errors in relief depths, over pixels that show the same object in both frames. ");
-  if (showFailing) figure.notes.append("Which pixels those are: ", failingButton(report, showFailing));
+  figure.notes.append("Depth errors in relief depths, of pixels that show the same object in both frames. ");
+  if (showFailing) figure.notes.append(failingButton(report, showFailing));
   return figure.redraw;
 }
 
@@ -46,7 +57,7 @@ function failingButton(report: ReportData, showFailing: () => void): HTMLElement
   const button = document.createElement("button");
   button.type = "button";
   button.className = "inline";
-  button.textContent = "view the share of techniques that fail at each pixel";
+  button.textContent = "View how many techniques fail at each pixel";
   button.title = report.failing.meaning;
   button.addEventListener("click", showFailing);
   return button;
@@ -58,7 +69,12 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
   const { thresholds } = report.curves;
   const lowest = Math.min(1, ...shown.map(({ share }) => share));
   const of = (role: string) => shown.filter(({ id }) => roleOf(id, highlight) === role);
-  const curve = (role: "a" | "b" | "other", strokeWidth: number, strokeDasharray?: string, className?: string) =>
+  const curve = (
+    role: "a" | "b" | "other",
+    strokeWidth: number,
+    strokeDasharray?: string,
+    className?: string,
+  ) =>
     Plot.line(of(role), {
       x: "threshold",
       y: "share",
@@ -75,15 +91,20 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
     marginLeft: 58,
     marginBottom: 40,
     style: kPlotStyle,
-    ariaLabel: `${kTitle}: share of pixels over thresholds of depth error, ${highlightedLabels(report, highlight).join(" and ")} standing out.`,
+    ariaLabel: `${kTitle}: share of pixels over thresholds of depth error, ${highlightedLabels(report, highlight).join(" and ")} highlighted.`,
     x: {
       ...logScale(thresholds[0], thresholds[thresholds.length - 1]),
       label: "threshold of |depth error| (relief depths)",
       grid: true,
     },
     y: logarithmic
-      ? { ...logScale(lowest, 1), tickFormat: formatPercent, label: "share of pixels, low is good", grid: true }
-      : { domain: [0, 1], tickFormat: formatPercent, label: "share of pixels, low is good", grid: true },
+      ? {
+          ...logScale(lowest, 1),
+          tickFormat: formatPercent,
+          label: "share of pixels, lower is better",
+          grid: true,
+        }
+      : { domain: [0, 1], tickFormat: formatPercent, label: "share of pixels, lower is better", grid: true },
     marks: [
       Plot.ruleX(report.curves.named, { stroke: "var(--quiet)", strokeDasharray: "2,3", ...kUnspoken }),
       curve("other", 1, undefined, kOthers),
@@ -98,7 +119,7 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
           ...kUnspoken,
           fill: "var(--card)",
           title: ({ label, threshold, share }: Sample) =>
-            `${label}\n${formatPercent(share)} off by more than ${formatFigure(threshold)}`,
+            `${label}\n${formatPercent(share)} with an error above ${formatFigure(threshold)}`,
         }),
       ),
     ],

@@ -4,11 +4,11 @@ import { getState, onStateChange, setState } from "../state";
 export interface Option {
   value: string;
   text: string;
-  /** Options of a group stand together under its name. */
+  /** Options of one group are listed together under its name. */
   group?: string;
 }
 
-/** `fallback` is what is chosen while the state says nothing, or nothing that is offered. */
+/** `fallback`: the choice while the state has none, or none of the options. */
 export function chooser(label: string, key: string, options: Option[], fallback: () => string): HTMLElement {
   const select = document.createElement("select");
   const groups = new Map<string, HTMLOptGroupElement>();
@@ -41,7 +41,7 @@ export function chosen(key: string, options: Option[], fallback: () => string): 
   return value !== undefined && options.some((option) => option.value === value) ? value : fallback();
 }
 
-/** Kept as "1" when on. */
+/** In the state "1" when on. */
 export function toggle(label: string, key: string): HTMLElement {
   const box = document.createElement("input");
   box.type = "checkbox";

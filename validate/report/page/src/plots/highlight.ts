@@ -1,4 +1,4 @@
-// The techniques that stand out in every plot: A, and B to hold it against; all others are grey.
+// The techniques highlighted in every plot: A, and B to compare it with; all others are grey.
 import type { FrameEntry, ReportData } from "../data";
 import { frameById, frameLabel, frameOfTechnique } from "../frames";
 import { chosen, type Option } from "./controls";
@@ -11,7 +11,7 @@ export interface Highlight {
 export const kStateA = "plot.a";
 export const kStateB = "plot.b";
 
-/** Techniques that drew, and the displaced proxy, which stands for the base gap. */
+/** Techniques that drew a frame, and the reference on the proxy, whose errors are the base gap. */
 export function highlightOptions(report: ReportData): Option[] {
   return report.frames
     .filter(({ kind }) => kind === "technique" || kind === "proxy")
@@ -23,7 +23,7 @@ export function curveLabel(frame: FrameEntry): string {
   return frame.kind === "proxy" ? `${frameLabel(frame)} (base gap)` : frameLabel(frame);
 }
 
-/** Those that stand out, A first. */
+/** A first. */
 export function highlightedLabels(report: ReportData, { a, b }: Highlight): string[] {
   return [a, b].flatMap((id) => frameById(report, id) ?? []).map(curveLabel);
 }
@@ -35,13 +35,14 @@ export function highlightOf(report: ReportData): Highlight {
   return { a, b: b === a ? "" : b };
 }
 
-/** The technique whose depth is best. */
+/** The technique with the lowest depth RMSE. */
 export function defaultA(report: ReportData, options: Option[]): string {
   let best: { id: string; rmse: number } | undefined;
   for (const { name, depth, control } of report.results.techniques) {
     const rmse = depth?.rmse_relief;
     const id = frameOfTechnique(report, name)?.id;
-    if (!control && id !== undefined && typeof rmse === "number" && (!best || rmse < best.rmse)) best = { id, rmse };
+    if (!control && id !== undefined && typeof rmse === "number" && (!best || rmse < best.rmse))
+      best = { id, rmse };
   }
   return best?.id ?? options[0]?.value ?? "";
 }
@@ -53,7 +54,10 @@ export function roleOf(id: string | undefined, highlight: Highlight): Role {
   return id === undefined ? "other" : id === highlight.a ? "a" : id === highlight.b ? "b" : "other";
 }
 
-/** Okabe and Ito's blue and vermilion (2008), lighter on dark; B is dashed or square as well. plots.css gives the values. */
+/**
+ * Okabe and Ito's blue and vermilion (2008), lighter on dark; B is dashed or square as well. plots.css gives
+ * the values.
+ */
 export const kColorOf: { [role in Role]: string } = {
   a: "var(--plot-a)",
   b: "var(--plot-b)",

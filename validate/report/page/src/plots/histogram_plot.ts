@@ -1,4 +1,4 @@
-// Signed depth errors of one technique, or of two held against each other, in relief depths.
+// Histogram of the signed depth errors of one technique, or of two to compare, in relief depths.
 import * as Plot from "@observablehq/plot";
 import type { FrameEntry, ReportData } from "../data";
 import { frameById } from "../frames";
@@ -39,7 +39,7 @@ function outlinesOf(report: ReportData): Outline[] {
   });
 }
 
-/** Shares of a bin as wide as the narrowest, so that bins of other widths compare. */
+/** Scaled to the width of the narrowest bin, so that bins of different widths compare. */
 function stepsOf(report: ReportData, histogram: NonNullable<FrameEntry["histogram"]>): Outline["steps"] {
   const { edges } = report.curves;
   const all = pixelsOf(histogram);
@@ -63,11 +63,14 @@ function binWidth(edges: number[]): number {
 
 function draw(report: ReportData, outlines: Outline[], width: number): SVGSVGElement {
   const { edges } = report.curves;
-  const shares = outlines.flatMap(({ steps }) => steps.map(({ share }) => share)).filter((share) => share > 0);
+  const shares = outlines
+    .flatMap(({ steps }) => steps.map(({ share }) => share))
+    .filter((share) => share > 0);
   const logarithmic = getState(kLogKey) === "1" && shares.length > 0;
-  // A logarithmic axis has no zero: empty bins stand on its foot, half the least share.
+  // A logarithmic axis has no zero: empty bins are drawn at its lower end, half the smallest share.
   const foot = logarithmic ? Math.min(...shares) / 2 : 0;
-  const raised = (steps: Outline["steps"]) => steps.map(({ error, share }) => ({ error, share: Math.max(share, foot) }));
+  const raised = (steps: Outline["steps"]) =>
+    steps.map(({ error, share }) => ({ error, share: Math.max(share, foot) }));
   const label = `share of pixels in ${formatFigure(binWidth(edges))} relief depths`;
   return Plot.plot({
     width,

@@ -16,12 +16,12 @@ export interface LabelPlace {
 
 const kLineHeightPx = 14;
 const kGapPx = 7;
-/** From a point up or down to the nearest label: beside it, off a line that leaves it level. */
+/** From a point up or down to the nearest label: clear of a horizontal line through the point. */
 const kFirstRisePx = 10;
-/** Rings of places tried around a point, a line height apart. */
+/** Rings of places to try around a point, a line height apart. */
 const kRings = 9;
 
-/** A place for each label, undefined for one that fits nowhere. `points` are kept free, `inside` is not left. */
+/** A place inside of `inside` for each label, clear of `points`; undefined for one that fits nowhere. */
 export function placeLabels(
   labels: { x: number; y: number; widthPx: number }[],
   points: { x: number; y: number }[],
@@ -30,7 +30,12 @@ export function placeLabels(
   const taken: Box[] = points.map(({ x, y }) => ({ left: x - 4, top: y - 4, right: x + 4, bottom: y + 4 }));
   return labels.map((label) => {
     for (const { x, y, apart } of placesAround(label)) {
-      const box = { left: x, top: y - kLineHeightPx / 2, right: x + label.widthPx, bottom: y + kLineHeightPx / 2 };
+      const box = {
+        left: x,
+        top: y - kLineHeightPx / 2,
+        right: x + label.widthPx,
+        bottom: y + kLineHeightPx / 2,
+      };
       if (!within(box, inside) || taken.some((other) => overlap(box, other))) continue;
       taken.push(box);
       return { x, y, apart };
@@ -43,11 +48,14 @@ function* placesAround(label: { x: number; y: number; widthPx: number }): Genera
   const lefts = [label.x + kGapPx, label.x - kGapPx - label.widthPx, label.x - label.widthPx / 2];
   for (let ring = 0; ring < kRings; ++ring)
     for (const side of [-1, 1])
-      for (const x of lefts) yield { x, y: label.y + side * (kFirstRisePx + ring * kLineHeightPx), apart: ring > 0 };
+      for (const x of lefts)
+        yield { x, y: label.y + side * (kFirstRisePx + ring * kLineHeightPx), apart: ring > 0 };
 }
 
 function within(box: Box, frame: Box): boolean {
-  return box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom;
+  return (
+    box.left >= frame.left && box.right <= frame.right && box.top >= frame.top && box.bottom <= frame.bottom
+  );
 }
 
 function overlap(a: Box, b: Box): boolean {

@@ -1,14 +1,14 @@
-// The frame of a plot: heading, controls, drawing as wide as there is room, notes below, a button that saves it.
+// The frame of a plot: heading, a button that saves it, controls, drawing as wide as the page allows, notes.
 import { saveSvg } from "./svg_file";
 
 export interface PlotFigure {
   controls: HTMLElement;
-  /** Below the drawing; the owner's. */
+  /** Below the drawing; filled by the owner. */
   notes: HTMLElement;
   redraw(): void;
 }
 
-/** Width of a saved plot, pixels, whatever the page's. */
+/** Width of a saved plot, pixels, at any width of the page. */
 const kSavedWidthPx = 720;
 
 /** `draw` makes the SVG for a width in pixels, undefined where there is nothing to show. */

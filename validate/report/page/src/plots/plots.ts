@@ -1,4 +1,5 @@
-// The section of plots: the techniques that stand out chosen once for all of them, then one figure each.
+// The section of plots: the choice of the techniques to highlight in all of them, then a figure for each
+// plot.
 import "./plots.css";
 import type { ReportData } from "../data";
 import { onStateChange } from "../state";
@@ -11,14 +12,20 @@ import { addHistogramPlot } from "./histogram_plot";
 /** Keys of the state that change a plot. */
 const kKeys = [kStateA, kStateB, "plot.quality", "plot.cost", "plot.badpix", "plot.histogram"];
 
-/** `showFailing`: shows in the viewer how many techniques fail at each pixel; undefined where that isn't known. */
+/**
+ * `showFailing`: shows in the viewer how many techniques fail at each pixel; undefined where that is unknown.
+ */
 export function drawPlots(report: ReportData, root: HTMLElement, showFailing?: () => void): void {
   const heading = document.createElement("h2");
   heading.textContent = "Plots";
   const grid = document.createElement("div");
   grid.className = "plots";
   root.append(heading, ...highlightBar(report), grid);
-  const redraws = [addCostPlot(report, grid), addBadpixPlot(report, grid, showFailing), addHistogramPlot(report, grid)];
+  const redraws = [
+    addCostPlot(report, grid),
+    addBadpixPlot(report, grid, showFailing),
+    addHistogramPlot(report, grid),
+  ];
   if (!grid.hasChildNodes()) {
     root.replaceChildren(heading, "There are no figures to plot.");
     return;
@@ -33,14 +40,14 @@ export function drawPlots(report: ReportData, root: HTMLElement, showFailing?: (
   redraw();
 }
 
-/** Nothing where nothing was drawn that could stand out. */
+/** Empty if no technique drew a frame. */
 function highlightBar(report: ReportData): HTMLElement[] {
   const options = highlightOptions(report);
   if (options.length === 0) return [];
   const bar = document.createElement("div");
   bar.className = "plot-controls";
-  const a = chooser("A stands out", kStateA, options, () => defaultA(report, options));
-  const b = chooser("against B", kStateB, [{ value: "", text: "none" }, ...options], () => "");
+  const a = chooser("Highlight A", kStateA, options, () => defaultA(report, options));
+  const b = chooser("compared with B", kStateB, [{ value: "", text: "none" }, ...options], () => "");
   a.classList.add("is-a");
   b.classList.add("is-b");
   bar.append(a, b);

@@ -1,4 +1,4 @@
-// A mark of Plot's: names beside points, with a line to those that had to go further off.
+// A mark for Observable Plot: names beside points, with lines to those that have to be placed further away.
 import type { Markish } from "@observablehq/plot";
 import { placeLabels } from "./labels";
 
@@ -13,29 +13,47 @@ interface PointLabel extends At {
 }
 
 const kFontPx = 11;
-/** Letters of a name, in a plot narrower than kNarrowPx and in others; the list below the plot has it whole. */
+/**
+ * Letters shown of a name, in a plot narrower than kNarrowPx and in others; the list below the plot has the
+ * whole name.
+ */
 const kNarrowPx = 500;
 const kMostLetters = { narrow: 26, wide: 44 };
 
-/** `points`: all there are, to be kept free. */
+/** `points`: all points of the plot, which labels don't cover. */
 export function pointLabels(labels: PointLabel[], points: At[]): Markish {
   return (_index, scales, _values, { width, height, marginLeft, marginTop, marginBottom }) => {
     const toPixels = ({ x, y }: At) => ({ x: scales.x?.(x) as number, y: scales.y?.(y) as number });
-    const texts = labels.map(({ text }) => shortened(text, width < kNarrowPx ? kMostLetters.narrow : kMostLetters.wide));
+    const texts = labels.map(({ text }) =>
+      shortened(text, width < kNarrowPx ? kMostLetters.narrow : kMostLetters.wide),
+    );
     const widths = texts.map(textWidthPx);
     const places = placeLabels(
       labels.map((label, index) => ({ ...toPixels(label), widthPx: widths[index] })),
       points.map(toPixels),
       { left: marginLeft, top: marginTop, right: width, bottom: height - marginBottom },
     );
-    const group = svgElement("g", { "font-size": kFontPx, "text-anchor": "start", "stroke-linejoin": "round" });
+    const group = svgElement("g", {
+      "font-size": kFontPx,
+      "text-anchor": "start",
+      "stroke-linejoin": "round",
+    });
     labels.forEach((label, index) => {
       const place = places[index];
       if (!place) return;
       if (place.apart) {
         const { x, y } = toPixels(label);
         const x2 = Math.min(Math.max(x, place.x), place.x + widths[index]);
-        group.append(svgElement("line", { x1: x, y1: y, x2, y2: place.y, stroke: "var(--plot-other)", "stroke-width": 0.75 }));
+        group.append(
+          svgElement("line", {
+            x1: x,
+            y1: y,
+            x2,
+            y2: place.y,
+            stroke: "var(--plot-other)",
+            "stroke-width": 0.75,
+          }),
+        );
       }
       const halo = { stroke: "var(--card)", "stroke-width": 3, "paint-order": "stroke" };
       const text = svgElement("text", { x: place.x, y: place.y, dy: "0.35em", fill: label.color, ...halo });

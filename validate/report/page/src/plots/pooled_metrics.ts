@@ -1,4 +1,4 @@
-// The metrics of the results as the plots choose among them: pooled over objects, those of shadows one for each light.
+// The metrics that plots can show: pooled over objects, shadow metrics once for each light.
 import type { Group, MetricInfo, ReportData, TechniqueResult } from "../data";
 
 export interface PooledMetric {
@@ -16,25 +16,34 @@ export function pooledMetrics(report: ReportData): PooledMetric[] {
   const lights = [...new Set(report.results.techniques.flatMap(({ shadow }) => Object.keys(shadow ?? {})))];
   return report.metrics.flatMap((info) => {
     const [group, ...path] = info.key.split(".");
-    if (group !== "shadow") return [pooledMetric(info, info.key, info.label, path, (technique) => groupOf(technique, group))];
+    if (group !== "shadow")
+      return [pooledMetric(info, info.key, info.label, path, (technique) => groupOf(technique, group))];
     return lights.map((light) =>
-      pooledMetric(info, ["shadow", light, ...path].join("."), `${info.label}, ${light}`, path, ({ shadow }) => shadow?.[light]),
+      pooledMetric(
+        info,
+        ["shadow", light, ...path].join("."),
+        `${info.label}, ${light}`,
+        path,
+        ({ shadow }) => shadow?.[light],
+      ),
     );
   });
 }
 
-/** Those that at least one technique has. */
+/** Those that at least one technique has a value of. */
 export function metricsWithValues(metrics: PooledMetric[], report: ReportData): PooledMetric[] {
-  return metrics.filter((metric) => report.results.techniques.some((technique) => metric.valueOf(technique) !== undefined));
+  return metrics.filter((metric) =>
+    report.results.techniques.some((technique) => metric.valueOf(technique) !== undefined),
+  );
 }
 
-/** Without the ends of intervals, which say how sure another figure is. */
+/** Without the ends of intervals of other metrics. */
 export function withoutIntervals(metrics: PooledMetric[]): PooledMetric[] {
   const keys = new Set(metrics.map(({ key }) => key));
   return metrics.filter(({ key }) => !/_(low|high)$/.test(key) || !keys.has(key.replace(/_(low|high)$/, "")));
 }
 
-/** How far from the best, for a comparison of two: of what is better low the size counts, a bias has a sign. */
+/** Higher is better: of metrics where lower is better, the negative magnitude, as a bias has either sign. */
 export function merit(metric: PooledMetric, value: number): number {
   return metric.better === "high" ? value : -Math.abs(value);
 }

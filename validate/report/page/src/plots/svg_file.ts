@@ -1,4 +1,5 @@
-// A plot as a file that stands alone: colours as on white paper, generic fonts, a title, nothing from the page's style sheets.
+// A plot as a self-contained file: colours for white paper, generic fonts, a title, nothing from the page's
+// style sheets.
 
 const kSvg = "http://www.w3.org/2000/svg";
 
@@ -26,14 +27,15 @@ export function standaloneSvg(svg: SVGSVGElement, title: string): string {
   copy.setAttribute("font-size", copy.style.fontSize);
   copy.removeAttribute("style");
   for (const element of [copy, ...copy.querySelectorAll("*")])
-    for (const attribute of ["class", "role", "aria-label", "aria-hidden"]) element.removeAttribute(attribute);
+    for (const attribute of ["class", "role", "aria-label", "aria-hidden"])
+      element.removeAttribute(attribute);
   copy.setAttribute("font-family", "sans-serif");
   copy.setAttribute("color", "var(--text)");
   copy.setAttribute("fill", "var(--text)");
   return `<?xml version="1.0" encoding="UTF-8"?>\n${onPaper(new XMLSerializer().serializeToString(copy))}\n`;
 }
 
-/** Custom properties replaced by their values in the light scheme, as programs other than browsers know none. */
+/** Replaces custom properties, which only browsers know, by their values in the light scheme. */
 function onPaper(source: string): string {
   const paper = document.createElement("div");
   paper.className = "on-paper";

@@ -1,5 +1,5 @@
-// The program's colours (validate/report/colors.h, which says what they mean), in the page's own form. A colour is packed as a canvas
-// holds it on a little-endian machine: 0xAABBGGRR, opaque.
+// The program's colours (validate/report/colors.h, which says what they mean), in the page's own form. A
+// colour is packed as a canvas holds it on a little-endian machine: 0xAABBGGRR, opaque.
 import type { MapName, PaletteColor, ReportData } from "../data";
 
 export type Packed = number;
@@ -18,11 +18,17 @@ export interface Colors {
 
 export function colorsOf({ colors }: ReportData): Colors {
   const palette = Object.entries(colors.palette).map(([name, text]) => [name, packCssColor(text)]);
-  const maps = Object.entries(colors.maps).map(([name, { low, stops }]) => [name, { low, stops: stops.map(packCssColor) }]);
+  const maps = Object.entries(colors.maps).map(([name, { low, stops }]) => [
+    name,
+    { low, stops: stops.map(packCssColor) },
+  ]);
   return { palette: Object.fromEntries(palette), maps: Object.fromEntries(maps) };
 }
 
-/** `x` is clamped to the map's ends. The same steps as colorAt() of validate/report/colors.cpp, so that codes agree. */
+/**
+ * `x` is clamped to the map's ends. The same steps as colorAt() of validate/report/colors.cpp, so that codes
+ * agree.
+ */
 export function colorAt({ low, stops }: ColorMap, x: number): Packed {
   const inside = Math.min(Math.max(x, low), 1);
   const first = low < 0 ? Math.floor(stops.length / 2) : 0;

@@ -1,8 +1,11 @@
-// Elements in one expression. Texts are set as text, never as markup: names in a report are anybody's.
+// Elements in one expression. Texts are set as text, never as markup: names in a report come from outside.
 
 type Attributes = { [name: string]: string | number | boolean | ((event: Event) => void) };
 
-/** Attributes by name: true sets an empty one, false leaves it out, a function listens to the event of that name. */
+/**
+ * Attributes by name: true sets an empty one, false leaves it out, a function listens to the event of that
+ * name.
+ */
 export function make<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
   attributes: Attributes = {},
@@ -17,7 +20,7 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Writes a text only where it changed: the page's layout stays valid otherwise. */
+/** Writes only a text that differs, so that an equal one doesn't cost a new layout. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -36,7 +39,11 @@ export function setOptions(select: HTMLSelectElement, choices: readonly Choice[]
     select.dataset.choices = signature;
     select.replaceChildren(
       ...choices.map(({ value, label, reason }) =>
-        make("option", reason ? { value, disabled: true, title: reason } : { value }, reason ? `${label} (${reason})` : label),
+        make(
+          "option",
+          reason ? { value, disabled: true, title: reason } : { value },
+          reason ? `${label} (${reason})` : label,
+        ),
       ),
     );
   }

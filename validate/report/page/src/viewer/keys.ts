@@ -3,7 +3,7 @@ import { make } from "./dom";
 
 export interface KeyActions {
   arrange(arrangement: "side" | "wipe" | "blend", paneCount?: number): void;
-  /** Flicker: to the other of the two; into it from elsewhere. */
+  /** Swaps the two panes in the flicker arrangement, enters it from others. */
   flicker(): void;
   zoomBy(factor: number): void;
   fit(): void;
@@ -13,10 +13,10 @@ export interface KeyActions {
 
 const kHelp: [keys: string, what: string][] = [
   ["← → ↑ ↓", "in a picture: move the pixel that is read; with Shift by 10"],
-  ["Esc", "let go of the pixel"],
-  ["+ −", "closer, farther"],
-  ["0", "the whole frame"],
-  ["1 2 3 4", "so many panes side by side"],
+  ["Esc", "release the pixel that is held"],
+  ["+ −", "zoom in, zoom out"],
+  ["0", "fit the whole frame"],
+  ["1 2 3 4", "number of panes side by side"],
   ["W", "wipe between the first two panes"],
   ["F", "flicker: swap the first two panes"],
   ["B", "blend the first two panes"],
@@ -29,7 +29,10 @@ export function makeKeyHelp(): HTMLElement {
   return make("details", { class: "keys" }, make("summary", {}, "Keys"), make("dl", {}, ...rows));
 }
 
-/** Heard where the focus is in the viewer, or nowhere and the pointer is over it. No key is taken from a field. */
+/**
+ * While the focus is in the viewer, or on nothing and the pointer is over the viewer. Keys typed into fields
+ * are left to them.
+ */
 export function listenToKeys(root: HTMLElement, actions: KeyActions): void {
   const arrows: { [key: string]: [dx: number, dy: number] } = {
     ArrowLeft: [-1, 0],
@@ -51,11 +54,13 @@ export function listenToKeys(root: HTMLElement, actions: KeyActions): void {
 
   document.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
-    const isHeard = root.contains(target) || (target === document.body && root.matches(":hover"));
-    if (!isHeard || event.ctrlKey || event.altKey || event.metaKey || takesLetters(target)) return;
+    const isOurs = root.contains(target) || (target === document.body && root.matches(":hover"));
+    if (!isOurs || event.ctrlKey || event.altKey || event.metaKey || takesLetters(target)) return;
     const arrow = target.classList.contains("pane-view") ? arrows[event.key] : undefined;
     const step = event.shiftKey ? 10 : 1;
-    const action = arrow ? () => actions.moveCursor(arrow[0] * step, arrow[1] * step) : others[event.key.toLowerCase()];
+    const action = arrow
+      ? () => actions.moveCursor(arrow[0] * step, arrow[1] * step)
+      : others[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();
     if (event.repeat && action === others.f) return; // a key held down would flash faster than is safe
@@ -63,7 +68,7 @@ export function listenToKeys(root: HTMLElement, actions: KeyActions): void {
   });
 }
 
-/** Menus find entries by letters. */
+/** Letters choose entries of menus. */
 function takesLetters(target: HTMLElement): boolean {
   return target.matches("select, textarea, input:not([type=range], [type=checkbox]), [contenteditable]");
 }

@@ -1,4 +1,4 @@
-// What a pane can show of a frame, and why it can't.
+// The layers a pane can show of a frame, and the reasons against those it can't.
 import type { FrameEntry, LayerName, ReportData } from "../data";
 import { referenceOf } from "../frames";
 
@@ -16,19 +16,27 @@ export type LayerKey =
 export interface LayerInfo {
   key: LayerKey;
   label: string;
-  /** Planes it takes of the frame and of the reference. */
+  /** Planes of the frame and of the reference that it needs. */
   ofFrame: LayerName[];
   ofReference: LayerName[];
-  /** Of the reference, as far as it has them. */
+  /** Planes of the reference that it uses if they exist. */
   uncertain?: LayerName[];
 }
 
-/** Every layer of the report in the order of the menus, a shadow for each light of the reference. */
+/** In the order of the menus, with a shadow layer for each light of the reference. */
 export function layersOf(report: ReportData): LayerInfo[] {
-  const lights = (referenceOf(report)?.layers ?? []).filter((layer): layer is `shadow.${string}` => layer.startsWith("shadow."));
+  const lights = (referenceOf(report)?.layers ?? []).filter((layer): layer is `shadow.${string}` =>
+    layer.startsWith("shadow."),
+  );
   return [
     { key: "color", label: "Colour", ofFrame: ["color"], ofReference: [] },
-    { key: "silhouette", label: "Silhouette difference", ofFrame: ["id"], ofReference: ["id"], uncertain: ["uncertain"] },
+    {
+      key: "silhouette",
+      label: "Silhouette difference",
+      ofFrame: ["id"],
+      ofReference: ["id"],
+      uncertain: ["uncertain"],
+    },
     { key: "depth_error", label: "Depth error", ofFrame: ["id", "depth"], ofReference: ["id", "depth"] },
     ...lights.map((light): LayerInfo => ({
       key: light,
@@ -50,15 +58,15 @@ const kPlaneWords: { [plane: string]: string } = {
   id: "no object numbers",
   depth: "no depth",
   normal_angle: "no normals",
-  fetches: "look-ups aren't counted",
-  iterations: "iterations aren't counted",
+  fetches: "no count of look-ups",
+  iterations: "no count of iterations",
 };
 
-/** Why the layer can't be shown of the frame; undefined if it can. */
+/** Why the frame's layer can't be shown; undefined if it can. */
 export function reasonAgainst(report: ReportData, layer: LayerInfo, frame: FrameEntry): string | undefined {
-  if (frame.kind === "summary" && layer.key !== "failing") return "not of all techniques together";
-  if (frame.kind !== "summary" && layer.key === "failing") return "only of all techniques together";
-  if (frame.kind === "reference" && layer.key === "depth_error") return "the reference against itself";
+  if (frame.kind === "summary" && layer.key !== "failing") return "not for all techniques together";
+  if (frame.kind !== "summary" && layer.key === "failing") return "only for all techniques together";
+  if (frame.kind === "reference" && layer.key === "depth_error") return "the reference compared with itself";
   const lacking = layer.ofFrame.find((plane) => !frame.layers.includes(plane));
   if (lacking) return kPlaneWords[lacking] ?? "no such shadow";
   const reference = referenceOf(report);

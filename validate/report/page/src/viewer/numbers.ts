@@ -23,5 +23,6 @@ export function wholeNumber(value: number): string {
 export function roundedUp(value: number): number {
   if (!(value > 0)) return 0;
   const unit = 10 ** (Math.floor(Math.log10(value)) - 1);
-  return Number((Math.ceil(value / unit - 1e-9) * unit).toPrecision(2)); // 1e-9: a quotient that is whole but for rounding stays
+  // 1e-9: a quotient that is whole up to rounding stays.
+  return Number((Math.ceil(value / unit - 1e-9) * unit).toPrecision(2));
 }

@@ -1,4 +1,5 @@
-// One pane: a menu of frames and of layers, the picture under the shared zoom with its crosshair, and a legend.
+// One pane: a menu of frames and of layers, the picture under the shared zoom with its crosshair, and a
+// legend.
 import type { ReportData } from "../data";
 import type { FrameData, FrameStore } from "../frame_store";
 import { frameById, frameLabel, referenceOf } from "../frames";
@@ -6,30 +7,32 @@ import { colorsOf, type Colors } from "./colors";
 import { make, setOptions, setText } from "./dom";
 import { layersOf, reasonAgainst } from "./layers";
 import { Legend } from "./legend";
-import { paintLayer, type Range } from "./paint";
-import { readLayer, type DepthUnit, type Reading } from "./readings";
-import { possiblePane, type PaneChoice } from "./settings";
-import type { SharedZoom } from "./zoom";
+import { paintLayer } from "./paint";
+import type { Range } from "./ranges";
+import type { DepthUnit, Reading } from "./reading";
+import { readLayer } from "./readings";
+import { possiblePane, type PaneChoice } from "./standard_panes";
+import type { Pixel, SharedZoom } from "./zoom";
 
-/** Called with what a person chose in the pane. */
+/** Choices made in the pane. */
 export interface PaneEvents {
   choose(choice: PaneChoice): void;
   setRange(layer: Reading["layer"], range: Range | undefined): void;
 }
 
-/** Planes that the read-out tells of any frame. */
+/** Planes that the read-out shows of any frame. */
 const kReadPlanes = ["id", "depth"] as const;
-/** CSS pixels of the crosshair's box at the least. */
+/** Smallest size of the crosshair's box, CSS pixels. */
 const kBoxPx = 11;
 
 export class Pane {
   readonly element: HTMLElement;
   /** What zooms and listens to pointers and keys. */
   readonly view: HTMLElement;
-  /** Holds the canvas, as large as the view: what a wipe cuts and a blend thins. */
+  /** Holds the canvas, as large as the view. A wipe clips it, a blend makes it translucent. */
   readonly picture: HTMLElement;
   private readonly canvas = make("canvas");
-  /** What is shown, once it is loaded; the one before while it isn't. */
+  /** What is shown; while another one loads, the one before. */
   reading: Reading | null = null;
   frame: FrameData | null = null;
   private choice: PaneChoice = { frame: "", layer: "color" };
@@ -39,10 +42,17 @@ export class Pane {
   private readonly frameMenu: HTMLSelectElement;
   private readonly layerMenu: HTMLSelectElement;
   private readonly status = make("p", { class: "pane-status" });
-  private readonly crosshair = make("div", { class: "crosshair", hidden: true }, make("i"), make("i"), make("i"), make("i"));
+  private readonly crosshair = make(
+    "div",
+    { class: "crosshair", hidden: true },
+    make("i"),
+    make("i"),
+    make("i"),
+    make("i"),
+  );
   private readonly legend: Legend;
   private readonly colors: Colors;
-  /** Ids of the frames that what is shown was read of. */
+  /** Ids of the frames that `reading` was made from. */
   private shownFrames: string[] = [];
 
   constructor(
@@ -51,12 +61,28 @@ export class Pane {
     index: number,
     private readonly events: PaneEvents,
   ) {
-    this.frameMenu = make("select", { "aria-label": `Pane ${index + 1}: frame`, change: () => this.chosen() });
-    this.layerMenu = make("select", { "aria-label": `Pane ${index + 1}: layer`, change: () => this.chosen() });
+    this.frameMenu = make("select", {
+      "aria-label": `Pane ${index + 1}: frame`,
+      change: () => this.chosen(),
+    });
+    this.layerMenu = make("select", {
+      "aria-label": `Pane ${index + 1}: layer`,
+      change: () => this.chosen(),
+    });
     this.picture = make("div", { class: "pane-picture" }, this.canvas);
-    this.view = make("div", { class: "pane-view", tabindex: 0, role: "application" }, this.picture, this.crosshair, this.status);
+    this.view = make(
+      "div",
+      { class: "pane-view", tabindex: 0, role: "application" },
+      this.picture,
+      this.crosshair,
+      this.status,
+    );
     this.colors = colorsOf(report);
-    this.legend = new Legend(this.colors, index, (range) => this.reading && events.setRange(this.reading.layer, range));
+    this.legend = new Legend(
+      this.colors,
+      index,
+      (range) => this.reading && events.setRange(this.reading.layer, range),
+    );
     this.element = make(
       "div",
       { class: "pane", role: "group" },
@@ -69,15 +95,17 @@ export class Pane {
     this.view.style.aspectRatio = `${report.width} / ${report.height}`;
   }
 
-  /** Loads and reads what is to be shown; resolves when there is a reading or a text that says why not. */
+  /** Loads and reads the choice; resolves when there is a reading or a text that says why not. */
   async show(choice: PaneChoice, unit: DepthUnit, name: string): Promise<void> {
     setText(this.name, name);
-    const changed = choice.frame !== this.choice.frame || choice.layer !== this.choice.layer || unit !== this.unit;
+    const changed =
+      choice.frame !== this.choice.frame || choice.layer !== this.choice.layer || unit !== this.unit;
     this.choice = choice;
     this.unit = unit;
     this.showChoice(name);
     if (!changed && this.element.dataset.state === "ready") return;
-    this.setStatus("loading", "Loading…"); // the style sheet holds the text back for a moment: most have loaded by then
+    // Shown by the style sheet after a moment: most frames have loaded by then.
+    this.setStatus("loading", "Loading…");
     const isCurrent = () => choice === this.choice && unit === this.unit;
     try {
       const [frame, reference] = await this.loadFrames(choice);
@@ -95,7 +123,7 @@ export class Pane {
     }
   }
 
-  /** Ids of the frames that are shown and of those that are about to be. */
+  /** Ids of the frames that are shown and of those that are loading. */
   framesInUse(): string[] {
     return [...this.shownFrames, ...this.framesFor(this.choice)];
   }
@@ -112,12 +140,16 @@ export class Pane {
     if (!layer) throw new Error(`there is no layer '${choice.layer}'`);
     const [frameId, referenceId] = this.framesFor(choice);
     const frame = this.store.load(frameId, [...layer.ofFrame, ...kReadPlanes]);
-    if (referenceId === undefined) return [await frame, await frame]; // it doesn't wait for the reference, nor fail with it
-    return Promise.all([frame, this.store.load(referenceId, [...layer.ofReference, ...(layer.uncertain ?? [])])]);
+    // Neither waits for the reference nor fails with it.
+    if (referenceId === undefined) return [await frame, await frame];
+    return Promise.all([
+      frame,
+      this.store.load(referenceId, [...layer.ofReference, ...(layer.uncertain ?? [])]),
+    ]);
   }
 
-  /** Only where the reading or the range isn't what was painted last. */
-  paint(range: Range, usual: Range): void {
+  /** Only if the reading or the range has changed since. */
+  paint(range: Range, defaultRange: Range): void {
     const { reading } = this;
     if (!reading) {
       this.legend.clear();
@@ -129,12 +161,16 @@ export class Pane {
     if (this.paintedWith === key) return;
     this.paintedWith = key;
     const painting = paintLayer(this.colors, reading, range, this.report.width * this.report.height);
-    const image = new ImageData(new Uint8ClampedArray(painting.pixels.buffer), this.report.width, this.report.height);
+    const image = new ImageData(
+      new Uint8ClampedArray(painting.pixels.buffer),
+      this.report.width,
+      this.report.height,
+    );
     this.canvas.getContext("2d")?.putImageData(image, 0, 0);
-    this.legend.show(reading, range, usual, painting.counts);
+    this.legend.show(reading, range, defaultRange, painting.counts);
   }
 
-  draw(zoom: SharedZoom, cursor: { x: number; y: number } | null): void {
+  draw(zoom: SharedZoom, cursor: Pixel | null): void {
     const { scale, left, top } = zoom.placement(this.view);
     if (zoom.size(this.view).width === 0) return;
     this.drawPicture(scale, left, top);
@@ -145,13 +181,17 @@ export class Pane {
     this.element.dataset.y = String(camera.y);
   }
 
-  /** The canvas holds the frame pixel for pixel and is painted only anew; the compositor moves it, which holds the frame rate without a GPU. */
+  /**
+   * The canvas holds the frame pixel for pixel; only the compositor moves it, which keeps the frame rate up
+   * without a GPU.
+   */
   private drawPicture(scale: number, left: number, top: number): void {
     this.canvas.style.transform = `translate(${left}px, ${top}px) scale(${scale})`;
-    this.canvas.style.imageRendering = scale * window.devicePixelRatio < 1 ? "auto" : "pixelated"; // shrunk, single pixels must not vanish
+    // Single pixels must not vanish where it is shrunk.
+    this.canvas.style.imageRendering = scale * window.devicePixelRatio < 1 ? "auto" : "pixelated";
   }
 
-  private drawCrosshair(cursor: { x: number; y: number } | null, scale: number, left: number, top: number): void {
+  private drawCrosshair(cursor: Pixel | null, scale: number, left: number, top: number): void {
     this.crosshair.hidden = cursor === null;
     if (!cursor) return;
     const size = Math.max(scale, kBoxPx);
@@ -169,20 +209,31 @@ export class Pane {
   private showChoice(name: string): void {
     const { frame: frameId, layer } = this.choice;
     const { frames } = this.report;
-    setOptions(this.frameMenu, frames.map((frame) => ({ value: frame.id, label: frameLabel(frame) })), frameId);
+    setOptions(
+      this.frameMenu,
+      frames.map((frame) => ({ value: frame.id, label: frameLabel(frame) })),
+      frameId,
+    );
     const entry = frameById(this.report, frameId);
     if (!entry) throw new Error(`there is no frame '${frameId}'`);
     const layers = layersOf(this.report);
     setOptions(
       this.layerMenu,
-      layers.map((info) => ({ value: info.key, label: info.label, reason: reasonAgainst(this.report, info, entry) })),
+      layers.map((info) => ({
+        value: info.key,
+        label: info.label,
+        reason: reasonAgainst(this.report, info, entry),
+      })),
       layer,
     );
     this.element.dataset.frame = frameId;
     this.element.dataset.layer = layer;
     const title = `${frameLabel(entry)}, ${layers.find(({ key }) => key === layer)?.label ?? layer}`;
     this.element.setAttribute("aria-label", `Pane ${name}`);
-    this.view.setAttribute("aria-label", `Picture ${name}: ${title}. Arrow keys move the pixel that is read.`);
+    this.view.setAttribute(
+      "aria-label",
+      `Picture ${name}: ${title}. Arrow keys move the pixel that is read.`,
+    );
   }
 
   private setStatus(state: "loading" | "ready" | "error", text: string): void {

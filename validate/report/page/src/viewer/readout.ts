@@ -4,7 +4,8 @@ import type { FrameData } from "../frame_store";
 import { channelsOf, cssColor } from "./colors";
 import { make, setText } from "./dom";
 import { shortestFloat, significant } from "./numbers";
-import type { Reading } from "./readings";
+import type { Reading } from "./reading";
+import type { Pixel } from "./zoom";
 
 export interface ReadPane {
   /** "1", or "A". */
@@ -26,20 +27,40 @@ export class Readout {
     const heads = kColumns.map((column) =>
       make("th", { scope: "col" }, column, ...(column === "Depth" ? [make("small", {}, "world units")] : [])),
     );
-    const table = make("table", { class: "readout" }, this.where, make("thead", {}, make("tr", {}, ...heads)), this.rows);
-    this.element = make("div", { class: "readout-box", tabindex: 0, role: "region", "aria-label": "Values of the pixel" }, table, this.spoken);
+    const table = make(
+      "table",
+      { class: "readout" },
+      this.where,
+      make("thead", {}, make("tr", {}, ...heads)),
+      this.rows,
+    );
+    this.element = make(
+      "div",
+      { class: "readout-box", tabindex: 0, role: "region", "aria-label": "Values of the pixel" },
+      table,
+      this.spoken,
+    );
   }
 
-  show(panes: readonly ReadPane[], pixel: { x: number; y: number } | null): void {
+  show(panes: readonly ReadPane[], pixel: Pixel | null): void {
     setText(
       this.where,
       pixel
         ? `Pixel ${pixel.x} from the left, ${pixel.y} from the top; its centre is at ${pixel.x + 0.5}, ${pixel.y + 0.5}`
-        : "Point at a picture, or give it the focus and press an arrow key, to read a pixel",
+        : "Point at a picture, or focus it and press an arrow key, to read a pixel",
     );
     while (this.rows.rows.length > panes.length) this.rows.deleteRow(-1);
     while (this.rows.rows.length < panes.length)
-      this.rows.append(make("tr", {}, make("th", { scope: "row" }, make("b"), make("span")), make("td"), make("td"), make("td")));
+      this.rows.append(
+        make(
+          "tr",
+          {},
+          make("th", { scope: "row" }, make("b"), make("span")),
+          make("td"),
+          make("td"),
+          make("td"),
+        ),
+      );
     panes.forEach((pane, index) => {
       const cells = this.rows.rows[index].cells;
       const at = pixel ? pixel.y * this.report.width + pixel.x : -1;
@@ -52,10 +73,13 @@ export class Readout {
     });
   }
 
-  /** For those who don't see the table change: only where keys moved the pixel, or it would never be silent. */
-  speak(panes: readonly ReadPane[], pixel: { x: number; y: number }): void {
+  /** For screen readers. Only for pixels moved by keys: with the pointer it would never be silent. */
+  speak(panes: readonly ReadPane[], pixel: Pixel): void {
     const at = pixel.y * this.report.width + pixel.x;
-    const values = panes.map(({ name, reading, frame }) => `${name}: ${reading ? valueText(this.report, reading, frame, at) : "none"}`);
+    const values = panes.map(
+      ({ name, reading, frame }) =>
+        `${name}: ${reading ? valueText(this.report, reading, frame, at) : "none"}`,
+    );
     setText(this.spoken, `${pixel.x}, ${pixel.y}. ${values.join(". ")}`);
   }
 }
@@ -93,7 +117,13 @@ function valueText(report: ReportData, reading: Reading, frame: FrameData | null
 }
 
 /** In both units where the object has a relief. */
-function depthErrorText(report: ReportData, reading: Reading, frame: FrameData | null, at: number, value: number): string {
+function depthErrorText(
+  report: ReportData,
+  reading: Reading,
+  frame: FrameData | null,
+  at: number,
+  value: number,
+): string {
   const id = frame?.get("id")?.at(at);
   const relief = report.objects.find((object) => object.id === id)?.relief_depth ?? NaN;
   const world = reading.unit === "world units" ? value : value * relief;

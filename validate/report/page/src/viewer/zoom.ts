@@ -2,14 +2,26 @@
 import { select } from "d3-selection";
 import { zoom, zoomIdentity, type D3ZoomEvent, type ZoomTransform } from "d3-zoom";
 
-/** scale: 1 shows the whole frame. x, y: the frame's point in the middle of the pane, pixels from its left and top edge. */
+/** Of the frame, from its left and top. */
+export interface Pixel {
+  x: number;
+  y: number;
+}
+
+/**
+ * scale: 1 shows the whole frame. x, y: the frame's point in the middle of the pane, pixels from its left and
+ * top edge.
+ */
 export interface Camera {
   scale: number;
   x: number;
   y: number;
 }
 
-/** Where a frame lies in a pane: `scale` CSS pixels a frame pixel, its left and top edge in CSS pixels from the pane's. */
+/**
+ * Where a frame lies in a pane: `scale` CSS pixels a frame pixel, its left and top edge in CSS pixels from
+ * the pane's.
+ */
 export interface Placement {
   scale: number;
   left: number;
@@ -21,9 +33,9 @@ interface Size {
   height: number;
 }
 
-/** CSS pixels a frame pixel at the closest. */
+/** CSS pixels a frame pixel at the closest zoom. */
 const kClosestPx = 96;
-/** The address and the panes' attributes hold the camera to this many decimals, and so does the camera itself. */
+/** Decimals of the camera, as many as the address and the panes' attributes hold. */
 const kDecimals = 4;
 
 const round = (value: number) => Number(value.toFixed(kDecimals));
@@ -34,7 +46,7 @@ export class SharedZoom {
   private readonly behavior = zoom<HTMLElement, unknown>();
   private readonly resizes = new ResizeObserver((entries) => {
     for (const entry of entries) this.resize(entry.target as HTMLElement, entry.contentRect);
-    this.set(this.camera); // how close is closest depends on the panes' sizes
+    this.set(this.camera); // the closest zoom depends on the panes' sizes
   });
 
   constructor(
@@ -45,8 +57,9 @@ export class SharedZoom {
     this.camera = this.fitting();
     const shared = this;
     const constrain = this.behavior.constrain();
+    // The frame stays in sight.
     this.behavior
-      .constrain((transform, extent) => constrain(transform, extent, extent)) // the frame can't be lost from sight
+      .constrain((transform, extent) => constrain(transform, extent, extent))
       .duration(reducedMotion ? 0 : 200)
       .on("zoom", function (this: HTMLElement, event: D3ZoomEvent<HTMLElement, unknown>) {
         shared.follow(this, event.transform);
@@ -63,7 +76,7 @@ export class SharedZoom {
   }
 
   set(camera: Camera): void {
-    this.camera = this.held(camera);
+    this.camera = this.clamped(camera);
     for (const view of this.sizes.keys()) this.tellBehavior(view);
     this.onChange();
   }
@@ -72,11 +85,15 @@ export class SharedZoom {
     this.set(this.fitting());
   }
 
-  /** Closer by the factor, about a point of the frame that stays where it is. */
+  /** By the factor, about a point of the frame that stays in place. */
   zoomBy(factor: number, about: { x: number; y: number }): void {
     const scale = Math.min(Math.max(this.camera.scale * factor, 1), this.closest());
     const stays = this.camera.scale / scale;
-    this.set({ scale, x: about.x + (this.camera.x - about.x) * stays, y: about.y + (this.camera.y - about.y) * stays });
+    this.set({
+      scale,
+      x: about.x + (this.camera.x - about.x) * stays,
+      y: about.y + (this.camera.y - about.y) * stays,
+    });
   }
 
   placement(view: HTMLElement): Placement {
@@ -85,7 +102,7 @@ export class SharedZoom {
     return { scale, left: width / 2 - this.camera.x * scale, top: height / 2 - this.camera.y * scale };
   }
 
-  isInSight(view: HTMLElement, pixel: { x: number; y: number }): boolean {
+  isInSight(view: HTMLElement, pixel: Pixel): boolean {
     const { width, height } = this.size(view);
     const { scale, left, top } = this.placement(view);
     const [x, y] = [left + (pixel.x + 0.5) * scale, top + (pixel.y + 0.5) * scale];
@@ -96,8 +113,7 @@ export class SharedZoom {
     return this.sizes.get(view) ?? { width: 0, height: 0 };
   }
 
-  /** To what can be looked at. */
-  private held(camera: Camera): Camera {
+  private clamped(camera: Camera): Camera {
     const clamp = (value: number, low: number, high: number) => Math.min(Math.max(value, low), high);
     return {
       scale: round(clamp(camera.scale, 1, this.closest())),
@@ -126,7 +142,7 @@ export class SharedZoom {
     this.behavior.scaleExtent([1, this.closest()]);
   }
 
-  /** d3's transform moves the frame from where it fits the pane. */
+  /** d3's transform is relative to the frame fitted to the pane. */
   private tellBehavior(view: HTMLElement): void {
     const { width, height } = this.size(view);
     const { scale, x, y } = this.camera;
