@@ -1,5 +1,6 @@
-// Depth errors of a technique as curves: the share of pixels off by more than a threshold, over thresholds,
-// and the histogram of signed errors. In relief depths, over the domain of the pooled depth figures
+// Depth errors of a technique as curves: the share of pixels with an error above a threshold, over
+// thresholds, and the histogram of signed errors. In relief depths, over the domain of the pooled depth
+// figures
 // (../depth_error.h).
 #pragma once
 
@@ -21,8 +22,8 @@ std::vector<double> histogramEdges();
 
 struct ErrorCurves {
     std::vector<double> badpix; // share with |e| > badpixThresholds()[i], strictly
-    /// counts[i]: pixels with histogramEdges()[i] <= e < histogramEdges()[i + 1]; below and above: beyond the
-    /// ends.
+    /// counts[i]: pixels with histogramEdges()[i] <= e < histogramEdges()[i + 1]; below and above: outside
+    /// the ends.
     std::vector<uint64_t> counts;
     uint64_t below = 0, above = 0;
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kReliefShare = 0.05; // as badpix_5pct
 
-/// By id: how far the depth may be off, world units; negative where nobody knows the relief's depth.
+/// By id: the largest depth error that passes, world units; negative where the relief depth is unknown.
 std::vector<double> tolerances(const FramePair& pair) {
     std::vector<double> byId;
     for (const ObjectInfo& object : pair.objects()) {
@@ -31,7 +31,7 @@ struct ShadowPlanes {
         if (const std::string channel = uncertainShadowChannel(light); pair.reference().has(channel))
             uncertain = pair.reference().channel(channel);
     }
-    /// Where the reference knows it.
+    /// False where the reference is uncertain or has no value.
     bool differAt(uint32_t pixel) const {
         if (!std::isfinite(reference[pixel]) || (!uncertain.empty() && saysUncertain(uncertain[pixel])))
             return false;
@@ -43,9 +43,10 @@ struct ShadowPlanes {
 
 std::string FailingPixels::meaning() {
     return fmt::format(
-        "another object than the reference shows, or none; or a depth off by more than {:.0f} % of the "
-        "relief depth, or no finite one; or another shadow of any light, or none. Where the reference itself "
-        "can't tell doesn't count, and controls don't.",
+        "another object than in the reference, or none; a depth error above {:.0f} % of the relief depth, or "
+        "a "
+        "depth that isn't finite; a different shadow of any light, or none. Pixels where the reference is "
+        "uncertain don't count, nor do controls.",
         100 * kReliefShare);
 }
 

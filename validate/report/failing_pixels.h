@@ -1,5 +1,5 @@
-// How many techniques fail at each pixel: where all do, the scene or the base is at fault, where one does, it
-// is.
+// How many techniques fail at each pixel. Where all do, the cause is the scene or the base; where one does,
+// it is the technique.
 #pragma once
 
 #include "validate/compare/compare.h"

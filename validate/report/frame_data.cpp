@@ -61,7 +61,7 @@ Json packIds(std::span<const int> ids) {
     return packPlane(std::vector<float>(ids.begin(), ids.end()));
 }
 
-/// In 256ths of a degree: finer than a float's steps of a normal near a right angle would be of use.
+/// In 256ths of a degree.
 Json packNormalAngle(const FramePair& pair) {
     constexpr double kSteps = 256;
     std::vector<uint16_t> angles(pair.referenceIds().size(), 65535);
@@ -79,14 +79,14 @@ Json packNormalAngle(const FramePair& pair) {
             {"data", packWords(angles)}};
 }
 
-/// Layers to be packed, side by side when all are known.
+/// Layers to be packed, in parallel once all are added.
 class Layers {
   public:
     void add(const std::string& name, std::function<Json()> pack) {
         names_.push_back(name);
         pack_.push_back(std::move(pack));
     }
-    /// A channel of the frame under the layer's name, if it is there.
+    /// A channel of the frame as layer `layer`, if the frame has it.
     void addChannel(const Frame& frame, const std::string& channel, const std::string& layer) {
         if (frame.has(channel)) add(layer, [&frame, channel] { return packPlane(frame.channel(channel)); });
     }

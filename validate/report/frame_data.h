@@ -1,4 +1,4 @@
-// What the page shows of a frame: its planes, and how they are told to the page. src/data.ts reads them.
+// The planes of a frame that the page shows, as text that its src/layer_unpacking.ts unpacks.
 #pragma once
 
 #include "validate/compare/compare.h"
@@ -16,10 +16,10 @@ struct FrameData {
     std::string json;
 };
 
-/// colour, object, depth, shadows, uncertain pixels. `depth`: planar, empty if there is none.
+/// Colour, object, depth, shadows, uncertain pixels. `depth`: planar, empty if there is none.
 FrameData packReference(const FramePair& pair, std::span<const float> depth);
 
-/// colour, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test
+/// Colour, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test
 /// frame.
 FrameData packTest(const FramePair& pair, std::span<const float> depth);
 

@@ -1,8 +1,8 @@
-// Planes of numbers as text that a script can hold. src/data.ts of the page undoes it.
+// Planes of numbers as text that a script can hold. src/layer_unpacking.ts of the page unpacks it.
 //
 // Bytes of equal weight stand side by side, the most significant first, and each byte is replaced by its
 // difference to the one before (as TIFF's predictor 3, Adobe Photoshop TIFF Technical Note 3, 2005):
-// neighbours resemble each other there. Then zlib (RFC 1950), then base64 (RFC 4648).
+// neighbours are similar there. Then zlib (RFC 1950), then base64 (RFC 4648).
 #pragma once
 
 #include <cstdint>

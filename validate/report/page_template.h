@@ -10,7 +10,7 @@ namespace plumbline::report {
 /// Throws MachineError if it can't be read.
 std::string readTemplate(const char* name);
 
-/// The page a template makes of `page`. Throws MachineError for a template that is damaged.
+/// The page that a template makes of `page`. Throws MachineError for an invalid template.
 std::string renderTemplate(const char* name, const kainjow::mustache::data& page);
 
 } // namespace plumbline::report

@@ -18,7 +18,7 @@ Picture paint(const Frame& frame, ColorOf&& colorOf) {
     return picture;
 }
 
-/// Colour of a pixel that the two frames don't share; the error has no meaning there.
+/// Colour of a pixel that doesn't show the same object in both frames.
 Rgb unsharedColor(int inReference, int inTest) {
     return inReference == 0 && inTest == 0 ? palette::kNothing : palette::kUnshared;
 }

@@ -1,4 +1,4 @@
-// What a person looks at: frames and their differences as 8-bit RGB. Row 0 = top row, width x height x 3.
+// Frames and their differences as pictures: 8-bit sRGB, row 0 = top row, width x height x 3.
 #pragma once
 
 #include "validate/metrics/frame_pair.h"
@@ -37,11 +37,11 @@ Picture iterationsPicture(const Frame& test, double most);
 /// units^-1: red where the base is convex along the channel's direction, blue where it is concave.
 Picture curvaturePicture(const Frame& test, const std::string& channel, double range);
 
-/// |value| of the channel that 90 % of the covered pixels stay within (edges and tips bend many times as
-/// much); 0 if none is finite.
+/// |value| of the channel that 90 % of the covered pixels stay within, as edges and tips have many times the
+/// curvature; 0 if none is finite.
 double curvatureRange(const Frame& test, const std::string& channel);
 
-/// Both lit, both dark, false shadow (kExtra), false lit (kMissing) over shared pixels.
+/// Lit in both, dark in both, false shadow (kExtra), false light (kMissing) over shared pixels.
 Picture shadowPicture(const FramePair& pair, const std::string& light);
 
 } // namespace plumbline

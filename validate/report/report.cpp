@@ -26,13 +26,13 @@ FramePair pairOf(const Comparison& comparison, const Frame& reference, const Fra
     return {reference, test, objects};
 }
 
-/// Of an earlier run, by what they begin with: the folder may hold somebody else's files.
+/// Those of an earlier run, recognised by their beginning: the folder may hold other files.
 void removeOldFrames(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (!entry.is_regular_file() || entry.path().extension() != ".js") continue;
         std::string beginning(report::kFrameScriptBeginning.size(), ' ');
         std::ifstream(entry.path()).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-        std::error_code ignored; // one that stays is not shown
+        std::error_code ignored; // one that stays isn't shown by the page
         if (beginning == report::kFrameScriptBeginning) std::filesystem::remove(entry.path(), ignored);
     }
 }
@@ -48,7 +48,7 @@ Report::Report(std::filesystem::path folder, ReportOptions options)
 }
 
 std::string Report::save(const std::string& stem, const std::string& what, const Picture& picture) const {
-    // Each part by itself: a long name must not cost what tells its pictures apart.
+    // Each part by itself, so that a long name keeps the part that tells its pictures apart.
     const std::string file = safeFileName(stem) + (what.empty() ? "" : safeFileName(what)) + ".png";
     writePng(folder_ / file, picture.width, picture.height, picture.rgb);
     if (!options_.singleFile) return file;
@@ -58,7 +58,7 @@ std::string Report::save(const std::string& stem, const std::string& what, const
            report::base64({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
 }
 
-/// In the place of an earlier one with its id.
+/// Replaces an earlier one with its id.
 void Report::saveFrame(report::FrameEntry entry, const report::FrameData& frame) {
     entry.layers = frame.layers;
     if (options_.singleFile)
@@ -129,15 +129,15 @@ void Report::saveCurvature(const std::string& stem, const Frame& test,
         if (!test.has(channel) || !test.has("id")) return;
         range = std::max(range, curvatureRange(test, channel));
     }
-    if (!(range > 0)) return; // no base is bent
+    if (!(range > 0)) return; // no base is curved
     for (const auto& [channel, caption] : channels)
         if (channel != "curvature.cross" || curvatureRange(test, channel) > 0)
             entries.push_back({save(stem, "_" + channel, curvaturePicture(test, channel, range)), caption,
                                Kind::Curvature, fmt::format("{:.3g}", range)});
 }
 
-/// The planes of a frame held against the reference. The first one tells what only a pair knows: what is
-/// known of the objects, whether they are told apart, and where depth comes from.
+/// The planes of a frame that is compared with the reference. The first pair decides what takes two frames:
+/// what is known of the objects, whether both frames tell them apart, and where depth comes from.
 void Report::saveTest(const std::string& stem, report::FrameEntry entry, const Comparison& comparison,
                       const FramePair& pair) {
     if (data_.frames.size() == 1) {
@@ -152,7 +152,7 @@ void Report::saveTest(const std::string& stem, report::FrameEntry entry, const C
 }
 
 void Report::addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test) {
-    // The number keeps names apart that safeFileName makes equal.
+    // The number distinguishes names that safeFileName makes equal.
     const std::string stem = fmt::format("{}_{}", pictures_.techniques.size() + 1, technique.name);
     const FramePair pair = pairOf(technique.comparison, reference, test);
     std::vector<ReportPicture>& entries = pictures_.techniques[technique.name];
@@ -193,7 +193,7 @@ void Report::write(const Results& results, bool last) {
             {.id = "s", .name = "all techniques", .kind = "summary", .file = "data/failing.js", .layers = {}},
             report::packCounts("failing", failing_.counts()));
     }
-    if (options_.singleFile && !last) return; // all of it anew each time would take longer than the run
+    if (options_.singleFile && !last) return; // writing all of it each time would take longer than the run
     PageScripts scripts;
     scripts.data = report::reportDataJson(results, data_);
     if (options_.singleFile) {

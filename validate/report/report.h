@@ -1,4 +1,4 @@
-// The folder report/: index.html and what it shows. Offline; it opens from disk.
+// The folder report/: index.html and the files it shows. It opens from disk, without the network.
 //
 // With the interactive page (page_bundle.h): index.html, report.js, data/*.js with the planes of each frame,
 // pictures of curvatures. Without: index.html without scripts and every picture as PNG. As a single file:
@@ -25,9 +25,8 @@ struct ReportOptions {
     bool singleFile = false;
 };
 
-/// Paints while the frames are there and writes the page from what it painted, so that a run needs to hold
-/// only the reference and one test frame at a time, and a run that is stopped leaves a page of what was
-/// finished.
+/// Paints each frame when it is added and writes the page from that, so that a run holds only the reference
+/// and one test frame at a time, and a stopped run leaves a page of what was finished.
 class Report {
   public:
     /// `folder`: the page becomes folder/index.html. Must exist.
@@ -38,8 +37,7 @@ class Report {
     void addTechnique(const TechniqueOutcome& technique, const Frame& reference, const Frame& test);
     /// `gap` must be of these two frames.
     void addBaseGap(const Comparison& gap, const Frame& reference, const Frame& proxyReference);
-    /// Techniques without pictures (failed ones) are shown with their error. A single file is written only if
-    /// this is the last time.
+    /// Techniques that failed are shown with their error. A single file is written only at the last call.
     void write(const Results& results, bool last);
 
   private:

@@ -57,11 +57,11 @@ DepthRange depthRange(const Comparison& comparison) {
     if (deepest > 0) return {0.25 * deepest, "a quarter of the relief depth"};
     const Figure& p95 = comparison.pooled.depth.world.p95;
     if (p95 && *p95 > 0) return {*p95, "95 % of the shared pixels lie within"};
-    return {1, "no relief depth known, no error to scale by"};
+    return {1, "no relief depth is known, and no error to scale by"};
 }
 
 std::string scriptSafe(std::string json) {
-    // In JSON a '<' stands only inside of strings.
+    // In JSON a '<' occurs only in strings.
     size_t at = 0;
     while ((at = json.find('<', at)) != std::string::npos)
         json.replace(at, 1, "\\u003c");

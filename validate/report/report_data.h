@@ -1,5 +1,5 @@
-// What the page's script is told beside its frames: results, frames there are, curves, ranges. src/data.ts of
-// the page has its shape.
+// The data that the page's script gets beside its frames: results, list of frames, curves, ranges, colours.
+// src/data.ts of the page describes its structure.
 #pragma once
 
 #include "validate/report/error_curves.h"
@@ -13,7 +13,7 @@ namespace plumbline::report {
 
 /// A frame the page can show.
 struct FrameEntry {
-    std::string id;                 // unique, whatever techniques are called
+    std::string id;                 // unique; names needn't be
     std::string name;               // of a technique: its name in the results
     const char* kind = "technique"; // reference, proxy, technique, summary
     std::string file;               // relative to the page
@@ -21,12 +21,12 @@ struct FrameEntry {
     std::optional<ErrorCurves> curves = {};
 };
 
-/// Full colour of the signed depth error's map, world units: a quarter of the largest relief depth, so that
-/// pictures of different techniques and runs compare; without a relief depth, the comparison's own p95 (1 if
-/// that is 0).
+/// Where the colour map of signed depth errors ends, world units: at a quarter of the largest relief depth,
+/// so that pictures of different techniques and runs can be compared; without a relief depth, at the
+/// comparison's own p95 (1 if that is 0).
 struct DepthRange {
     double worldUnits = 1;
-    std::string note; // how it came about
+    std::string note; // why it ends there
 };
 DepthRange depthRange(const Comparison& comparison);
 

@@ -28,18 +28,18 @@ std::string withThousands(double count) {
     return digits;
 }
 
-/// What the reader must know about the reference before trusting it; a sentence each.
+/// Limits of the reference, a sentence each.
 std::vector<std::string> referenceLimits(const ReferenceSummary& reference) {
     std::vector<std::string> limits;
     for (const ReferenceSummary::Object& object : reference.objects)
         if (object.rate < object.wantedRate)
-            limits.push_back(
-                fmt::format("{}: {} segments per control edge instead of the {} that half a texel and half a "
-                            "pixel ask for; the memory or rate given didn't allow more.",
-                            object.name, object.rate, object.wantedRate));
+            limits.push_back(fmt::format(
+                "{}: {} segments per control edge instead of the {} needed for the error aimed at, "
+                "because of the limit on memory or the rate given.",
+                object.name, object.rate, object.wantedRate));
     for (const std::string& sentence : certificateSentences(reference.certificate))
         limits.push_back(sentence);
-    limits.emplace_back("One sample a pixel, at its centre, without anti-aliasing.");
+    limits.emplace_back("One sample per pixel, at its centre, without anti-aliasing.");
     return limits;
 }
 
@@ -90,7 +90,7 @@ std::string parametersText(const std::map<std::string, std::string>& parameters)
     return text;
 }
 
-/// Bars of an SVG 100 wide and 30 high: the share of pixels by rounds, the tallest at full height.
+/// Bars of an SVG 100 wide and 30 high: pixels by number of iterations, the tallest bar at full height.
 data histogramBars(const std::vector<uint64_t>& histogram) {
     data bars{data::type::list};
     uint64_t tallest = 1;
@@ -141,12 +141,12 @@ data objectRows(const TechniqueOutcome& technique, const std::vector<Column>& co
     return objects;
 }
 
-/// What it was to reach and didn't, a sentence each.
+/// A sentence each.
 std::vector<std::string> missedRequirements(const TechniqueOutcome& technique) {
     std::vector<std::string> missed;
     for (const RequirementResult& each : technique.requirements) {
         if (each.passed) continue;
-        const bool named = each.requirement.starts_with(each.key + " "); // else it is of every light
+        const bool named = each.requirement.starts_with(each.key + " "); // else it is for every light
         missed.push_back(fmt::format("Required {}, found {}{}", each.requirement,
                                      each.value ? fmt::format("{}", *each.value)
                                                 : "no figure (" + each.value.reason() + ")",
@@ -194,7 +194,7 @@ data gapRow(const std::string& name, const Comparison& comparison, const std::ve
     return row;
 }
 
-/// The gap between the two references, and each technique against the one on the proxy.
+/// The gap between the two references, and each technique compared with the one on the proxy.
 data baseGapData(const Results& results, const std::vector<Column>& columns, const ReportPictures& pictures) {
     data section{data::type::object};
     section.set("name", "the reference on the proxy");

@@ -14,23 +14,23 @@ struct ReportPicture {
     enum class Kind { Color, Silhouette, DepthError, Shadow, Iterations, Curvature }; // decides the legend
     std::string file, caption;
     Kind kind = Kind::Color;
-    /// Depth error: full colour is at +-range world units, and why there. Iterations: the darkest colour's.
-    /// Curvature: full colour is at +-range.
+    /// Depth error: the colour map ends at +-range world units, and why there. Iterations: it ends at range.
+    /// Curvature: it ends at +-range.
     std::string range = {}, rangeNote = {};
-    std::vector<uint64_t> histogram = {}; // iterations: pixels by rounds
+    std::vector<uint64_t> histogram = {}; // of iterations: pixels by their number
 };
 
 struct ReportPictures {
     std::string reference;
     std::map<std::string, std::vector<ReportPicture>> techniques; // by name
-    std::vector<ReportPicture> baseGap; // of the reference on the proxy, held against the other
+    std::vector<ReportPicture> baseGap; // the reference on the proxy compared with the other one
 };
 
-/// What the interactive page runs on; all empty: a plain page.
+/// Data and scripts of an interactive page; all empty: a plain page.
 struct PageScripts {
     std::string data;                          // reportDataJson()
     std::string script;                        // empty: report.js lies beside the page
-    std::map<std::string, std::string> frames; // JSON of frames the page itself holds, by file
+    std::map<std::string, std::string> frames; // JSON of frames that the page itself holds, by file
 };
 
 /// Fills validate/report/page/index.mustache and pictures.mustache in it, which escape every text. Throws

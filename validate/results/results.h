@@ -32,7 +32,7 @@ struct ReferenceSummary {
     struct Object {
         std::string name;
         int rate = 0;       // segments per control edge taken
-        int wantedRate = 0; // the finest of half a texel and half a pixel
+        int wantedRate = 0; // the largest of a face for the error aimed at
         uint64_t microTriangles = 0;
     };
     std::vector<Object> objects;

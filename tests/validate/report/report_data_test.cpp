@@ -1,4 +1,4 @@
-// What the interactive page is told: planes packed, curves, failing pixels, JSON inside a page.
+// The data of the interactive page: packed planes, curves, failing pixels, JSON inside a page.
 #include "tests/validate/results/sample_results.h"
 #include "validate/report/error_curves.h"
 #include "validate/report/failing_pixels.h"
@@ -41,7 +41,7 @@ TEST(Base64, TestVectorsOfTheRfc) {
     EXPECT_EQ(base64(std::vector<uint8_t>{255, 255, 254}), "///+");
 }
 
-/// What the page does, written plainly.
+/// As the page does, but simpler.
 std::vector<uint8_t> unpack(const std::string& text, size_t size) {
     const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::vector<uint8_t> packed;
@@ -86,7 +86,7 @@ RC_GTEST_PROP(LayerPacking, KeepsWords, (const std::vector<uint16_t>& values)) {
         RC_ASSERT((bytes[at] << 8 | bytes[values.size() + at]) == values[at]);
 }
 
-TEST(FrameData, ChoosesTheSmallestTypeThatKeepsAPlane) {
+TEST(FrameData, StoresPlanesInTheSmallestLosslessType) {
     Frame frame = emptyFrame(3, 1);
     paintRectangle(frame, 0, 0, 2, 1, 1, 2.5f);
     frame.add("cost.fetches");
@@ -108,7 +108,7 @@ TEST(FrameData, ChoosesTheSmallestTypeThatKeepsAPlane) {
                             std::bit_cast<uint32_t>(kInfinityF)));
 }
 
-TEST(FrameData, NormalAngleIn256thsOfADegree) {
+TEST(FrameData, StoresNormalAnglesIn256thsOfADegree) {
     Frame reference = emptyFrame(2, 1);
     paintRectangle(reference, 0, 0, 2, 1);
     Frame test = reference;
@@ -123,9 +123,9 @@ TEST(FrameData, NormalAngleIn256thsOfADegree) {
     EXPECT_THAT(unpack(layer.at("data"), 4), ElementsAre(90, 255, 0, 255)); // 90 * 256, none
 }
 
-// Relief 0.5: e = 0, +0.005, -0.05, +0.15, +0.5 are 0, 0.01, -0.1, 0.3 and 1 reliefs, but for their floats'
+// Relief 0.5: e = 0, +0.005, -0.05, +0.15, +0.5 are 0, 0.01, -0.1, 0.3 and 1 reliefs, up to float
 // rounding.
-TEST(ErrorCurves, OfFiveErrors) {
+TEST(ErrorCurves, FiveErrorsGiveTheirSharesAndCounts) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
     const double errors[] = {0, 0.005, -0.05, 0.15, 0.5};
     for (int x = 0; x < 5; ++x) {
@@ -145,7 +145,7 @@ TEST(ErrorCurves, OfFiveErrors) {
         const double expected = (t < 0.01) + (t < 0.1) + (t < 0.3) + (t < 1);
         EXPECT_EQ(curves->badpix[i], expected / 5) << t;
     }
-    // The same as the metric's at its three thresholds.
+    // Equal to the metrics at their three thresholds.
     const auto at = [&](double t) {
         return curves->badpix[static_cast<size_t>(std::find(thresholds.begin(), thresholds.end(), t) -
                                                   thresholds.begin())];
@@ -163,14 +163,14 @@ TEST(ErrorCurves, OfFiveErrors) {
     EXPECT_EQ(curves->counts[25], 1u); // 0 opens the bin right of the middle
 }
 
-TEST(ErrorCurves, NoneWithoutReliefOrDepth) {
+TEST(ErrorCurves, AbsentWithoutReliefOrDepth) {
     const Frame reference = sampleReference();
     const FramePair pair(reference, reference, {objectWithRelief(1, 0), objectWithRelief(2, 0)});
     EXPECT_FALSE(
         report::errorCurves(pair, compareFrames(reference, reference, pair.objects(), std::nullopt)));
 }
 
-TEST(FailingPixels, CountsEachReasonOnceAndNothingUncertain) {
+TEST(FailingPixels, CountAPixelOnceAndNoUncertainOne) {
     Frame reference = emptyFrame(8, 1);
     addUncertainty(reference);
     for (int x = 0; x < 7; ++x)
@@ -183,7 +183,7 @@ TEST(FailingPixels, CountsEachReasonOnceAndNothingUncertain) {
     set(test, "Z", 3, 0, kNanF);      // no depth
     set(test, "shadow.sun", 4, 0, 1); // dark, where it should be lit
     set(test, "id", 5, 0, 2);         // another object
-    set(test, "id", 6, 0, 0);         // missing, but the reference isn't sure
+    set(test, "id", 6, 0, 0);         // missing, but the reference is uncertain
     set(reference, "uncertain", 6, 0, 1);
     const std::vector<ObjectInfo> objects{objectWithRelief(1, 1), objectWithRelief(2, 1)};
     const FramePair pair(reference, test, objects);
@@ -196,7 +196,7 @@ TEST(FailingPixels, CountsEachReasonOnceAndNothingUncertain) {
     EXPECT_THAT(failing.counts(), ElementsAre(2, 2, 0, 2, 2, 2, 0, 2));
 }
 
-TEST(FailingPixels, AShadowCountsWhereTheReferenceKnowsIt) {
+TEST(FailingPixels, CountShadowsWhereTheReferenceIsCertain) {
     Frame reference = emptyFrame(4, 1);
     addUncertainty(reference);
     paintRectangle(reference, 0, 0, 4, 1);
@@ -212,7 +212,7 @@ TEST(FailingPixels, AShadowCountsWhereTheReferenceKnowsIt) {
     EXPECT_THAT(failing.counts(), ElementsAre(1, 0, 0, 1));
 }
 
-TEST(ReportData, HoldsNothingThatEndsAScriptElement) {
+TEST(ReportData, JsonCannotEndAScriptElement) {
     const std::string hostile = "</script><script>alert(1)</script><!--";
     Results results = sampleResults(hostile);
     results.scene.name = results.scene.purpose = hostile;
@@ -227,7 +227,7 @@ TEST(ReportData, HoldsNothingThatEndsAScriptElement) {
     EXPECT_EQ(json::parse(text).at("results").at("scene").at("name"), hostile);
 }
 
-TEST(ReportData, ANameThatIsNotUtf8StaysJson) {
+TEST(ReportData, NamesThatAreNotUtf8GiveValidJson) {
     report::ReportData data;
     data.frames = {{.id = "t1", .name = "caf\xe9", .kind = "technique", .file = "data/1.js", .layers = {}}};
     EXPECT_TRUE(json::accept(report::reportDataJson(sampleResults(), data)));

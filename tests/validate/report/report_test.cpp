@@ -24,7 +24,7 @@ Rgb pixelOf(const Picture& picture, int x, int y) {
 
 // IEC 61966-2-1: 0.0031308 is where the line meets the curve (code 10.3), 0.5 encodes to 0.7354 = 187.5 /
 // 255, and code 128 means 0.21586 linear.
-TEST(Pictures, SrgbCodes) {
+TEST(SrgbCode, LinearValuesGetTheStandardCode) {
     EXPECT_EQ(srgbCode(0), 0);
     EXPECT_EQ(srgbCode(1), 255);
     EXPECT_EQ(srgbCode(0.0031308), 10);
@@ -35,7 +35,7 @@ TEST(Pictures, SrgbCodes) {
     EXPECT_EQ(srgbCode(kNanF), 0);
 }
 
-TEST(ColorAt, MeetsStopsAndIsStraightBetweenThem) {
+TEST(ColorAt, IsLinearBetweenStops) {
     const std::array<Rgb, 3> stops{{{0, 10, 20}, {100, 110, 120}, {200, 10, 255}}};
     const ColorMap map{"map", 0, stops}, diverging{"diverging", -1, stops};
     EXPECT_EQ(colorAt(map, 0), stops[0]);
@@ -47,7 +47,7 @@ TEST(ColorAt, MeetsStopsAndIsStraightBetweenThem) {
         EXPECT_EQ(colorAt(diverging, x), colorAt(map, (x + 1) / 2)) << x;
 }
 
-TEST(ColorAt, BeyondTheEndsIsTheEnd) {
+TEST(ColorAt, ClampsToTheEnds) {
     for (const ColorMap& map : colormap::all()) {
         EXPECT_EQ(colorAt(map, map.low - 3), map.stops.front()) << map.name;
         EXPECT_EQ(colorAt(map, 7), map.stops.back()) << map.name;
@@ -130,7 +130,7 @@ TEST(Pictures, CurvatureIsRedWhereConvexBlueWhereConcaveGreenWhereLevel) {
     EXPECT_EQ(curvatureRange(empty, "curvature.a"), 0);
 }
 
-TEST(ReportFiles, EachPictureOfALongNameHasAFileOfItsOwn) {
+TEST(ReportFiles, PicturesOfALongNameHaveFilesOfTheirOwn) {
     const TemporaryFolder folder;
     const Frame reference = sampleReference(), test = shiftedRight(reference);
     TechniqueOutcome technique;
@@ -143,7 +143,7 @@ TEST(ReportFiles, EachPictureOfALongNameHasAFileOfItsOwn) {
         EXPECT_TRUE(std::filesystem::exists(folder / (stem + what + ".png"))) << what;
 }
 
-TEST(ReportPage, EscapesEveryTextFromOutside) {
+TEST(ReportPage, EscapesEveryText) {
     const std::string hostile = "<script>alert('x')</script>&\"";
     Results results = sampleResults(hostile);
     results.scene.name = hostile;
@@ -164,7 +164,7 @@ TEST(ReportPage, EscapesEveryTextFromOutside) {
     EXPECT_THAT(page, HasSubstr("&lt;script&gt;"));
 }
 
-TEST(ReportPage, SaysWhatAPersonMustKnow) {
+TEST(ReportPage, ShowsFiguresLimitsAndReasons) {
     const std::string page = reportPage(sampleResults(), {}, {});
     EXPECT_THAT(page, HasSubstr("A scene &lt;of&gt; paint &amp; &quot;quotes&quot;"));
     EXPECT_THAT(page, HasSubstr("1 234 567 micro-triangles"));
@@ -182,7 +182,7 @@ TEST(ReportPage, SaysWhatAPersonMustKnow) {
     EXPECT_THAT(page, HasSubstr("12.5 ms, median of 5 (wall clock around glFinish)"));
 }
 
-TEST(ReportPage, MarksTheBestAndTheMissed) {
+TEST(ReportPage, MarksBestFiguresAndMissedRequirements) {
     Results results = sampleResults(); // its first technique has an IoU of 0.5
     const Frame reference = sampleReference();
     TechniqueOutcome exact = results.techniques[0];
@@ -212,11 +212,11 @@ TEST(ReportPage, MarksTheBestAndTheMissed) {
     EXPECT_THAT(reportPage(results, {}, {}),
                 HasSubstr(">Required shadow.agreement &gt;= 0.9, found 0.5 in shadow.sun.agreement.<"));
 
-    results.techniques.back().control = true; // then there is nobody to be better than
+    results.techniques.back().control = true; // leaves one to rank
     EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("class=\"best\" data-value")));
 }
 
-TEST(ReportPage, ShowsTheGapBetweenTheBases) {
+TEST(ReportPage, ShowsTheBaseGap) {
     ReportPictures pictures;
     ReportPicture picture;
     picture.kind = ReportPicture::Kind::Silhouette;
@@ -236,7 +236,7 @@ TEST(ReportPage, ShowsTheGapBetweenTheBases) {
     EXPECT_THAT(reportPage(sampleResults(), {}, {}), Not(HasSubstr("id=\"base\"")));
 }
 
-TEST(ReportPage, NeedsNothingFromTheNetwork) {
+TEST(ReportPage, RefersToNothingOnTheNetwork) {
     const std::string page = reportPage(sampleResults(), {}, {});
     for (const char* remote : {"http:", "https:", "//cdn", "<script", "<link", "@import"})
         EXPECT_THAT(page, Not(HasSubstr(remote))) << remote;
