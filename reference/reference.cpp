@@ -106,14 +106,12 @@ struct ReferenceScene::Impl {
             stats.objects.push_back({scene.objects[i].name, largestRate(plan.rates[i]), plan.wanted[i],
                                      microMeshSize(*surfaces[i], plan.rates[i]).microTriangles});
         stats.microTriangles = plan.microTriangles;
-        stats.geometryBytes =
-            static_cast<uint64_t>(kBytesPerMicroTriangle * static_cast<double>(plan.microTriangles));
         stats.certificate.aimPx = options.errorPx;
         stats.certificate.limit = plan.limit;
     }
 
     Frame render() {
-        TracedFrame traced = trace();
+        MeasuredFrame traced = trace();
         int run = 1;
         while (run < kMostRuns && isAboveAim() && stats.certificate.limit.empty() && refinePlan(traced)) {
             build();
@@ -135,30 +133,25 @@ struct ReferenceScene::Impl {
 
     bool isAboveAim() const { return stats.certificate.pxP99 > options.errorPx; }
 
-    struct TracedFrame {
-        Frame frame;
-        FrameEvidence evidence;
-        std::vector<float> errorsPx;
+    struct MeasuredFrame : TracedFrame {
+        std::vector<float> errorsPx; // of each pixel
     };
 
     /// The frame but for what is uncertain, and its certificate.
-    TracedFrame trace() {
+    MeasuredFrame trace() {
         const Stopwatch watch;
-        TracedFrame traced;
-        RayCounts counts;
-        traced.frame = traceFrame(scene, tracedObjects(), *embree, counts, traced.evidence);
+        MeasuredFrame traced;
+        static_cast<TracedFrame&>(traced) = traceFrame(scene, tracedObjects(), *embree);
         stats.traceMs += watch.elapsedMs();
         const Stopwatch certifyWatch;
         traced.errorsPx = errorsPx(scene.camera, traced.evidence, traced.frame);
         measureCertificate(traced.frame, traced.evidence, traced.errorsPx, stats.certificate);
         stats.certifyMs += certifyWatch.elapsedMs();
-        stats.cameraRays = counts.camera;
-        stats.shadowRays = counts.shadow;
         return traced;
     }
 
     /// Whether the next run can be finer where this one was above the aim.
-    bool refinePlan(const TracedFrame& traced) {
+    bool refinePlan(const MeasuredFrame& traced) {
         return planner->refine(measureFaces(tracedObjects(), traced.frame, traced.evidence, traced.errorsPx));
     }
 

@@ -34,8 +34,6 @@ struct ReferenceStats {
     Certificate certificate; // of the last render()
     uint64_t microTriangles = 0;
     double tessellateMs = 0, buildMs = 0, traceMs = 0, certifyMs = 0;
-    uint64_t cameraRays = 0, shadowRays = 0;
-    uint64_t geometryBytes = 0; // micro-triangles, estimated acceleration structure included
     struct Object {
         std::string name;
         int rate;       // segments per control edge, the most of a face

@@ -1,6 +1,7 @@
 #include "reference/rates/face_role.h"
 
 #include "reference/trace/screen.h"
+#include "scenes/core/contains.h"
 #include "scenes/scene/camera.h"
 #include "scenes/surface/displaced_surface.h"
 
@@ -53,14 +54,14 @@ std::vector<Halfspace> viewVolume(const Camera& camera) {
 }
 
 bool isOutside(const Ball& ball, const std::vector<Halfspace>& volume) {
-    return std::any_of(volume.begin(), volume.end(),
-                       [&](const Halfspace& half) { return half.above(ball.centre) < -ball.radius; });
+    return std::ranges::any_of(volume,
+                               [&](const Halfspace& half) { return half.above(ball.centre) < -ball.radius; });
 }
 
 /// Whether a ball's shadow can reach the volume: it doesn't if the ball is beyond a plane and its shadow goes
 /// on away from it.
 bool shadowReaches(const Ball& ball, const Light& light, const std::vector<Halfspace>& volume) {
-    return std::none_of(volume.begin(), volume.end(), [&](const Halfspace& half) {
+    return std::ranges::none_of(volume, [&](const Halfspace& half) {
         if (half.above(ball.centre) >= -ball.radius) return false;
         if (light.kind == Light::Kind::Directional) return glm::dot(half.normal, light.toLightWorld) >= 0;
         return half.above(light.positionWorld) - half.above(ball.centre) >=
@@ -99,8 +100,9 @@ class Placer {
         if (!turnedAway && !isOutside(ball, volume_)) {
             result.role = FaceRole::Seen;
             result.pixelsPerWorld = nearestScale(points, ball.radius);
-        } else if (std::any_of(scene_.lights.begin(), scene_.lights.end(),
-                               [&](const Light& light) { return shadowReaches(ball, light, volume_); })) {
+        } else if (std::ranges::any_of(scene_.lights, [&](const Light& light) {
+                       return shadowReaches(ball, light, volume_);
+                   })) {
             result.role = FaceRole::Casts;
         }
         return result;
@@ -113,7 +115,7 @@ class Placer {
             if (surface.hasLimit(face))
                 for (const int edge : surface.faceEdges(face))
                     ++uses[static_cast<size_t>(edge)];
-        return std::none_of(uses.begin(), uses.end(), [](int count) { return count == 1; });
+        return !contains(uses, 1);
     }
 
     /// The largest scale among places, none taken nearer to the camera than a fraction of the face's own

@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace plumbline {
@@ -29,11 +30,10 @@ constexpr double kFalling = 0.7;
 // Doubling one axis must leave less than this share of the error to be worth more than doubling both.
 constexpr double kWorthAlone = 0.6;
 
+/// `value` >= 0; at most kMostRate.
 int powerOfTwoAtLeast(double value) {
-    int power = 1;
-    while (power < value && power < kMostRate)
-        power *= 2;
-    return power;
+    return static_cast<int>(
+        std::bit_ceil(static_cast<unsigned>(std::ceil(std::min<double>(value, kMostRate)))));
 }
 
 double bytesOf(uint64_t microTriangles) {
@@ -285,7 +285,7 @@ RatePlan RatePlanner::plan() const {
 }
 
 RatePlan planUniformRate(const std::vector<PlannedObject>& objects, int rate, uint64_t memoryBytes) {
-    if (rate < 1 || rate > kMostRate || (rate & (rate - 1)) != 0)
+    if (!isRate(rate))
         throw InputError("--rate", fmt::format("found {}", rate),
                          fmt::format("a power of two from 1 to {}", kMostRate));
     RatePlan plan;

@@ -6,10 +6,6 @@ namespace plumbline {
 
 namespace {
 
-[[maybe_unused]] bool isRate(int rate) {
-    return rate >= 1 && rate <= kMostRate && (rate & (rate - 1)) == 0;
-}
-
 /// Which of the two rates of a face counts along its edge k.
 int axisOfEdge(const BaseSurface::Patch& patch, int k) {
     return patch.triangular || patch.subFace ? 0 : k % 2;
@@ -41,15 +37,6 @@ PatchLattice latticeBetween(const BaseSurface& surface, const Rates& rates, cons
     return lattice;
 }
 
-} // namespace
-
-PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate) {
-    const Vec2i cells = patch.subFace ? faceRate / 2 : faceRate;
-    const auto columns = static_cast<uint16_t>(cells.x);
-    const auto rows = static_cast<uint16_t>(patch.triangular ? cells.x : cells.y);
-    return {columns, rows, {columns, rows, columns, rows}, patch.triangular};
-}
-
 MicroMeshSize sizeOf(const PatchLattice& lattice) {
     MicroMeshSize size;
     const uint64_t cells = static_cast<uint64_t>(lattice.columns) * lattice.rows;
@@ -63,10 +50,13 @@ MicroMeshSize sizeOf(const PatchLattice& lattice) {
     return size;
 }
 
-int smallestRate(const BaseSurface& surface) {
-    for (const BaseSurface::Patch& patch : surface.patches())
-        if (patch.subFace) return 2;
-    return 1;
+} // namespace
+
+PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate) {
+    const Vec2i cells = patch.subFace ? faceRate / 2 : faceRate;
+    const auto columns = static_cast<uint16_t>(cells.x);
+    const auto rows = static_cast<uint16_t>(patch.triangular ? cells.x : cells.y);
+    return {columns, rows, {columns, rows, columns, rows}, patch.triangular};
 }
 
 Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates) {

@@ -10,7 +10,7 @@
 #include "scenes/surface/micro_mesh.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <bit>
 
 namespace plumbline {
 
@@ -63,7 +63,6 @@ struct MicroMeshSize {
     uint64_t vertices = 0;
     uint64_t grids = 0;
 };
-MicroMeshSize sizeOf(const PatchLattice& lattice);
 
 /// Segments per control edge an object is cut into: powers of two, kMostRate at most.
 struct Rates {
@@ -85,9 +84,9 @@ inline int largestRate(const Rates& rates) {
 /// Samples are at multiples of 1 / rate: rates are powers of two so that they lie on OpenSubdiv's exact limit
 /// points, and not above 2^10, beyond which its approximation of the limit ends.
 inline constexpr int kMostRate = 1024;
-
-/// Smallest rate all faces can have: 2 if one is cut into sub-faces, else 1.
-int smallestRate(const BaseSurface& surface);
+inline bool isRate(int rate) {
+    return rate >= 1 && rate <= kMostRate && std::has_single_bit(static_cast<unsigned>(rate));
+}
 
 /// `faceRates` as Rates::faces; fills in the edges.
 Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates);

@@ -40,7 +40,6 @@ class Tessellator {
     void listTiles() {
         for (int patch = 0; patch < static_cast<int>(mesh_.lattices.size()); ++patch) {
             const PatchLattice& lattice = mesh_.lattices[static_cast<size_t>(patch)];
-            mesh_.microTriangleCount += sizeOf(lattice).microTriangles;
             for (int row = 0; row < blocksAlong(lattice.rows); ++row)
                 for (int column = 0; column < blocksInRow(lattice, row); column += kTileGrids)
                     addTile(lattice, patch, column, row,

@@ -11,7 +11,6 @@
 #include <tbb/parallel_sort.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <tuple>
 
@@ -75,20 +74,18 @@ class FrameTracer {
         fillBackground();
     }
 
-    Frame trace(RayCounts& counts, FrameEvidence& evidence) {
+    TracedFrame trace() {
         for (size_t first = 0; first < frame_.pixelCount(); first += kBandPixels) {
             const size_t count = std::min(kBandPixels, frame_.pixelCount() - first);
             std::vector<PixelHit> hits = traceBand(first, count);
-            counts.camera += count;
             // Runs of hits on one patch share its set-up.
             tbb::parallel_sort(hits.begin(), hits.end(), [](const PixelHit& a, const PixelHit& b) {
                 return std::tie(a.object, a.place.patch, a.pixel) <
                        std::tie(b.object, b.place.patch, b.pixel);
             });
-            shadeBand(hits, counts);
+            shadeBand(hits);
         }
-        evidence = std::move(evidence_);
-        return std::move(frame_);
+        return {std::move(frame_), std::move(evidence_)};
     }
 
   private:
@@ -140,25 +137,21 @@ class FrameTracer {
     }
 
     /// Writes the pixels of all hits.
-    void shadeBand(const std::vector<PixelHit>& hits, RayCounts& counts) {
-        std::atomic<uint64_t> shadowRays = 0;
+    void shadeBand(const std::vector<PixelHit>& hits) {
         tbb::parallel_for(tbb::blocked_range<size_t>(0, hits.size(), 1024),
                           [&](const tbb::blocked_range<size_t>& range) {
                               const FlushDenormals flush;
                               std::optional<Polisher> polisher;
                               const PixelHit* previous = nullptr;
-                              RayCounts here;
                               for (size_t i = range.begin(); i < range.end(); ++i) {
                                   const PixelHit& hit = hits[i];
                                   if (!previous || previous->object != hit.object)
                                       polisher.emplace(*objects_[hit.object].surface,
                                                        objects_[hit.object].relief, neighbours_[hit.object]);
                                   previous = &hit;
-                                  shade(hit, *polisher, here);
+                                  shade(hit, *polisher);
                               }
-                              shadowRays += here.shadow;
                           });
-        counts.shadow += shadowRays;
     }
 
     double errorOf(const PixelHit& hit) const {
@@ -242,7 +235,7 @@ class FrameTracer {
     }
 
     /// Writes one pixel.
-    void shade(const PixelHit& hit, Polisher& polisher, RayCounts& counts) {
+    void shade(const PixelHit& hit, Polisher& polisher) {
         const SceneObject& object = *objects_[hit.object].object;
         // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the
         // facet faces.
@@ -267,7 +260,6 @@ class FrameTracer {
                 const bool clear = shadow ? !startsBelow(hit, ray, side)
                                           : facesThroughout(hit, sampled, sample.toLightWorld, side);
                 evidence_.shadowBy[i][hit.pixel] = clear ? FrameEvidence::kRay : FrameEvidence::kNearRay;
-                ++counts.shadow;
             }
             shadows_[i][hit.pixel] = shadow ? 1.0f : 0.0f;
             if (!shadow) light += cosine;
@@ -325,9 +317,9 @@ class FrameTracer {
 
 } // namespace
 
-Frame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
-                 RayCounts& counts, FrameEvidence& evidence) {
-    return FrameTracer(scene, objects, embree).trace(counts, evidence);
+TracedFrame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects,
+                       const EmbreeScene& embree) {
+    return FrameTracer(scene, objects, embree).trace();
 }
 
 } // namespace plumbline

@@ -17,10 +17,6 @@ struct TracedObject {
     const MicroMesh* mesh;
 };
 
-struct RayCounts {
-    uint64_t camera = 0, shadow = 0;
-};
-
 /// What is known of a frame's pixels beyond its channels.
 struct FrameEvidence {
     std::vector<uint32_t> face;    // of the control mesh
@@ -40,9 +36,14 @@ struct FrameEvidence {
     std::vector<std::vector<uint8_t>> shadowBy;
 };
 
+struct TracedFrame {
+    Frame frame;
+    FrameEvidence evidence;
+};
+
 /// Every channel of the table but cost and uncertain. Parallel (TBB); every pixel is computed by itself, so
 /// the bytes don't depend on the number of threads.
-Frame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree,
-                 RayCounts& counts, FrameEvidence& evidence);
+TracedFrame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects,
+                       const EmbreeScene& embree);
 
 } // namespace plumbline

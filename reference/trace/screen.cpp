@@ -1,5 +1,7 @@
 #include "reference/trace/screen.h"
 
+#include <glm/gtc/matrix_access.hpp>
+
 #include <cmath>
 
 namespace plumbline {
@@ -8,9 +10,9 @@ Screen Screen::ofCamera(const Camera& camera) {
     Screen screen;
     const Mat4 view = viewFromWorld(camera);
     screen.origin_ = camera.positionWorld;
-    screen.right_ = {view[0][0], view[1][0], view[2][0]};
-    screen.down_ = -Vec3(view[0][1], view[1][1], view[2][1]);
-    screen.forward_ = -Vec3(view[0][2], view[1][2], view[2][2]);
+    screen.right_ = Vec3(glm::row(view, 0));
+    screen.down_ = -Vec3(glm::row(view, 1));
+    screen.forward_ = -Vec3(glm::row(view, 2));
     screen.perspective_ = camera.projection == Camera::Projection::Perspective;
     screen.scale_ = camera.height / (screen.perspective_ ? 2 * std::tan(0.5 * radians(camera.fovYDegrees))
                                                          : camera.viewHeight);

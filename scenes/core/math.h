@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <limits>
+#include <numbers>
 
 namespace plumbline {
 
@@ -17,17 +18,13 @@ using Vec2f = glm::vec2;
 using Vec3f = glm::vec3;
 using Vec2i = glm::ivec2;
 
-inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr float kInfinityF = std::numeric_limits<float>::infinity();
 inline constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
 
-inline double radians(double degrees) {
-    return degrees * (kPi / 180.0);
-}
-inline double degrees(double radians) {
-    return radians * (180.0 / kPi);
-}
+using glm::degrees;
+using glm::radians;
 
 /// Ray in world space; `direction` is unit, so `t` is a distance in world units.
 struct Ray {

@@ -79,13 +79,9 @@ View chooseView(const SurfaceSurvey& survey, std::string& reason) {
     for (const double elevation : {30.0, -30.0})
         for (const double azimuth : {30.0, -30.0, 60.0, -60.0, 120.0, -120.0, 150.0, -150.0})
             candidates.push_back({azimuth, elevation, shareSeen(survey, viewDirection(azimuth, elevation))});
-    const double best =
-        std::max_element(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-            return a.share < b.share;
-        })->share;
-    const Candidate& chosen = *std::find_if(candidates.begin(), candidates.end(), [&](const Candidate& c) {
-        return c.share >= kGoodEnough * best;
-    });
+    const double best = std::ranges::max(candidates, {}, &Candidate::share).share;
+    const Candidate& chosen = *std::ranges::find_if(
+        candidates, [&](double share) { return share >= kGoodEnough * best; }, &Candidate::share);
     reason = fmt::format(
         "{} degrees {} the horizon, {} degrees off +Z towards {}: of 16 views the first that shows the "
         "broad side.",
@@ -123,11 +119,9 @@ Vec3 chooseLight(const SurfaceSurvey& survey, const View& view, std::string& rea
     }
     // cos 72.5 degrees: flatter light than that leaves most of a flat relief in shadow.
     constexpr double kLitEnough = 0.3;
-    auto chosen = std::find_if(candidates.begin(), candidates.end(),
-                               [&](const Candidate& candidate) { return candidate.lit >= kLitEnough; });
-    if (chosen == candidates.end())
-        chosen = std::max_element(candidates.begin(), candidates.end(),
-                                  [](const auto& a, const auto& b) { return a.lit < b.lit; });
+    auto chosen = std::ranges::find_if(
+        candidates, [](double lit) { return lit >= kLitEnough; }, &Candidate::lit);
+    if (chosen == candidates.end()) chosen = std::ranges::max_element(candidates, {}, &Candidate::lit);
     reason =
         fmt::format("From the {} of the picture, aslant, so that the relief casts shadows.", chosen->name);
     return chosen->toLight;

@@ -30,8 +30,7 @@ struct Weighted {
 
 /// Smallest value with at least `share` of the area at or below it.
 double weightedQuantile(std::vector<Weighted> values, double share) {
-    std::sort(values.begin(), values.end(),
-              [](const Weighted& a, const Weighted& b) { return a.value < b.value; });
+    std::ranges::sort(values, {}, &Weighted::value);
     double total = 0, sum = 0;
     for (const Weighted& entry : values)
         total += entry.area;

@@ -1,5 +1,6 @@
 #include "scenes/image/exr_file.h"
 
+#include "scenes/core/contains.h"
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/image/exr_header.h"
@@ -18,6 +19,7 @@
 #include <array>
 #include <fstream>
 #include <mutex>
+#include <string_view>
 #include <thread>
 
 namespace plumbline {
@@ -27,26 +29,21 @@ namespace {
 constexpr int kZipLevel = 1;
 
 // What OpenEXR itself keeps in a header under these names.
-constexpr std::array kReservedAttributes{"channels",
-                                         "compression",
-                                         "dataWindow",
-                                         "displayWindow",
-                                         "lineOrder",
-                                         "pixelAspectRatio",
-                                         "tiles",
-                                         "view",
-                                         "screenWindowCenter",
-                                         "screenWindowWidth",
-                                         "chunkCount",
-                                         "maxSamplesPerPixel",
-                                         "type",
-                                         "name",
-                                         "version"};
-
-bool isReserved(const std::string& attribute) {
-    return std::find(kReservedAttributes.begin(), kReservedAttributes.end(), attribute) !=
-           kReservedAttributes.end();
-}
+constexpr std::array<std::string_view, 15> kReservedAttributes{"channels",
+                                                               "compression",
+                                                               "dataWindow",
+                                                               "displayWindow",
+                                                               "lineOrder",
+                                                               "pixelAspectRatio",
+                                                               "tiles",
+                                                               "view",
+                                                               "screenWindowCenter",
+                                                               "screenWindowWidth",
+                                                               "chunkCount",
+                                                               "maxSamplesPerPixel",
+                                                               "type",
+                                                               "name",
+                                                               "version"};
 
 /// Chunks are compressed by several threads and written in order, so that bytes don't depend on their number.
 void useAllThreads() {
@@ -104,7 +101,8 @@ PartChannels listChannels(const Imf::MultiPartInputFile& input, const std::strin
 void addStringAttributes(const Imf::Header& header, std::map<std::string, std::string>& attributes) {
     for (auto it = header.begin(); it != header.end(); ++it)
         if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&it.attribute()))
-            if (!isReserved(it.name())) attributes.try_emplace(it.name(), text->value());
+            if (!contains(kReservedAttributes, std::string_view(it.name())))
+                attributes.try_emplace(it.name(), text->value());
 }
 
 /// Adds a part's planes among `chosen` to `exr`.
@@ -161,7 +159,7 @@ Imf::Header makeHeader(const std::filesystem::path& file, int width, int height,
     header.compression() = Imf::ZIP_COMPRESSION;
     header.zipCompressionLevel() = kZipLevel;
     for (const auto& [name, value] : attributes) {
-        if (isReserved(name) || name.empty() || name.size() > 255)
+        if (contains(kReservedAttributes, name) || name.empty() || name.size() > 255)
             throw InputError(file.string(), fmt::format("metadata can't be stored under the name '{}'", name),
                              "1 to 255 letters, not a name that OpenEXR uses itself");
         header.insert(name, Imf::StringAttribute(value));

@@ -1,5 +1,6 @@
 #include "scenes/image/image_file.h"
 
+#include "scenes/core/contains.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
@@ -72,16 +73,13 @@ bool beginsWith(const std::vector<uint8_t>& bytes, std::initializer_list<uint8_t
 
 bool hasExrName(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
     return ending == ".exr";
 }
 
 std::vector<std::string> pictureChannels(const std::filesystem::path& file,
                                          const std::vector<std::string>& names) {
-    const auto has = [&](const char* name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
+    const auto has = [&](const char* name) { return contains(names, name); };
     std::vector<std::string> chosen;
     if (has("R") && has("G") && has("B")) {
         chosen = {"R", "G", "B"};

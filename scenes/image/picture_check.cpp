@@ -3,9 +3,9 @@
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 
-#include <array>
 #include <cstdint>
 #include <string_view>
+#include <zlib.h>
 
 namespace plumbline {
 namespace {
@@ -22,22 +22,9 @@ uint32_t bigEndian32(std::string_view bytes, size_t i) {
            uint32_t(byteAt(bytes, i + 2)) << 8 | byteAt(bytes, i + 3);
 }
 
-/// CRC-32 of ISO 3309, as PNG has it (PNG specification, 5.5).
-uint32_t crc32(std::string_view bytes) {
-    static const std::array<uint32_t, 256> table = [] {
-        std::array<uint32_t, 256> entries{};
-        for (uint32_t n = 0; n < 256; ++n) {
-            uint32_t value = n;
-            for (int bit = 0; bit < 8; ++bit)
-                value = value & 1 ? 0xedb88320u ^ (value >> 1) : value >> 1;
-            entries[n] = value;
-        }
-        return entries;
-    }();
-    uint32_t crc = 0xffffffffu;
-    for (const char c : bytes)
-        crc = table[(crc ^ static_cast<uint8_t>(c)) & 0xff] ^ (crc >> 8);
-    return ~crc;
+/// The checksum of a PNG chunk's type and data (PNG specification, 5.5).
+uint32_t checksumOf(std::string_view bytes) {
+    return static_cast<uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 enum class Wholeness { Whole, Truncated, Damaged };
@@ -49,7 +36,7 @@ Wholeness checkPng(std::string_view bytes) {
         const size_t length = bigEndian32(bytes, chunk);
         if (length > bytes.size() - chunk - 12) return Wholeness::Truncated;
         const std::string_view typeAndData = bytes.substr(chunk + 4, 4 + length);
-        if (crc32(typeAndData) != bigEndian32(bytes, chunk + 8 + length)) return Wholeness::Damaged;
+        if (checksumOf(typeAndData) != bigEndian32(bytes, chunk + 8 + length)) return Wholeness::Damaged;
         if (typeAndData.substr(0, 4) == "IEND") return Wholeness::Whole;
         chunk += 12 + length;
     }

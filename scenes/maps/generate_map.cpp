@@ -101,7 +101,7 @@ std::vector<float> rampTexels(int size, unsigned) {
 }
 
 struct Kind {
-    const char* name;
+    std::string_view name;
     std::vector<float> (*texels)(int size, unsigned seed);
 };
 constexpr std::array<Kind, 8> kKinds{{{"cobbles", cobbleTexels},
@@ -119,15 +119,14 @@ const std::vector<std::string>& generatedMapKinds() {
     static const std::vector<std::string> names = [] {
         std::vector<std::string> result;
         for (const Kind& kind : kKinds)
-            result.push_back(kind.name);
+            result.emplace_back(kind.name);
         return result;
     }();
     return names;
 }
 
 HeightMap generateMap(const std::string& kind, int size, unsigned seed, Wrap wrapS, Wrap wrapT) {
-    const auto found = std::find_if(kKinds.begin(), kKinds.end(),
-                                    [&](const Kind& candidate) { return candidate.name == kind; });
+    const auto found = std::ranges::find(kKinds, kind, &Kind::name);
     if (found == kKinds.end())
         throw InputError("generate", fmt::format("kind '{}' is unknown", kind), listOf(generatedMapKinds()),
                          didYouMean(kind, generatedMapKinds()));

@@ -23,7 +23,7 @@ bool canLookUp(double s, Wrap wrap) {
 /// Names the first value outside [0,1] and how many there are.
 void checkDepths(const std::string& name, int width, const std::vector<float>& depths) {
     const auto isBad = [](float d) { return !(d >= 0.0f && d <= 1.0f); };
-    const auto first = std::find_if(depths.begin(), depths.end(), isBad);
+    const auto first = std::ranges::find_if(depths, isBad);
     if (first == depths.end()) return;
     const auto count = std::count_if(first, depths.end(), isBad);
     const auto index = first - depths.begin();
@@ -46,7 +46,7 @@ HeightMap::HeightMap(std::string name, int width, int height, std::vector<float>
                          fmt::format("{} values for a height map of {} x {}", depths_.size(), width, height),
                          "at least 1 x 1 texels and a value for each");
     checkDepths(name_, width_, depths_);
-    const auto [least, most] = std::minmax_element(depths_.begin(), depths_.end());
+    const auto [least, most] = std::ranges::minmax_element(depths_);
     leastDepth_ = *least;
     mostDepth_ = *most;
 }

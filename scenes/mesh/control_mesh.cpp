@@ -59,8 +59,8 @@ void checkIndices(const ControlMesh& mesh, int face, size_t firstCorner, const s
 void checkDistinctVertices(const ControlMesh& mesh, int face, size_t firstCorner) {
     const auto begin = mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(firstCorner);
     std::vector<int> sorted(begin, begin + mesh.faceSizes[static_cast<size_t>(face)]);
-    std::sort(sorted.begin(), sorted.end());
-    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    std::ranges::sort(sorted);
+    const auto twice = std::ranges::adjacent_find(sorted);
     if (twice != sorted.end())
         throw InputError(whereOfFace(mesh, face),
                          fmt::format("vertex {} occurs twice in the face", *twice + 1), "distinct vertices");
@@ -70,7 +70,7 @@ void checkDistinctVertices(const ControlMesh& mesh, int face, size_t firstCorner
 std::vector<int> rotatedVertices(const ControlMesh& mesh, size_t firstCorner, int size) {
     const auto begin = mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(firstCorner);
     std::vector<int> vertices(begin, begin + size);
-    std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+    std::ranges::rotate(vertices, std::ranges::min_element(vertices));
     return vertices;
 }
 
@@ -80,8 +80,7 @@ void checkDistinctFaces(const ControlMesh& mesh, const MeshEdges& edges) {
     const std::vector<size_t> firstCorners = mesh.firstCorners();
     for (const auto& edge : edges.edges()) {
         // Without two faces in one direction there is nothing to compare: nearly always.
-        const auto forward =
-            std::count_if(edge.begin(), edge.end(), [](const HalfEdge& h) { return h.forward; });
+        const auto forward = std::ranges::count_if(edge, &HalfEdge::forward);
         if (forward < 2 && static_cast<std::ptrdiff_t>(edge.size()) - forward < 2) continue;
         std::map<std::vector<int>, int> seen;
         for (const HalfEdge& half : edge) {

@@ -1,5 +1,6 @@
 #include "scenes/mesh/obj_file.h"
 
+#include "scenes/core/contains.h"
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/mesh/obj_tags.h"
@@ -160,9 +161,9 @@ class ObjReader {
         if (keyword == "vt") return readElement(uvs_, arguments, mesh_.uvs);
         if (keyword == "vn") return readElement(normals_, arguments, mesh_.normals);
         if (keyword == "f") return readFace(arguments);
-        if (std::ranges::find(kIgnored, keyword) != kIgnored.end()) return;
+        if (contains(kIgnored, keyword)) return;
         if (keyword == "t") return readObjTag(arguments, mesh_.name, lines_.number(), tags_);
-        if (std::ranges::find(kFreeForm, keyword) != kFreeForm.end())
+        if (contains(kFreeForm, keyword))
             fail(fmt::format("'{}' is not supported", keyword), "polygons ('f')");
         fail(fmt::format("unknown keyword '{}'", shortened(keyword)), "v, vt, vn, f or another OBJ keyword");
     }

@@ -26,8 +26,7 @@ class TagReader {
 
     void read(std::span<const std::string_view> words) {
         const Tag tag = split(words);
-        const auto handler = std::find_if(kHandlers.begin(), kHandlers.end(),
-                                          [&](const Handler& each) { return each.name == tag.name; });
+        const auto handler = std::ranges::find(kHandlers, tag.name, &Handler::name);
         if (handler == kHandlers.end()) {
             std::vector<std::string> names;
             names.reserve(kHandlers.size());

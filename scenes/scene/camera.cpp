@@ -1,5 +1,8 @@
 #include "scenes/scene/camera.h"
 
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <cmath>
 
 namespace plumbline {
@@ -11,11 +14,8 @@ struct ViewAxes {
 };
 
 ViewAxes viewAxes(const Camera& camera) {
-    ViewAxes axes;
-    axes.forward = glm::normalize(camera.targetWorld - camera.positionWorld);
-    axes.right = glm::normalize(glm::cross(axes.forward, glm::normalize(camera.upWorld)));
-    axes.up = glm::cross(axes.right, axes.forward);
-    return axes;
+    const Mat4 view = viewFromWorld(camera);
+    return {Vec3(glm::row(view, 0)), Vec3(glm::row(view, 1)), -Vec3(glm::row(view, 2))};
 }
 
 /// Side of a pixel: world units, for a perspective camera at planar depth 1. Pixels are square.
@@ -29,33 +29,23 @@ double pixelSide(const Camera& camera) {
 } // namespace
 
 Mat4 viewFromWorld(const Camera& camera) {
-    const ViewAxes axes = viewAxes(camera);
-    const Vec3 rows[3] = {axes.right, axes.up, -axes.forward};
-    Mat4 matrix(1.0);
-    for (int row = 0; row < 3; ++row) {
-        for (int column = 0; column < 3; ++column)
-            matrix[column][row] = rows[row][column];
-        matrix[3][row] = -glm::dot(rows[row], camera.positionWorld);
-    }
-    return matrix;
+    return glm::lookAtRH(camera.positionWorld, camera.targetWorld, glm::normalize(camera.upWorld));
 }
 
 Mat4 clipFromView(const Camera& camera, double near, double far) {
     const double halfHeight = 0.5 * pixelSide(camera) * camera.height;
     const double halfWidth = 0.5 * pixelSide(camera) * camera.width;
+    if (camera.projection == Camera::Projection::Orthographic)
+        return glm::orthoRH_NO(-halfWidth, halfWidth, -halfHeight, halfHeight, near, far);
+    // Not glm::perspectiveRH_NO, which takes the width from a ratio of sides: its last bits differ from those
+    // of the camera's rays.
     Mat4 matrix(0.0);
     matrix[0][0] = 1.0 / halfWidth;
     matrix[1][1] = 1.0 / halfHeight;
-    if (camera.projection == Camera::Projection::Perspective) {
-        // z_ndc = (A z_view + B) / -z_view with -1 at z_view = -near and +1 at -far.
-        matrix[2][2] = -(far + near) / (far - near);
-        matrix[3][2] = -2.0 * far * near / (far - near);
-        matrix[2][3] = -1.0;
-    } else {
-        matrix[2][2] = -2.0 / (far - near);
-        matrix[3][2] = -(far + near) / (far - near);
-        matrix[3][3] = 1.0;
-    }
+    // z_ndc = (A z_view + B) / -z_view with -1 at z_view = -near and +1 at -far.
+    matrix[2][2] = -(far + near) / (far - near);
+    matrix[3][2] = -2.0 * far * near / (far - near);
+    matrix[2][3] = -1.0;
     return matrix;
 }
 

@@ -32,7 +32,6 @@ struct SceneObject {
     Vec3 color{0.8, 0.8, 0.8};                // linear
     std::shared_ptr<const ColorMap> colorMap; // null: `color`
 
-    Mat4 worldFromObject() const;
     /// The object's own +z in world space, unit: turned, not scaled.
     Vec3 axisWorld() const;
     /// The mesh with points and normals in world space.

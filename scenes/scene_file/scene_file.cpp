@@ -1,5 +1,6 @@
 #include "scenes/scene_file/scene_file.h"
 
+#include "scenes/core/contains.h"
 #include "scenes/core/content_hash.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
@@ -126,7 +127,7 @@ class SceneReader {
         const std::vector<std::string> wrap =
             table.texts("wrap", std::vector<std::string>{"repeat", "repeat"});
         for (const std::string& w : wrap)
-            if (std::find(wraps.begin(), wraps.end(), w) == wraps.end())
+            if (!contains(wraps, w))
                 table.fail("wrap", fmt::format("is \"{}\"", w), listOf(wraps), didYouMean(w, wraps));
         if (wrap.size() != 2)
             table.fail("wrap", fmt::format("has {} entries", wrap.size()), "two: along s and along t");

@@ -35,7 +35,7 @@ std::vector<LibraryScene> libraryScenes() {
             TomlTable::parse(entry.path().string(), rootFields(readWholeFile(entry.path())));
         scenes.push_back({entry.path().stem().string(), root.text("purpose"), entry.path()});
     }
-    std::sort(scenes.begin(), scenes.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    std::ranges::sort(scenes, {}, &LibraryScene::name);
     return scenes;
 }
 

@@ -91,8 +91,7 @@ ControlMesh readShape(const TomlTable& shape) {
     for (const Kind& kind : kinds())
         names.push_back(kind.name);
     const std::string name = shape.choice("kind", names);
-    const auto kind =
-        std::find_if(kinds().begin(), kinds().end(), [&](const Kind& k) { return k.name == name; });
+    const auto kind = std::ranges::find(kinds(), name, &Kind::name);
     const Maker make = kind->read(shape);
     shape.finish();
     try {

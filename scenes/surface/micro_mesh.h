@@ -50,9 +50,6 @@ struct MicroMesh {
     /// the displaced surface, at a crease that of one face, and the patch's own st.
     std::vector<Vec3f> normalsWorld;
     std::vector<Vec2f> st;
-    /// Those with area in parameter space were no side coarser than its lattice; half cells on a triangle's
-    /// long side count once.
-    uint64_t microTriangleCount = 0;
 };
 
 } // namespace plumbline

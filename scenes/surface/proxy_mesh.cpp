@@ -127,8 +127,9 @@ class ProxyBuilder {
         for (Place& place : places_) {
             const double length = glm::length(place.directionSum);
             if (length > 0) place.position += place.directionSum * (offset / length);
-            std::sort(place.ring.begin(), place.ring.end());
-            place.ring.erase(std::unique(place.ring.begin(), place.ring.end()), place.ring.end());
+            std::ranges::sort(place.ring);
+            const auto repeated = std::ranges::unique(place.ring);
+            place.ring.erase(repeated.begin(), repeated.end());
         }
         for (ProxyVertex& vertex : proxy_.vertices)
             vertex.position = places_[vertex.place].position;

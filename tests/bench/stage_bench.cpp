@@ -84,12 +84,13 @@ void tessellateStage(benchmark::State& state) {
 }
 
 void buildStage(benchmark::State& state) {
+    const Rates rates = uniformRates(*torus().surface, static_cast<int>(state.range(0)));
     std::vector<MicroMesh> meshes;
-    meshes.push_back(tessellate(*torus().surface, torus().relief,
-                                uniformRates(*torus().surface, static_cast<int>(state.range(0))), false));
+    meshes.push_back(tessellate(*torus().surface, torus().relief, rates, false));
     for (auto _ : state)
         state.SetIterationTime(seconds([&] { benchmark::DoNotOptimize(EmbreeScene(meshes)); }));
-    state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(meshes[0].microTriangleCount));
+    state.SetItemsProcessed(state.iterations() *
+                            static_cast<int64_t>(microMeshSize(*torus().surface, rates).microTriangles));
 }
 
 /// Where the shadow rays of a frame start: every lit or cast-shadowed point, a little off the surface.
@@ -135,11 +136,7 @@ struct TracedTorus {
         return meshes;
     }
     static Vec3 toLight() { return torus().scene.lights[0].toLightWorld; }
-    Frame render() const {
-        RayCounts counts;
-        FrameEvidence evidence;
-        return traceFrame(torus().scene, objects, embree, counts, evidence);
-    }
+    Frame render() const { return traceFrame(torus().scene, objects, embree).frame; }
     /// The frame's rays with nothing around them.
     void traceRays(const EmbreeScene& scene) const {
         const auto width = static_cast<size_t>(frame.width());

@@ -51,4 +51,11 @@ inline Scene squareScene(std::shared_ptr<const HeightMap> map, double depth, int
     return scene;
 }
 
+/// Where an object's own space lies in the world, from where it puts its origin and axes.
+inline Mat4 worldFromObject(SceneObject object) {
+    object.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const std::vector<Vec3> at = object.meshWorld().points;
+    return Mat4(Vec4(at[1] - at[0], 0), Vec4(at[2] - at[0], 0), Vec4(at[3] - at[0], 0), Vec4(at[0], 1));
+}
+
 } // namespace plumbline

@@ -27,7 +27,7 @@ class LimitMask {
             }
             first += size;
         }
-        std::sort(halves.begin(), halves.end(), [](const Edge& x, const Edge& y) {
+        std::ranges::sort(halves, [](const Edge& x, const Edge& y) {
             return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
         });
         for (const Edge& half : halves) {

@@ -174,7 +174,7 @@ TEST(ReliefFrame, TheFirstOfTwoRidgesIsHit) {
     forEachHit(frame, camera, [&](size_t pixel, const Ray& ray) {
         if (pixel % 37 != 0) return;
         const Vec3 entry = ray.at(-ray.origin.y / ray.direction.y);
-        const double travelS = depth * std::tan(radians(60)) / 2; // tiles from top to bottom
+        const double travelS = depth * std::tan(radians(60.0)) / 2; // tiles from top to bottom
         int step = 0;
         while (step < 100000 && map->depth(Vec2((entry.x + 1) / 2 + travelS * step * 1e-5, 0)) > step * 1e-5)
             ++step;

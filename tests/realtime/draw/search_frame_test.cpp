@@ -128,10 +128,10 @@ TEST(ParallaxFrames, OffsetsAreTheTangentAndTheSine) {
     const Scene scene = sceneOf(squareObject(2, map, 0.2), camera);
     const Ray ray = CameraRays(camera).ray(5.5, 7.5);
     const double entry = ray.at(-ray.origin.y / ray.direction.y).x;
-    for (const auto& [technique, offset] : {std::pair("parallax", 0.1 * std::tan(radians(60))),
-                                            {"parallax_offset_limited", 0.1 * std::sin(radians(60))},
+    for (const auto& [technique, offset] : {std::pair("parallax", 0.1 * std::tan(radians(60.0))),
+                                            {"parallax_offset_limited", 0.1 * std::sin(radians(60.0))},
                                             {"parallax:bias=-0.5", 0.0},
-                                            {"parallax:scale=0.5", 0.05 * std::tan(radians(60))}}) {
+                                            {"parallax:scale=0.5", 0.05 * std::tan(radians(60.0))}}) {
         const Frame frame = draw(scene, technique);
         EXPECT_NEAR(stAt(frame, pixelAt(frame, 5, 7)).x, (entry + offset + 1) / 2, 1e-6) << technique;
     }

@@ -296,9 +296,9 @@ TEST(ShadowMap, HitsBeyondTheRimArentShadowedByTheEndOfTheRange) {
     // up to 0.2 / tan 20 = 0.55 further in and meet the very points; beyond that their texels are empty. A
     // box 1 tall, which makes room on the map for the latter, throws the only shadow: x down to -3.4, as wide
     // as itself under the sun, up to 1.4 times as far from z = 0 under the lamp.
-    Camera camera =
-        orthographicCamera({5 * std::cos(radians(5)), 5 * std::sin(radians(5)), 0}, {0, 1, 0}, 1.9, kPixels);
-    const Vec3 toLight(std::cos(radians(20)), std::sin(radians(20)), 0);
+    Camera camera = orthographicCamera({5 * std::cos(radians(5.0)), 5 * std::sin(radians(5.0)), 0}, {0, 1, 0},
+                                       1.9, kPixels);
+    const Vec3 toLight(std::cos(radians(20.0)), std::sin(radians(20.0)), 0);
     const Scene scene = sceneOfObjects(
         {plateObject("floor", 2, 0, constantMap(1), 0.2), boxObject("box", {0.2, 1, 0.4}, {0, 0.5, 0.5})},
         {directionalLight("sun", toLight), pointLight("lamp", 10.0 * toLight)}, camera);

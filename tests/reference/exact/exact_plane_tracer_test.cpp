@@ -209,7 +209,7 @@ TEST(ExactPlane, ShapesOfSceneFilesAreFlatReliefs) {
     const FlatRelief plane = flatRelief(object);
     EXPECT_NEAR(glm::length(plane.edgeU), 1.5, kRounding);
     EXPECT_NEAR(glm::length(plane.edgeV), 1.0, kRounding);
-    EXPECT_LT(glm::length(plane.normal - Vec3(object.worldFromObject() * Vec4(0, 1, 0, 0)) / 0.5), kRounding);
+    EXPECT_LT(glm::length(plane.normal - Vec3(worldFromObject(object) * Vec4(0, 1, 0, 0)) / 0.5), kRounding);
     object.mesh.points[7].y += 1e-6;
     EXPECT_THROW(flatRelief(object), std::invalid_argument);
 }

@@ -43,7 +43,7 @@ TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
     for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark, Scheme::None}) {
         const BaseSurface surface(octahedron(), scheme);
         for (const int rate : {1, 2, 4, 16, 32, 64}) {
-            if (rate < smallestRate(surface)) continue;
+            if (scheme == Scheme::CatmullClark && rate < 2) continue; // triangles are cut into sub-faces
             SCOPED_TRACE(testing::Message() << "scheme " << int(scheme) << ", rate " << rate);
             const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, rate), false);
             const std::vector<Triangle> triangles = trianglesWithArea(mesh);
@@ -51,10 +51,10 @@ TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
             const uint64_t expected =
                 scheme == Scheme::CatmullClark ? 8u * 3 * 2 * (rate / 2) * (rate / 2) : 8u * rate * rate;
             EXPECT_EQ(triangles.size(), expected);
-            EXPECT_EQ(mesh.microTriangleCount, expected);
-            EXPECT_EQ(microMeshSize(surface, uniformRates(surface, rate)).vertices,
-                      mesh.positionsWorld.size());
-            EXPECT_EQ(microMeshSize(surface, uniformRates(surface, rate)).grids, mesh.grids.size());
+            const MicroMeshSize size = microMeshSize(surface, uniformRates(surface, rate));
+            EXPECT_EQ(size.microTriangles, expected);
+            EXPECT_EQ(size.vertices, mesh.positionsWorld.size());
+            EXPECT_EQ(size.grids, mesh.grids.size());
             EXPECT_EQ(unmatchedEdges(triangles), 0);
             EXPECT_GT(signedVolume(triangles), 0);
         }

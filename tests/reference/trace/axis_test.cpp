@@ -6,6 +6,7 @@
 #include "reference/trace/facing.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/displaced_surface.h"
+#include "tests/reference/test_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -78,7 +79,7 @@ TEST(AlongAxis, QuadricHasItsClosedForm) {
         const double a = 0.6, b = -0.4;
         const SceneObject object = quadric(a, b, depth);
         const Relief& relief = *object.relief;
-        const Mat4 worldFromObject = object.worldFromObject();
+        const Mat4 toWorld = worldFromObject(object);
         const Frame frame = render(sceneOf(object));
         double worstPosition = 0, worstNormal = 0;
         int covered = 0;
@@ -91,8 +92,8 @@ TEST(AlongAxis, QuadricHasItsClosedForm) {
                 2.0 * Vec2(a * xy.x, b * xy.y) - depth / object.scale * map.gradient * 0.5; // dz/dx, dz/dy
             const double z =
                 a * xy.x * xy.x + b * xy.y * xy.y + (relief.offset - depth * map.depth) / object.scale;
-            const Vec3 position(worldFromObject * Vec4(xy, z, 1));
-            const Vec3 normal = glm::normalize(Vec3(worldFromObject * Vec4(-slope.x, -slope.y, 1, 0)));
+            const Vec3 position(toWorld * Vec4(xy, z, 1));
+            const Vec3 normal = glm::normalize(Vec3(toWorld * Vec4(-slope.x, -slope.y, 1, 0)));
             worstPosition =
                 std::max(worstPosition, glm::length(position - Vec3(at("P.X"), at("P.Y"), at("P.Z"))));
             // On a crease of the map st, a float, may be on its other side.

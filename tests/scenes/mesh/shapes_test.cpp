@@ -104,7 +104,7 @@ TEST(Shapes, TorusTopologyAndUvs) {
         // tube, within the slope error of the spline (third order: 2 degrees at 8 segments are ample).
         const Vec3 outward(std::cos(tube) * std::cos(angle), std::sin(tube),
                            -std::cos(tube) * std::sin(angle));
-        EXPECT_GT(glm::dot(p.normal, outward), std::cos(radians(2)));
+        EXPECT_GT(glm::dot(p.normal, outward), std::cos(radians(2.0)));
     });
 }
 

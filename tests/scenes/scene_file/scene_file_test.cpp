@@ -95,7 +95,7 @@ TEST_F(SceneFile, ReliefsGoAlongNormalsUnlessAlongTheAxis) {
     const Scene scene = read(with("depth = 0.08", "depth = 0.08, along = \"axis\""));
     const std::optional<Vec3>& axis = scene.objects[0].relief->axisWorld;
     ASSERT_TRUE(axis);
-    EXPECT_NEAR(axis->z, std::cos(radians(20)) * std::cos(radians(10)), 1e-15);
+    EXPECT_NEAR(axis->z, std::cos(radians(20.0)) * std::cos(radians(10.0)), 1e-15);
     EXPECT_NEAR(glm::length(*axis), 1, 1e-15);
     EXPECT_EQ(sceneMetadata(scene).at("object.1.relief_axis"),
               fmt::format("{} {} {}", axis->x, axis->y, axis->z));

@@ -39,7 +39,8 @@ TEST(CameraJson, ItsMatrixAndFieldOfViewProjectAsTheCameraDoes) {
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
             back[row] += json["view_to_world"][row][column].get<double>() * Vec4(view, 1)[column];
-    const double perPixel = 2 * std::tan(radians(json["fov_y_degrees"]) / 2) / json["height"].get<double>();
+    const double perPixel =
+        2 * std::tan(radians(json["fov_y_degrees"].get<double>()) / 2) / json["height"].get<double>();
     const Vec3 expected = pixelFromWorld(scene.camera, Vec3(world));
     EXPECT_NEAR(0.5 * json["width"].get<double>() + view.x / -view.z / perPixel, expected.x, 1e-9);
     EXPECT_NEAR(0.5 * json["height"].get<double>() - view.y / -view.z / perPixel, expected.y, 1e-9);
