@@ -6,9 +6,13 @@
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/maps/map_file.h"
 #include "scenes/scene_file/scene_file.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"
+#include "validate/cli/thread_arguments.h"
 #include "validate/results/output_files.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -16,7 +20,22 @@
 namespace plumbline {
 namespace {
 
-std::shared_ptr<const HeightMap> readPicture(const BakeArguments& arguments) {
+constexpr uint64_t kDefaultCheckRays = 1'000'000;
+
+struct Arguments {
+    std::string map;  // a picture's path, or SCENE#NAME: a map of a scene
+    std::string kind; // name in bakeKinds()
+    std::optional<std::string> stores,
+        wrap; // of a picture: "depth" or "height"; "repeat,clamp" along s and t
+    std::optional<std::string> depth, tileSize; // world units; "2,1.5"
+    std::optional<int> slices;
+    std::optional<std::filesystem::path> output; // a picture
+    bool check = false;                          // of a cone map: rays that leap over the relief
+    std::optional<uint64_t> rays;                // so many
+    ThreadArguments threads;
+};
+
+std::shared_ptr<const HeightMap> readPicture(const Arguments& arguments) {
     if (!arguments.stores)
         throw InputError("--stores", "is missing", "depth or height, what the values of a picture mean");
     const std::string stores = parseChoice("--stores", *arguments.stores, {"depth", "height"});
@@ -26,7 +45,7 @@ std::shared_ptr<const HeightMap> readPicture(const BakeArguments& arguments) {
 }
 
 /// A file of that name is a picture, whatever its name has in it; else SCENE#NAME.
-std::shared_ptr<const HeightMap> readMap(const BakeArguments& arguments) {
+std::shared_ptr<const HeightMap> readMap(const Arguments& arguments) {
     std::error_code ignored;
     const bool isFile = std::filesystem::is_regular_file(arguments.map, ignored);
     if (isFile && std::filesystem::path(arguments.map).extension() == ".toml")
@@ -41,7 +60,7 @@ std::shared_ptr<const HeightMap> readMap(const BakeArguments& arguments) {
     return readSceneMap(findScene(arguments.map.substr(0, hash)), arguments.map.substr(hash + 1));
 }
 
-BakeScale parseScale(const BakeArguments& arguments, const BakeKind& kind) {
+BakeScale parseScale(const Arguments& arguments, const BakeKind& kind) {
     BakeScale scale;
     for (const auto& [option, value] :
          {std::pair("--depth", arguments.depth), std::pair("--tile-size", arguments.tileSize)}) {
@@ -62,7 +81,7 @@ BakeScale parseScale(const BakeArguments& arguments, const BakeKind& kind) {
             parseLength("--depth", *arguments.depth)};
 }
 
-BakeRequest parseRequest(const BakeArguments& arguments) {
+BakeRequest parseRequest(const Arguments& arguments) {
     const BakeKind& kind = bakeKind(arguments.kind);
     BakeRequest request;
     request.kind = kind.name;
@@ -101,7 +120,7 @@ std::map<std::string, std::string> pictureMetadata(const HeightMap& map, const B
 }
 
 /// Before anything is made: --check of what can't be checked.
-void requireCheckable(const BakeArguments& arguments) {
+void requireCheckable(const Arguments& arguments) {
     if (arguments.rays && !arguments.check)
         throw InputError("--rays", fmt::format("found {} without --check", *arguments.rays),
                          "both, or neither");
@@ -133,9 +152,8 @@ void printConeCheck(const HeightMap& map, const BakedMap& cones, uint64_t rays) 
         "leaps by how deep below the surface, in relief depths; steps: mean until within 1/1024 of it\n");
 }
 
-} // namespace
-
-int runBake(const BakeArguments& arguments) {
+int runBake(const Arguments& arguments) {
+    const ThreadLimit limit(arguments.threads.threads);
     const BakeRequest request = parseRequest(arguments);
     requireCheckable(arguments);
     if (arguments.output)
@@ -157,6 +175,50 @@ int runBake(const BakeArguments& arguments) {
         printConeCheck(*map, outcome.map, arguments.rays.value_or(kDefaultCheckRays));
     }
     return kExitDone;
+}
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    command.add_option("MAP", arguments->map, "A picture, or SCENE#NAME: a height map of a scene")
+        ->required();
+    command
+        .add_option("--kind", arguments->kind,
+                    "What to work out; 'plumbline list bakes' says what each holds")
+        ->required()
+        ->type_name("K");
+    command.add_option("-o", arguments->output, "Also a picture of it")->type_name("FILE.exr");
+    command.add_option("--stores", arguments->stores, "What the picture's values are")
+        ->type_name("depth|height");
+    command
+        .add_option("--wrap", arguments->wrap, "Along s and t, repeat or clamp each (default: repeat,repeat)")
+        ->type_name("S,T");
+    command
+        .add_option("--depth", arguments->depth,
+                    "World units of relief depth 1, for kinds that ask for a scale")
+        ->type_name("D");
+    command
+        .add_option("--tile-size", arguments->tileSize, "World units of one map width and height, likewise")
+        ->type_name("SX,SY");
+    command
+        .add_option("--slices", arguments->slices,
+                    fmt::format("Of a distance field (default: {})", BakeRequest().slices))
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    command.add_flag("--check", arguments->check,
+                     "Of a cone map: step random rays by it and count those that leap over the relief");
+    command
+        .add_option("--rays", arguments->rays,
+                    fmt::format("How many, with --check (default: {})", kDefaultCheckRays))
+        ->check(CLI::Range(uint64_t(1), uint64_t(1) << 40))
+        ->type_name("N");
+    arguments->threads.addTo(command);
+    return [arguments] { return runBake(*arguments); };
+}
+
+} // namespace
+
+Command bakeCommand() {
+    return {"bake", "Work out a map that techniques look up; kept by content", addOptions};
 }
 
 } // namespace plumbline

@@ -1,7 +1,6 @@
 #include "validate/cli/case_pool.h"
 
 #include "scenes/core/error.h"
-#include "validate/cli/commands.h"
 #include "validate/worker/child_process.h"
 #include "validate/worker/serve_parent.h"
 #include "validate/worker/worker_descriptor.h"

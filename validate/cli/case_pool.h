@@ -8,6 +8,9 @@
 
 namespace plumbline {
 
+/// The command by which the program works out a case for itself; --help doesn't list it.
+inline constexpr const char* kStudyCaseCommand = "study-case";
+
 /// Told of each case when it is done, one call at a time. `outcome`: as StudyFolder keeps it.
 using CaseDone = std::function<void(const StudyCase& studyCase, const nlohmann::json& outcome)>;
 

@@ -1,16 +1,29 @@
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/scene_metadata.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
+#include "validate/cli/report_arguments.h"
 #include "validate/cli/requirements.h"
 #include "validate/cli/shared.h"
 #include "validate/compare/foreign_frame.h"
 #include "validate/compare/frame_metadata.h"
 #include "validate/results/output_files.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace plumbline {
 namespace {
+
+struct Arguments {
+    std::filesystem::path reference, test;
+    std::vector<std::string> channelMap;         // THEIRS=OURS, validate/compare/foreign_frame.h
+    std::optional<std::filesystem::path> output; // folder
+    bool json = false;
+    ReportArguments report;
+    RequirementArguments requirements;
+};
 
 std::string metadataOf(const Frame& frame, const std::string& key, const std::string& otherwise) {
     const auto found = frame.metadata.find(key);
@@ -65,7 +78,7 @@ std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& tes
     return notes;
 }
 
-Results compareFiles(const CompareArguments& arguments, const ForeignFrame& referenceFile,
+Results compareFiles(const Arguments& arguments, const ForeignFrame& referenceFile,
                      const ForeignFrame& testFile, const std::vector<std::string>& assumed) {
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
     std::vector<ObjectInfo> objects = objectsFromHeader(reference, referenceFile.file);
@@ -92,11 +105,11 @@ Results compareFiles(const CompareArguments& arguments, const ForeignFrame& refe
     return results;
 }
 
-void writeComparison(const CompareArguments& arguments, const Results& results, const Frame& reference,
+void writeComparison(const Arguments& arguments, const Results& results, const Frame& reference,
                      const Frame& test) {
     const std::filesystem::path folder = *arguments.output;
     removeOldResults(folder);
-    Report report(folder / "report", reportOptions(arguments.report));
+    Report report(folder / "report", arguments.report.options());
     report.addReference(reference);
     report.addTechnique(results.techniques[0], reference, test);
     replaceFile(folder / "results.json", toJson(results));
@@ -104,15 +117,13 @@ void writeComparison(const CompareArguments& arguments, const Results& results, 
     report.write(results, true);
 }
 
-} // namespace
-
-int runCompare(const CompareArguments& arguments) {
+int runCompare(const Arguments& arguments) {
     if (!arguments.output && (arguments.report.singleFile || arguments.report.plain))
         throw InputError(
             "compare",
             "--single-file and --plain-report say what the report is to be like, and none is written",
             "-o DIR, the folder for it");
-    const auto requirements = readRequirements(arguments.require);
+    const auto requirements = readRequirements(arguments.requirements.require);
     ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
     ForeignFrame testFile = readForeignFrame(arguments.test, parseChannelMap(arguments.channelMap));
     const std::vector<std::string> assumed = settleFrames(referenceFile, testFile);
@@ -134,6 +145,29 @@ int runCompare(const CompareArguments& arguments) {
         fmt::print("note: {}\n", note);
     if (arguments.output) fmt::print("{}", reportLine(*arguments.output / "report" / "index.html"));
     return exitCode;
+}
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    command.add_option("REFERENCE", arguments->reference, "The true frame, EXR")->required();
+    command.add_option("TEST", arguments->test, "The frame to judge, EXR")->required();
+    command.add_option("-o", arguments->output, "Folder for results and report")->type_name("DIR");
+    command.add_flag("--json", arguments->json, "Print results.json instead of the table");
+    arguments->report.addTo(command);
+    command
+        .add_option("--map", arguments->channelMap,
+                    "A channel of TEST is one of ours: Depth.Z=Z, dist=distance (along the ray), "
+                    "Normal.Y=-N.Z; may be repeated")
+        ->type_name("THEIRS=OURS")
+        ->allow_extra_args(false);
+    arguments->requirements.addTo(command);
+    return [arguments] { return runCompare(*arguments); };
+}
+
+} // namespace
+
+Command compareCommand() {
+    return {"compare", "Hold one frame against another, of any renderer", addOptions};
 }
 
 } // namespace plumbline

@@ -5,6 +5,8 @@
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/image/image_file.h"
 #include "scenes/scene_file/scene_file.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"
 #include "validate/report/page_bundle.h"
 
@@ -128,8 +130,6 @@ bool checkGl() {
 }
 #endif
 
-} // namespace
-
 int runDoctor() {
     printLine(true, "program", programName());
     printLine(true, "machine",
@@ -138,6 +138,12 @@ int runDoctor() {
     checkReportPage();
     const bool pictures = checkPictures(), data = checkData(), techniques = checkTechniques(), gl = checkGl();
     return pictures && data && techniques && gl ? kExitDone : kExitMachine;
+}
+
+} // namespace
+
+Command doctorCommand() {
+    return {"doctor", "Say what this machine can do", [](CLI::App&) { return Run(runDoctor); }};
 }
 
 } // namespace plumbline

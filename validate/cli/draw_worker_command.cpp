@@ -1,20 +1,40 @@
 #include "scenes/core/error.h"
-#include "validate/cli/commands.h"
-
-#ifdef PLUMBLINE_GL
+#include "validate/cli/command.h"
+#include "validate/cli/thread_arguments.h"
 #include "validate/worker/technique_worker.h"
-#endif
+
+#include <CLI/CLI.hpp>
 
 namespace plumbline {
+namespace {
+
+struct Arguments {
+    int parent = 0; // the process that started this one and is served by it
+    ThreadArguments threads;
+};
 
 #ifdef PLUMBLINE_GL
-int runDrawWorker(int parent) {
-    return serveTechniques(parent);
+int runDrawWorker(const Arguments& arguments) {
+    const ThreadLimit limit(arguments.threads.threads);
+    return serveTechniques(arguments.parent);
 }
 #else
-int runDrawWorker(int) {
+int runDrawWorker(const Arguments&) {
     throw MachineError(kDrawWorkerCommand, "this program was built without OpenGL (preset no-gl)");
 }
 #endif
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    command.add_option("PARENT", arguments->parent, "");
+    command.add_option("--threads", arguments->threads.threads, ""); // also 0
+    return [arguments] { return runDrawWorker(*arguments); };
+}
+
+} // namespace
+
+Command drawWorkerCommand() {
+    return {kDrawWorkerCommand, "", addOptions};
+}
 
 } // namespace plumbline

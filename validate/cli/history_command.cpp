@@ -1,11 +1,13 @@
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
-#include "validate/cli/commands.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
 #include "validate/results/history_moves.h"
 #include "validate/results/output_files.h"
 #include "validate/results/text_table.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,13 +15,21 @@
 namespace plumbline {
 namespace {
 
+struct Arguments {
+    std::filesystem::path file;
+    std::vector<std::filesystem::path> results; // results.json, oldest first
+    std::optional<std::string> label;           // of all of them
+    std::vector<std::string> tolerances;        // FIGURE=AMOUNT, history_moves.h
+    bool dryRun = false;                        // the file stays as it is
+};
+
 struct History {
     std::string text; // as in the file; empty if there is none yet
     std::vector<HistoryRecord> records;
 };
 
 /// A missing or empty file is a history without records, if there is something to put in.
-History readOrBegin(const HistoryArguments& arguments) {
+History readOrBegin(const Arguments& arguments) {
     std::error_code error;
     const bool begins = !std::filesystem::exists(arguments.file, error) ||
                         (std::filesystem::is_regular_file(arguments.file, error) &&
@@ -48,7 +58,7 @@ bool sameRun(HistoryRecord a, const HistoryRecord& b) {
 }
 
 /// Adds the results but those that are the latest of their scene already; returns their scenes.
-std::vector<std::string> append(History& history, const HistoryArguments& arguments) {
+std::vector<std::string> append(History& history, const Arguments& arguments) {
     if (!history.text.empty() && !history.text.ends_with('\n')) history.text += '\n';
     std::vector<std::string> scenes;
     for (const std::filesystem::path& file : arguments.results) {
@@ -111,9 +121,8 @@ void print(const SceneMoves& scene) {
                        move.after ? shown(move.after) : "no value", move.tolerated);
 }
 
-} // namespace
-
-int runHistory(const HistoryArguments& arguments) {
+/// kExitThreshold if a figure is worse than tolerated.
+int runHistory(const Arguments& arguments) {
     const Tolerances tolerances = Tolerances::parse(arguments.tolerances);
     History history = readOrBegin(arguments);
     const size_t known = history.records.size();
@@ -128,6 +137,33 @@ int runHistory(const HistoryArguments& arguments) {
         regression |= scene.hasRegression();
     }
     return regression ? kExitThreshold : kExitDone;
+}
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    command.add_option("FILE", arguments->file, "The history, a line a run; made if it isn't there")
+        ->required();
+    command.add_option("RESULTS", arguments->results,
+                       "results.json files to add, oldest first; none: only look");
+    command
+        .add_option("--label", arguments->label,
+                    "Of the results, as a commit (default: the program's version)")
+        ->type_name("TEXT");
+    command
+        .add_option(
+            "--tolerance", arguments->tolerances,
+            "How much worse a figure may become, as silhouette.iou=0.001, depth.rmse=2% or all=1%; may be "
+            "repeated. Default: not at all, but within the interval of a figure that has one; cost, at will")
+        ->type_name("FIGURE=AMOUNT")
+        ->allow_extra_args(false);
+    command.add_flag("--dry-run", arguments->dryRun, "Compare, and leave FILE as it is");
+    return [arguments] { return runHistory(*arguments); };
+}
+
+} // namespace
+
+Command historyCommand() {
+    return {"history", "Keep results of a shader under test, and say what became worse (exit 1)", addOptions};
 }
 
 } // namespace plumbline

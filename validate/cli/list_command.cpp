@@ -3,9 +3,12 @@
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "scenes/scene_file/scene_file.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"
 #include "validate/metrics/metric_table.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -71,8 +74,6 @@ void listAllTechniques() {
     }
 }
 
-} // namespace
-
 int runList(const std::string& what) {
     if (what == "scenes")
         listScenes();
@@ -89,6 +90,18 @@ int runList(const std::string& what) {
         throw InputError("list", fmt::format("found '{}'", what), listOf(choices), didYouMean(what, choices));
     }
     return kExitDone;
+}
+
+Run addOptions(CLI::App& command) {
+    const auto what = std::make_shared<std::string>();
+    command.add_option("WHAT", *what, "scenes, techniques, surfaces, metrics or bakes")->required();
+    return [what] { return runList(*what); };
+}
+
+} // namespace
+
+Command listCommand() {
+    return {"list", "List scenes, techniques, surfaces, metrics or kinds of baked maps", addOptions};
 }
 
 } // namespace plumbline

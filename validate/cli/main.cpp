@@ -2,35 +2,37 @@
 // is in cli/.
 #include "scenes/core/error.h"
 #include "scenes/frame/scene_metadata.h"
-#include "validate/cli/command_line.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
 #include "validate/cli/usage.h"
 
-#include <fmt/format.h>
-#include <tbb/global_control.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <functional>
-#include <memory>
+#include <utility>
+#include <vector>
 
 namespace plumbline {
 namespace {
 
-void limitThreads(int threads, std::unique_ptr<tbb::global_control>& control) {
-    if (threads == 0) return;
-    control = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                    static_cast<size_t>(threads));
-    ::setenv("LP_NUM_THREADS", std::to_string(threads).c_str(), 1); // llvmpipe reads it when GL starts
+using RunOfCommand = std::pair<const CLI::App*, Run>;
+
+std::vector<RunOfCommand> addCommands(CLI::App& app) {
+    std::vector<RunOfCommand> runs;
+    for (const Command& command : commands()) {
+        CLI::App* added = app.add_subcommand(command.name, command.summary);
+        if (added->get_description().empty()) added->group(""); // hidden
+        runs.emplace_back(added, command.addOptions(*added));
+    }
+    return runs;
 }
 
 int runProgram(int argc, char** argv) {
     CLI::App app("Holds fast approximations of displaced surfaces against a true one.", "plumbline");
     app.set_version_flag("--version", programName());
     app.require_subcommand(1);
-    Arguments arguments;
-    std::function<int()> run;
-    addCommands(app, arguments, run);
+    const std::vector<RunOfCommand> runs = addCommands(app);
     if (argc < 2) {
         std::fputs(app.help().c_str(), stderr);
         return kExitBadInput;
@@ -42,9 +44,9 @@ int runProgram(int argc, char** argv) {
         if (error.get_exit_code() == 0) return app.exit(error); // --help and --version
         throw usageError(app, error);
     }
-    std::unique_ptr<tbb::global_control> control;
-    limitThreads(arguments.threads, control);
-    return run();
+    const auto chosen =
+        std::find_if(runs.begin(), runs.end(), [](const auto& run) { return run.first->parsed(); });
+    return chosen->second();
 }
 
 int fail(int exitCode, std::string message) {

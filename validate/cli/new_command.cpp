@@ -4,20 +4,32 @@
 #include "scenes/maps/map_file.h"
 #include "scenes/mesh/obj_file.h"
 #include "scenes/scene_file/scene_file.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"
 #include "validate/results/output_files.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace plumbline {
 namespace {
+
+struct Arguments {
+    std::filesystem::path mesh, height; // OBJ; a picture
+    std::optional<std::string> depth, tile, scheme,
+        wrap;                      // world units; "4,2"; of scene files; "repeat,clamp"
+    std::string stores = "height"; // or "depth"
+    std::filesystem::path output;  // the scene file
+    bool force = false;            // also if it exists
+};
 
 Scheme parseScheme(const std::string& text) {
     const std::string scheme = parseChoice("--scheme", text, {"catmull-clark", "loop", "none"});
     return scheme == "loop" ? Scheme::Loop : scheme == "none" ? Scheme::None : Scheme::CatmullClark;
 }
 
-DraftWishes parseWishes(const NewArguments& arguments) {
+DraftWishes parseWishes(const Arguments& arguments) {
     DraftWishes wishes;
     if (arguments.scheme) wishes.scheme = parseScheme(*arguments.scheme);
     if (arguments.depth) wishes.depth = parseLength("--depth", *arguments.depth);
@@ -37,7 +49,7 @@ std::filesystem::path relativeTo(const std::filesystem::path& scene, const std::
     return plain(file).lexically_relative(plain(scene).parent_path());
 }
 
-void requireNewName(const NewArguments& arguments) {
+void requireNewName(const Arguments& arguments) {
     if (arguments.output.extension() != ".toml")
         throw InputError(arguments.output.string(), "is no name of a scene file", "FILE.toml");
     std::error_code ignored;
@@ -45,9 +57,7 @@ void requireNewName(const NewArguments& arguments) {
         throw InputError(arguments.output.string(), "exists already", "a new name", "--force replaces it");
 }
 
-} // namespace
-
-int runNew(const NewArguments& arguments) {
+int runNew(const Arguments& arguments) {
     requireNewName(arguments);
     const DraftWishes wishes = parseWishes(arguments);
     const bool storesHeight = parseChoice("--stores", arguments.stores, {"height", "depth"}) == "height";
@@ -64,6 +74,38 @@ int runNew(const NewArguments& arguments) {
     printWarnings(scene.warnings);
     fmt::print("{}\nnext: plumbline validate {}\n", arguments.output.string(), arguments.output.string());
     return kExitDone;
+}
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    command.add_option("--mesh", arguments->mesh, "A mesh with texture coordinates")
+        ->required()
+        ->type_name("M.obj");
+    command.add_option("--height", arguments->height, "The relief, a grey picture")
+        ->required()
+        ->type_name("H.png");
+    command.add_option("-o", arguments->output, "The scene file")->required()->type_name("SCENE.toml");
+    command
+        .add_option("--depth", arguments->depth,
+                    "World units from the relief's top to its bottom (default: chosen)")
+        ->type_name("D");
+    command.add_option("--tile", arguments->tile, "Repeats of the map along u and v (default: chosen)")
+        ->type_name("S,T");
+    command.add_option("--scheme", arguments->scheme, "What the mesh is a cage of (default: chosen)")
+        ->type_name("catmull-clark|loop|none");
+    command.add_option("--stores", arguments->stores, "What the picture's values are (default: height)")
+        ->type_name("height|depth");
+    command
+        .add_option("--wrap", arguments->wrap, "Along s and t, repeat or clamp each (default: repeat,repeat)")
+        ->type_name("S,T");
+    command.add_flag("--force", arguments->force, "Replace a scene file that exists");
+    return [arguments] { return runNew(*arguments); };
+}
+
+} // namespace
+
+Command newCommand() {
+    return {"new", "Write a first scene file for a mesh and a height map", addOptions};
 }
 
 } // namespace plumbline

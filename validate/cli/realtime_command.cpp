@@ -1,31 +1,48 @@
 #include "scenes/core/error.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
+#include "validate/cli/realtime_arguments.h"
+#include "validate/cli/scene_arguments.h"
 #include "validate/cli/shared.h"
 #include "validate/cli/technique_drawer.h"
+#include "validate/cli/thread_arguments.h"
 #include "validate/results/output_files.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace plumbline {
+namespace {
+
+struct Arguments {
+    SceneArguments scene;
+    std::optional<std::filesystem::path> output;
+    RealtimeArguments realtime;
+    ThreadArguments threads;
+};
 
 #ifdef PLUMBLINE_GL
 
-int runRealtime(const RealtimeArguments& arguments) {
-    if (arguments.techniques.size() != 1)
-        throw InputError("realtime", fmt::format("found {} techniques", arguments.techniques.size()),
+int runRealtime(const Arguments& arguments) {
+    const ThreadLimit limit(arguments.threads.threads);
+    const std::vector<std::string>& techniques = arguments.realtime.techniques;
+    if (techniques.size() != 1)
+        throw InputError("realtime", fmt::format("found {} techniques", techniques.size()),
                          "exactly one --technique", "'plumbline validate' takes several");
     Progress progress;
     progress.step("reading the scene");
-    const std::filesystem::path sceneFile = findScene(arguments.scene);
-    const Scene scene = readScene(sceneFile, arguments.sceneChanges);
+    const std::filesystem::path sceneFile = findScene(arguments.scene.scene);
+    const Scene scene = readScene(sceneFile, arguments.scene.changes);
     printWarnings(scene.warnings);
-    const auto settings = parseSettings(arguments.settings);
-    const auto requests = chosenTechniques(arguments.techniques, settings);
+    const auto settings = parseSettings(arguments.realtime.settings);
+    const auto requests = chosenTechniques(techniques, settings);
     if (requests.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
     const TechniqueRequest& request = requests[0];
     checkSettings(settings, requests);
-    const WorkerOptions worker = workerOptions(sceneFile, scene, arguments);
+    const WorkerOptions worker =
+        workerOptions(sceneFile, scene, arguments.realtime, arguments.threads.threads);
     const std::filesystem::path file =
         arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
                                   "frames" / (safeFileName(displayName(request, settings)) + ".exr"));
@@ -51,10 +68,25 @@ int runRealtime(const RealtimeArguments& arguments) {
 
 #else
 
-int runRealtime(const RealtimeArguments&) {
+int runRealtime(const Arguments&) {
     throw MachineError("realtime", "this program was built without OpenGL (preset no-gl)", "a build with it");
 }
 
 #endif
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    arguments->scene.addTo(command);
+    command.add_option("-o", arguments->output, "The frame's file")->type_name("FILE.exr");
+    arguments->realtime.addTo(command);
+    arguments->threads.addTo(command);
+    return [arguments] { return runRealtime(*arguments); };
+}
+
+} // namespace
+
+Command realtimeCommand() {
+    return {"realtime", "Write the frame of one technique", addOptions};
+}
 
 } // namespace plumbline

@@ -4,10 +4,16 @@
 #include "scenes/frame/frame_exr.h"
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/scene_file/scene_file.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
+#include "validate/cli/reference_arguments.h"
+#include "validate/cli/scene_arguments.h"
 #include "validate/cli/shared.h"
+#include "validate/cli/thread_arguments.h"
 #include "validate/compare/camera_json.h"
 #include "validate/results/output_files.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <set>
@@ -15,9 +21,16 @@
 namespace plumbline {
 namespace {
 
+struct Arguments {
+    SceneArguments scene;
+    std::optional<std::filesystem::path> output;
+    ReferenceArguments reference;
+    std::optional<std::filesystem::path> meshFile, cameraFile; // .ply or .obj, .json
+    ThreadArguments threads;
+};
+
 /// Before any work: every file has a name of its own and can be written.
-void requireOutputs(const ReferenceArguments& arguments, const std::filesystem::path& frameFile,
-                    const Scene& scene) {
+void requireOutputs(const Arguments& arguments, const std::filesystem::path& frameFile, const Scene& scene) {
     if (arguments.meshFile) requireMeshFileName(*arguments.meshFile);
     std::set<std::filesystem::path> names;
     for (const auto& file : {std::optional(frameFile), arguments.meshFile, arguments.cameraFile}) {
@@ -40,15 +53,15 @@ void exportMesh(const std::filesystem::path& file, const Scene& scene, const Ref
                static_cast<double>(size.bytes) / 1e6);
 }
 
-} // namespace
-
-int runReference(const ReferenceArguments& arguments) {
+int runReference(const Arguments& arguments) {
+    const ThreadLimit limit(arguments.threads.threads);
     Progress progress;
     progress.step("reading the scene");
-    const Scene scene = readScene(findScene(arguments.scene), arguments.sceneChanges);
+    const Scene scene = readScene(findScene(arguments.scene.scene), arguments.scene.changes);
     printWarnings(scene.warnings);
-    ReferenceOptions options = referenceOptions(arguments);
-    options.base = parseBase(arguments.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
+    ReferenceOptions options = arguments.reference.options();
+    options.base =
+        parseBase(arguments.reference.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
     options.microAttributes = arguments.meshFile.has_value();
     const std::filesystem::path file = arguments.output.value_or(
         std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
@@ -82,6 +95,27 @@ int runReference(const ReferenceArguments& arguments) {
         fmt::print("{}\n", arguments.cameraFile->string());
     }
     return kExitDone;
+}
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    arguments->scene.addTo(command);
+    command.add_option("-o", arguments->output, "The frame's file")->type_name("FILE.exr");
+    arguments->reference.addTo(command, "limit|proxy");
+    command
+        .add_option("--export-mesh", arguments->meshFile,
+                    "Also write the displaced triangles, for other renderers")
+        ->type_name("FILE.ply|obj");
+    command.add_option("--export-camera", arguments->cameraFile, "Also write the camera and the lights")
+        ->type_name("FILE.json");
+    arguments->threads.addTo(command);
+    return [arguments] { return runReference(*arguments); };
+}
+
+} // namespace
+
+Command referenceCommand() {
+    return {"reference", "Write the exact frame of a scene", addOptions};
 }
 
 } // namespace plumbline

@@ -2,11 +2,20 @@
 
 #include "validate/results/results.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
 
 namespace plumbline {
+
+void RequirementArguments::addTo(CLI::App& command) {
+    command
+        .add_option("--require", require,
+                    "What must be reached, as \"silhouette.iou >= 0.99\", else exit code 1; may be repeated")
+        ->type_name("METRIC>=X")
+        ->allow_extra_args(false);
+}
 
 std::vector<Requirement> readRequirements(const std::vector<std::string>& texts,
                                           const std::vector<SceneRequirement>& ofScene) {

@@ -4,7 +4,17 @@
 #include "scenes/scene/scene.h"
 #include "validate/results/requirement.h"
 
+namespace CLI {
+class App;
+}
+
 namespace plumbline {
+
+struct RequirementArguments {
+    std::vector<std::string> require; // "silhouette.iou >= 0.99"
+
+    void addTo(CLI::App& command);
+};
 
 /// Those of the command line, then those of the scene. Throws InputError (parseRequirement).
 std::vector<Requirement> readRequirements(const std::vector<std::string>& texts,

@@ -120,14 +120,6 @@ double parseErrorPx(const std::string& text) {
     return pixels;
 }
 
-ReferenceOptions referenceOptions(const ReferenceArguments& arguments) {
-    ReferenceOptions options;
-    options.rate = arguments.rate;
-    if (arguments.errorPx) options.errorPx = parseErrorPx(*arguments.errorPx);
-    if (arguments.memory) options.memoryBytes = parseMemorySize(*arguments.memory);
-    return options;
-}
-
 namespace {
 
 CertificateSummary summaryOf(const Certificate& certificate, const Frame& frame) {
@@ -163,11 +155,6 @@ ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame) {
 
 SceneSummary summaryOf(const Scene& scene) {
     return {scene.name, scene.purpose, scene.hash, scene.changes, scene.camera.width, scene.camera.height};
-}
-
-ReportOptions reportOptions(const ReportArguments& arguments) {
-    return {.interactive = !arguments.plain && !report::pageScript().empty(),
-            .singleFile = arguments.singleFile};
 }
 
 std::string reportLine(const std::filesystem::path& page) {

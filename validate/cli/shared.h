@@ -3,8 +3,6 @@
 
 #include "reference/reference.h"
 #include "scenes/maps/height_map.h"
-#include "validate/cli/commands.h"
-#include "validate/report/report.h"
 #include "validate/results/results.h"
 
 #ifdef PLUMBLINE_GL
@@ -12,7 +10,12 @@
 #include "realtime/technique/technique.h"
 #endif
 
-#include <functional>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace plumbline {
 
@@ -42,14 +45,10 @@ BaseChoice parseBase(const std::string& text, bool bothIsAChoice);
 /// A number of pixels from 1e-6 to 1000. Throws InputError.
 double parseErrorPx(const std::string& text);
 
-/// All but the base, which parseBase reads.
-ReferenceOptions referenceOptions(const ReferenceArguments& arguments);
 /// Of the reference that drew `frame`.
 ReferenceSummary summaryOf(const ReferenceStats& stats, const Frame& frame);
 SceneSummary summaryOf(const Scene& scene);
 
-/// The interactive page where the program holds it and nobody asked for a plain one.
-ReportOptions reportOptions(const ReportArguments& arguments);
 /// Where the report is, and why it is a plain one if it is: a line for stdout.
 std::string reportLine(const std::filesystem::path& page);
 
@@ -75,9 +74,6 @@ class Progress {
 };
 
 #ifdef PLUMBLINE_GL
-/// "auto", "egl" or "osmesa". Throws InputError.
-GlOptions glOptions(const RealtimeArguments& arguments);
-
 /// The techniques named; with none named or with "all", every technique on each of its surfaces, the control
 /// technique first. Throws InputError for a text that isn't of the form, a name there is no technique of, one
 /// named twice.

@@ -7,6 +7,7 @@
 #include "scenes/core/nearest_rank.h"
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/surface/proxy_mesh.h"
+#include "validate/cli/reference_arguments.h"
 #include "validate/cli/trial.h"
 #include "validate/compare/frame_metadata.h"
 
@@ -122,18 +123,17 @@ json runCase(const json& request) {
     referenceArguments.memory = request.at("memory").get<std::string>();
     if (const std::string errorPx = request.at("error_px"); !errorPx.empty())
         referenceArguments.errorPx = errorPx;
-    ReferenceOptions options = referenceOptions(referenceArguments);
+    ReferenceOptions options = referenceArguments.options();
     options.microAttributes = std::any_of(techniques.begin(), techniques.end(), drawsMicroTriangles);
     ReferenceScene reference(scene, options);
     const Frame truth = reference.render();
     const ReferenceSummary summary = summaryOf(reference.stats(), truth);
 
     RealtimeArguments realtime;
-    realtime.glBackend = request.at("gl");
-    realtime.glDevice = request.at("device");
-    realtime.threads = request.at("threads");
+    realtime.gl.backend = request.at("gl");
+    realtime.gl.device = request.at("device");
     realtime.timeLimitSeconds = request.at("time_limit");
-    WorkerOptions worker = workerOptions(sceneFile, scene, realtime);
+    WorkerOptions worker = workerOptions(sceneFile, scene, realtime, request.at("threads"));
     worker.gl.timingBudgetMs = request.at("timing_budget_ms");
     TechniqueDrawer drawer(scene, worker, techniques);
     std::vector<Trial> trials;

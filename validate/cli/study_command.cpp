@@ -1,13 +1,17 @@
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
-#include "validate/cli/commands.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
+#include "validate/cli/gl_arguments.h"
 #include "validate/cli/shared.h"
+#include "validate/cli/thread_arguments.h"
 #include "validate/study/study_report.h"
 
 #ifdef PLUMBLINE_GL
 #include "validate/cli/case_pool.h"
 #endif
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -18,9 +22,18 @@
 #include <thread>
 
 namespace plumbline {
+namespace {
+
+struct Arguments {
+    std::string study;                           // path, or a name in validate/studies/
+    std::optional<std::filesystem::path> output; // folder
+    int jobs = 0;                                // cases at a time; 0: as many as there are cores
+    bool yes = false;                            // also very many cases
+    GlArguments gl;
+    ThreadArguments threads; // all of them together
+};
 
 #ifdef PLUMBLINE_GL
-namespace {
 
 using nlohmann::json;
 
@@ -28,7 +41,7 @@ constexpr uint64_t kManyCases = 2000;     // an hour and more
 constexpr uint64_t kMostCases = 10000000; // what a list of them may take of memory
 constexpr std::chrono::seconds kBetweenTables(10);
 
-void requireConsent(uint64_t count, const StudyArguments& arguments) {
+void requireConsent(uint64_t count, const Arguments& arguments) {
     if (count > kMostCases)
         throw InputError(arguments.study, fmt::format("has {} cases", count),
                          fmt::format("at most {}", kMostCases));
@@ -37,7 +50,7 @@ void requireConsent(uint64_t count, const StudyArguments& arguments) {
                          fmt::format("at most {} without --yes", kManyCases));
 }
 
-std::filesystem::path outputFolder(const Study& study, const StudyArguments& arguments) {
+std::filesystem::path outputFolder(const Study& study, const Arguments& arguments) {
     return arguments.output.value_or(std::filesystem::path("plumbline-out") / ("study-" + study.name));
 }
 
@@ -61,20 +74,21 @@ void checkTechniques(const Study& study) {
 
 /// What would be wrong in every case, before the first.
 void checkCaseOptions(const CaseOptions& options) {
-    RealtimeArguments realtime;
-    realtime.glBackend = options.glBackend;
-    (void)glOptions(realtime);
+    GlArguments gl;
+    gl.backend = options.glBackend;
+    (void)gl.options();
     (void)parseMemorySize(options.memory);
     if (!options.errorPx.empty()) (void)parseErrorPx(options.errorPx);
 }
 
-CaseOptions caseOptions(const Study& study, const StudyArguments& arguments, int jobs) {
+CaseOptions caseOptions(const Study& study, const Arguments& arguments, int jobs) {
     CaseOptions options;
     options.memory = study.memory;
     options.errorPx = study.errorPx;
-    options.glBackend = arguments.glBackend;
-    options.glDevice = arguments.glDevice;
-    options.threads = std::max(1, (arguments.threads > 0 ? arguments.threads : coreCount()) / jobs);
+    options.glBackend = arguments.gl.backend;
+    options.glDevice = arguments.gl.device;
+    const int threads = arguments.threads.threads;
+    options.threads = std::max(1, (threads > 0 ? threads : coreCount()) / jobs);
     options.timeLimitSeconds = study.timeLimitSeconds;
     return options;
 }
@@ -147,9 +161,8 @@ void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const 
     });
 }
 
-} // namespace
-
-int runStudy(const StudyArguments& arguments) {
+int runStudy(const Arguments& arguments) {
+    const ThreadLimit limit(arguments.threads.threads);
     Progress progress;
     progress.step("reading the study");
     const Study study = readStudy(findStudy(arguments.study));
@@ -175,7 +188,7 @@ int runStudy(const StudyArguments& arguments) {
     return state.open.empty() ? kExitDone : kExitMachine;
 }
 
-int runStudyReport(const StudyArguments& arguments) {
+int runStudyReport(const Arguments& arguments) {
     const Study study = readStudy(findStudy(arguments.study));
     requireConsent(caseCount(study), arguments);
     const StudyFolder folder = StudyFolder::open(outputFolder(study, arguments), study);
@@ -190,28 +203,48 @@ int runStudyReport(const StudyArguments& arguments) {
     return kExitDone;
 }
 
-int runStudyCase(int parent) {
-    return serveStudyCase(parent);
-}
-
 #else
 
-namespace {
 [[noreturn]] void refuse() {
     throw MachineError("study", "this program was built without OpenGL (preset no-gl)", "a build with it");
 }
-} // namespace
 
-int runStudy(const StudyArguments&) {
+int runStudy(const Arguments&) {
     refuse();
 }
-int runStudyReport(const StudyArguments&) {
-    refuse();
-}
-int runStudyCase(int) {
+int runStudyReport(const Arguments&) {
     refuse();
 }
 
 #endif
+
+void addCommonOptions(CLI::App& command, Arguments& study) {
+    command.add_option("STUDY", study.study, "A study file or a name of validate/studies/")->required();
+    command.add_option("-o", study.output, "Folder of its results (default: plumbline-out/study-NAME)")
+        ->type_name("DIR");
+    command.add_flag("--yes", study.yes, "Also with more than 2000 cases");
+}
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    command.require_subcommand(1);
+    CLI::App* run = command.add_subcommand("run", "Work out every case that isn't known yet");
+    addCommonOptions(*run, *arguments);
+    run->add_option("--jobs", arguments->jobs, "Cases at a time (default: as many as there are cores)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    arguments->gl.addTo(*run);
+    arguments->threads.addTo(*run);
+    CLI::App* report = command.add_subcommand("report", "Tables and plots of the cases worked out so far");
+    addCommonOptions(*report, *arguments);
+    return
+        [arguments, report] { return report->parsed() ? runStudyReport(*arguments) : runStudy(*arguments); };
+}
+
+} // namespace
+
+Command studyCommand() {
+    return {"study", "Sweep scenes, their values and techniques; tables and plots of it", addOptions};
+}
 
 } // namespace plumbline

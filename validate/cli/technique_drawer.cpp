@@ -7,13 +7,13 @@
 namespace plumbline {
 
 WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene& scene,
-                            const RealtimeArguments& arguments) {
+                            const RealtimeArguments& arguments, int threads) {
     WorkerOptions options;
     options.sceneFile = sceneFile;
     options.sceneChanges = scene.changes;
     options.sceneHash = scene.hash;
-    options.gl = glOptions(arguments);
-    options.threads = arguments.threads;
+    options.gl = arguments.gl.options();
+    options.threads = threads;
     options.timeLimitSeconds = arguments.timeLimitSeconds;
     return options;
 }

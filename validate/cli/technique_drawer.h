@@ -3,15 +3,14 @@
 #pragma once
 
 #ifdef PLUMBLINE_GL
+#include "validate/cli/realtime_arguments.h"
 #include "validate/worker/technique_worker.h"
 
 namespace plumbline {
 
-struct RealtimeArguments;
-
-/// Throws InputError for a --gl there isn't.
+/// `threads`: as of --threads. Throws InputError for a --gl there isn't.
 WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene& scene,
-                            const RealtimeArguments& arguments);
+                            const RealtimeArguments& arguments, int threads);
 
 class TechniqueDrawer {
   public:

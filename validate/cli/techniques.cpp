@@ -85,18 +85,6 @@ void refuseDuplicates(const std::vector<TechniqueRequest>& requests,
 
 } // namespace
 
-GlOptions glOptions(const RealtimeArguments& arguments) {
-    GlOptions options;
-    options.device = arguments.glDevice;
-    if (arguments.glBackend == "egl")
-        options.backend = GlBackend::Egl;
-    else if (arguments.glBackend == "osmesa")
-        options.backend = GlBackend::Osmesa;
-    else if (arguments.glBackend != "auto")
-        throw InputError("--gl", fmt::format("found '{}'", arguments.glBackend), "auto, egl or osmesa");
-    return options;
-}
-
 std::vector<TechniqueRequest> chosenTechniques(const std::vector<std::string>& texts,
                                                const std::map<std::string, std::string>& settings) {
     const bool all = texts.empty() || std::find(texts.begin(), texts.end(), "all") != texts.end();

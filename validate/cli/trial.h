@@ -2,6 +2,7 @@
 #pragma once
 
 #ifdef PLUMBLINE_GL
+#include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"
 #include "validate/cli/technique_drawer.h"
 

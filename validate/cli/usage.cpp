@@ -1,7 +1,5 @@
 #include "validate/cli/usage.h"
 
-#include "validate/cli/commands.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -46,10 +44,11 @@ InputError usageError(const CLI::App& app, const CLI::ParseError& error) {
 }
 
 void requireCommand(const CLI::App& app, const std::string& first) {
-    if (first == kDrawWorkerCommand || first == kStudyCaseCommand) return;
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands({}))
+    for (const CLI::App* command : app.get_subcommands({})) {
+        if (command->get_name() == first) return;
         if (!command->get_group().empty()) names.push_back(command->get_name());
+    }
     for (const char* option : {"-h", "--help", "--version"})
         names.emplace_back(option);
     if (std::find(names.begin(), names.end(), first) != names.end()) return;

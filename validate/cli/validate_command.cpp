@@ -3,12 +3,20 @@
 #include "scenes/frame/frame_exr.h"
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/scene_file/scene_file.h"
+#include "validate/cli/command.h"
+#include "validate/cli/exit_codes.h"
+#include "validate/cli/realtime_arguments.h"
+#include "validate/cli/reference_arguments.h"
+#include "validate/cli/report_arguments.h"
 #include "validate/cli/requirements.h"
+#include "validate/cli/scene_arguments.h"
 #include "validate/cli/shared.h"
+#include "validate/cli/thread_arguments.h"
 #include "validate/cli/trial.h"
 #include "validate/compare/frame_metadata.h"
 #include "validate/results/output_files.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <tbb/parallel_invoke.h>
 
@@ -17,10 +25,19 @@
 #include <set>
 
 namespace plumbline {
-
-#ifdef PLUMBLINE_GL
 namespace {
 
+struct Arguments {
+    SceneArguments scene;
+    std::optional<std::filesystem::path> output; // folder
+    ReportArguments report;
+    ReferenceArguments reference;
+    RealtimeArguments realtime;
+    RequirementArguments requirements;
+    ThreadArguments threads;
+};
+
+#ifdef PLUMBLINE_GL
 // For timing all techniques of a run together: a third of what comparing and painting them takes.
 constexpr double kTimingBudgetMs = 4000;
 
@@ -135,24 +152,23 @@ void writeReferences(const References& references, Results& results, OutputFolde
     dropDepth(results.proxy->gap);
 }
 
-} // namespace
-
-int runValidate(const ValidateArguments& arguments) {
+int runValidate(const Arguments& arguments) {
+    const ThreadLimit limit(arguments.threads.threads);
     Progress progress;
     progress.step("reading the scene");
-    const std::filesystem::path sceneFile = findScene(arguments.reference.scene);
-    const Scene scene = readScene(sceneFile, arguments.reference.sceneChanges);
+    const std::filesystem::path sceneFile = findScene(arguments.scene.scene);
+    const Scene scene = readScene(sceneFile, arguments.scene.changes);
     printWarnings(scene.warnings);
-    const auto requirements = readRequirements(arguments.require, scene.requirements);
+    const auto requirements = readRequirements(arguments.requirements.require, scene.requirements);
     checkNames(requirements, scene);
     const auto settings = parseSettings(arguments.realtime.settings);
     const auto requests = chosenTechniques(arguments.realtime.techniques, settings);
     checkSettings(settings, requests);
     const BaseChoice base = parseBase(arguments.reference.base, true);
-    ReferenceOptions options = referenceOptions(arguments.reference);
+    ReferenceOptions options = arguments.reference.options();
     for (const TechniqueRequest& request : requests)
         options.microAttributes |= drawsMicroTriangles(request);
-    WorkerOptions worker = workerOptions(sceneFile, scene, arguments.realtime);
+    WorkerOptions worker = workerOptions(sceneFile, scene, arguments.realtime, arguments.threads.threads);
     worker.gl.timingBudgetMs =
         std::min(worker.gl.timingBudgetMs, kTimingBudgetMs / static_cast<double>(requests.size()));
     OutputFolder output(arguments.output, scene);
@@ -172,7 +188,7 @@ int runValidate(const ValidateArguments& arguments) {
                     references.summary,
                     compareBases(references, scene),
                     {}};
-    Report report(output.report, reportOptions(arguments.report));
+    Report report(output.report, arguments.report.options());
     writeReferences(references, results, output, report);
     int exitCode = kExitDone;
     bool requirementsReached = true;
@@ -197,11 +213,30 @@ int runValidate(const ValidateArguments& arguments) {
 
 #else
 
-int runValidate(const ValidateArguments&) {
+int runValidate(const Arguments&) {
     throw MachineError("validate", "this program was built without OpenGL (preset no-gl)", "a build with it",
                        "'plumbline reference' and 'plumbline compare' work without");
 }
 
 #endif
+
+Run addOptions(CLI::App& command) {
+    const auto arguments = std::make_shared<Arguments>();
+    arguments->scene.addOptionalTo(command);
+    command.add_option("-o", arguments->output, "Folder of the results (default: plumbline-out/SCENE)")
+        ->type_name("DIR");
+    arguments->report.addTo(command);
+    arguments->reference.addTo(command, "limit|proxy|both");
+    arguments->realtime.addTo(command);
+    arguments->requirements.addTo(command);
+    arguments->threads.addTo(command);
+    return [arguments] { return runValidate(*arguments); };
+}
+
+} // namespace
+
+Command validateCommand() {
+    return {"validate", "Hold techniques against the displaced truth: metrics and report", addOptions};
+}
 
 } // namespace plumbline

@@ -7,11 +7,14 @@
 #pragma once
 
 #include "realtime/realtime.h"
-#include "validate/cli/commands.h"
 
 #include <filesystem>
 
 namespace plumbline {
+
+inline constexpr int kDefaultTimeLimitSeconds = 60;
+/// The command by which the program starts itself to draw; --help doesn't list it.
+inline constexpr const char* kDrawWorkerCommand = "draw-worker";
 
 struct WorkerOptions {
     std::filesystem::path sceneFile;

@@ -1,0 +1,28 @@
+#include "validate/cli/realtime_arguments.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace plumbline {
+
+void RealtimeArguments::addTo(CLI::App& command) {
+    constexpr int kLongestTimeLimitSeconds = 86400;
+    command
+        .add_option("--technique", techniques,
+                    "SEARCH[@SURFACE][:key=value,…], SEARCH a name or a folder; may be repeated. Default: "
+                    "all: every search on flat and quadric, linear_binary on the quadric's variants")
+        ->type_name("NAME|DIR")
+        ->allow_extra_args(false);
+    command.add_option("--set", settings, "A parameter of all techniques; may be repeated")
+        ->type_name("key=value")
+        ->allow_extra_args(false);
+    gl.addTo(command);
+    command
+        .add_option("--time-limit", timeLimitSeconds,
+                    fmt::format("Seconds a technique may compile and draw before it is stopped (default: {})",
+                                kDefaultTimeLimitSeconds))
+        ->check(CLI::Range(1, kLongestTimeLimitSeconds))
+        ->type_name("SECONDS");
+}
+
+} // namespace plumbline

@@ -1,0 +1,25 @@
+// Which techniques are drawn, and how: --technique, --set, --gl, --device, --time-limit.
+#pragma once
+
+#include "validate/cli/gl_arguments.h"
+#include "validate/worker/technique_worker.h"
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace plumbline {
+
+struct RealtimeArguments {
+    std::vector<std::string> techniques;
+    std::vector<std::string> settings; // key=value, for all of them
+    GlArguments gl;
+    int timeLimitSeconds = kDefaultTimeLimitSeconds; // a technique
+
+    void addTo(CLI::App& command);
+};
+
+} // namespace plumbline

@@ -1,0 +1,19 @@
+#include "validate/cli/report_arguments.h"
+
+#include "validate/report/page_bundle.h"
+
+#include <CLI/CLI.hpp>
+
+namespace plumbline {
+
+void ReportArguments::addTo(CLI::App& command) {
+    command.add_flag("--single-file", singleFile, "Write the report as one file that holds everything");
+    command.add_flag("--plain-report", plain,
+                     "Write the report without scripts and plots, every picture as PNG");
+}
+
+ReportOptions ReportArguments::options() const {
+    return {.interactive = !plain && !report::pageScript().empty(), .singleFile = singleFile};
+}
+
+} // namespace plumbline
