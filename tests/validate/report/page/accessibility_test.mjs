@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { frameId, openReport, panesSettled, reportFile } from "./browser.mjs";
+import { frameId, openReport, panesLoaded, reportFile } from "./browser.mjs";
 
 const axeSource = readFileSync(createRequire(import.meta.url).resolve("axe-core/axe.min.js"), "utf8");
 
@@ -25,7 +25,7 @@ for (const [what, options] of Object.entries({
 }))
   test(`no serious finding, ${what}`, async (t) => {
     const { page } = await openReport(t, reportFile("torus"), options);
-    await panesSettled(page);
+    await panesLoaded(page);
     assert.deepEqual(await seriousFindings(page), []);
   });
 
@@ -41,7 +41,7 @@ test("button without a name: axe-core finds it", async (t) => {
 for (const width of [390, 1280])
   test(`${width} pixels wide: nothing overflows, targets are 24 pixels high`, async (t) => {
     const { page } = await openReport(t, reportFile("torus"), { width });
-    await panesSettled(page);
+    await panesLoaded(page);
     assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), width);
     const small = await page
       .locator("button:visible, select:visible")

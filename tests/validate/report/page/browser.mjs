@@ -56,7 +56,7 @@ export async function openReport(
 }
 
 /** Until every pane in sight shows its picture, or a text why not. */
-export async function panesSettled(page) {
+export async function panesLoaded(page) {
   await page.waitForFunction(() => {
     const panes = [...document.querySelectorAll(".pane:not([hidden])")];
     return (

@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
 import { test } from "node:test";
 import { schemeYlOrBr } from "d3-scale-chromatic";
-import { openReport, panesSettled, reportDataOf, reportFile, resultsOf } from "./browser.mjs";
+import { openReport, panesLoaded, reportDataOf, reportFile, resultsOf } from "./browser.mjs";
 import { shownPixels } from "./painted_frames.mjs";
 
 const kReport = "exact"; // exact_plain holds the PNG pictures of its frames
@@ -52,7 +52,7 @@ for (const { layer, ending, leastColors, leastApart = 0 } of [
     const { page } = await openReport(t, reportFile(kReport), {
       hash: `#n=1&f1=${technique.id}&l1=${layer}${range}`,
     });
-    await panesSettled(page);
+    await panesLoaded(page);
     const [canvas, png] = [await shownPixels(page), await pngPixels(page, ending)];
     const apart = canvas.filter((color) => kApart[color]).length;
     assert.ok(new Set(canvas).size >= leastColors, `${new Set(canvas).size} colours`);

@@ -6,7 +6,7 @@ import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { test } from "node:test";
 import { pathToFileURL } from "node:url";
-import { frameId, openReport, panesSettled, reportFile, resultsOf } from "./browser.mjs";
+import { frameId, openReport, panesLoaded, reportFile, resultsOf } from "./browser.mjs";
 
 function temporaryFolder(t) {
   const folder = mkdtempSync(join(tmpdir(), "plumbline-report-"));
@@ -22,7 +22,7 @@ function expectQuiet({ errors, dialogs, requests }) {
 
 test("report on disk: opens without errors and without requests outside its folder", async (t) => {
   const { page, account } = await openReport(t, reportFile("torus"));
-  await panesSettled(page);
+  await panesLoaded(page);
   assert.equal(await page.locator(".pane[data-state=error]").count(), 0);
   assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);
   expectQuiet(account);
@@ -50,7 +50,7 @@ test("single file: opens in another folder", async (t) => {
   const folder = temporaryFolder(t);
   copyFileSync(reportFile("single"), join(folder, "moved.html"));
   const { page, account } = await openReport(t, join(folder, "moved.html"));
-  await panesSettled(page);
+  await panesLoaded(page);
   assert.equal(await page.locator(".pane[data-state=error]").count(), 0);
   assert.equal(await page.locator("#plots svg[aria-label]").count(), 3);
   const broken = await page.evaluate(
@@ -62,7 +62,7 @@ test("single file: opens in another folder", async (t) => {
 
 test("text that looks like markup: is shown, not run", async (t) => {
   const { page, account } = await openReport(t, reportFile("hostile"));
-  await panesSettled(page);
+  await panesLoaded(page);
   const { scene, techniques } = resultsOf("hostile");
   const hostile = techniques.map(({ name }) => name).find((name) => name.includes("<img"));
   assert.equal(await page.locator("h1").innerText(), scene.name);
@@ -71,7 +71,7 @@ test("text that looks like markup: is shown, not run", async (t) => {
   assert.equal(await row.count(), 1);
   await row.getByRole("button").click();
   await page.locator("#plots select").first().selectOption({ label: hostile });
-  await panesSettled(page);
+  await panesLoaded(page);
   const made = await page.evaluate(() => ({
     images: document.querySelectorAll("img[src=x], [onerror], [onload]").length,
     scripts: [...document.scripts].filter((script) => script.text.startsWith("alert")).length,
@@ -102,7 +102,7 @@ test("missing or damaged frame: its pane says so, the rest works", async (t) => 
   ]) {
     damage(join(folder, technique));
     const { page } = await openReport(t, join(folder, "index.html"));
-    await panesSettled(page);
+    await panesLoaded(page);
     const panes = page.locator(".pane:not([hidden])");
     assert.equal(await panes.first().getAttribute("data-state"), "ready"); // the reference
     const failed = page.locator(

@@ -1,7 +1,7 @@
 // Reports with missing frames or equal names, and addresses with values that can't be shown.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openReport, panesSettled } from "./browser.mjs";
+import { openReport, panesLoaded } from "./browser.mjs";
 import {
   hex,
   kObjects,
@@ -34,7 +34,7 @@ test("frames of equal names: are told apart", async (t) => {
   );
   for (const [index, { name }] of namesakes.entries()) {
     await page.getByRole("button", { name: `View ${name}` }).click();
-    await panesSettled(page);
+    await panesLoaded(page);
     assert.deepEqual(
       await page.locator(".pane").evaluateAll((panes) => panes.map(({ dataset }) => dataset.frame)),
       ["r", `t${index + 1}`, `t${index + 1}`, `t${index + 1}`],
@@ -74,7 +74,7 @@ for (const { what, frames, text, panes } of [
     const { page, account } = await openReport(t, painted(t, { frames, techniques, change }));
     assert.ok((await page.locator("#viewer").innerText()).includes(text));
     assert.equal(await page.locator(".pane:not([hidden])").count(), panes);
-    if (panes > 0) await panesSettled(page);
+    if (panes > 0) await panesLoaded(page);
     await page.getByRole("button", { name: "IoU" }).click();
     assert.deepEqual(
       await page
@@ -92,7 +92,7 @@ test("unknown relief depths: aren't offered as a unit", async (t) => {
   const { page } = await openReport(t, painted(t, { objects }), {
     hash: "#n=1&f1=t1&l1=depth_error&unit=relief",
   });
-  await panesSettled(page);
+  await panesLoaded(page);
   assert.equal(await page.getByLabel("Depth errors in").inputValue(), "world");
   assert.match(await page.locator(".viewer-note").innerText(), /unit=relief/);
   assert.ok(
@@ -117,7 +117,7 @@ test("address with impossible numbers: is reported, defaults are used", async (t
   const file = painted(t);
   for (const each of refused) {
     const { page, account } = await openReport(t, file, { hash: `#n=1&${each}` });
-    await panesSettled(page);
+    await panesLoaded(page);
     assert.ok((await page.locator(".viewer-note").innerText()).includes(each), each);
     assert.equal(await page.locator(".pane").first().getAttribute("data-scale"), "1");
     await page.getByRole("button", { name: "Wipe" }).click();
@@ -128,7 +128,7 @@ test("address with impossible numbers: is reported, defaults are used", async (t
 
 test("zoom beyond the closest: is clamped, at any size", async (t) => {
   const { page } = await openReport(t, painted(t), { hash: "#n=1&zoom=1e300,2,2" });
-  await panesSettled(page);
+  await panesLoaded(page);
   const scale = async () => Number(await page.locator(".pane").first().getAttribute("data-scale"));
   const width = () =>
     page
@@ -145,7 +145,7 @@ test("zoom beyond the closest: is clamped, at any size", async (t) => {
 
 test("other keys of the address: leave the viewer unchanged", async (t) => {
   const { page } = await openReport(t, painted(t), { hash: "#n=1&f1=nobody" });
-  await panesSettled(page);
+  await panesLoaded(page);
   const note = await page.locator(".viewer-note").innerText();
   assert.match(note, /f1=nobody/);
   await page.evaluate(() => {
@@ -161,7 +161,7 @@ test("frame that can't be loaded: the earlier picture disappears", async (t) => 
   const { page } = await openReport(t, painted(t, { frames: [kReference, kTechnique, broken] }), {
     hash: "#n=1&f1=t1&l1=color",
   });
-  await panesSettled(page);
+  await panesLoaded(page);
   assert.equal((await shownPixels(page))[7], "#1523f8");
   await page.getByLabel("Pane 1: frame").selectOption("t2");
   await page.waitForSelector('.pane[data-state="error"]');
@@ -189,7 +189,7 @@ test("frames out of sight: are forgotten, and loaded again on demand", async (t)
       (id) => document.querySelector(`.pane[data-frame="${id}"][data-state="ready"]`),
       `t${i}`,
     );
-    await panesSettled(page);
+    await panesLoaded(page);
     assert.equal((await shownPixels(page))[0], hex(i, 0, 0));
   };
   for (let i = 1; i <= 12; ++i) await look(i);

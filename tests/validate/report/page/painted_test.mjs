@@ -2,7 +2,7 @@
 // pixel.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { openReport, panesSettled } from "./browser.mjs";
+import { openReport, panesLoaded } from "./browser.mjs";
 import { hex, kRgb, kWidth, painted, shownPixels } from "./painted_frames.mjs";
 import { diverging, gray, palette, sequential } from "./painted_report.mjs";
 
@@ -232,7 +232,7 @@ for (const { what, frame, layer, unit, pixels, legend, note, ends, read } of kLa
     const { page, account } = await openReport(t, painted(t), {
       hash: `#n=1&f1=${frame}&l1=${layer}${unit ? `&unit=${unit}` : ""}`,
     });
-    await panesSettled(page);
+    await panesLoaded(page);
     assert.equal(await page.locator(".pane").first().getAttribute("data-layer"), layer);
     assert.deepEqual(await shownPixels(page), pixels);
     const pane = page.locator(".pane").first();

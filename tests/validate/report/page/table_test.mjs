@@ -1,7 +1,7 @@
 // The table of metrics: sorting, the choice in the address, the buttons that show a technique in the viewer.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { addressHolds, frameId, openReport, panesSettled, reportFile } from "./browser.mjs";
+import { addressHolds, frameId, openReport, panesLoaded, reportFile } from "./browser.mjs";
 
 const table = (page) => page.locator("#techniques table");
 const names = (page) =>
@@ -111,14 +111,14 @@ test("address with unknown choices: the program's order", async (t) => {
 test("button 'view': shows the technique in the viewer and highlights it in the plots", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
   await page.getByRole("button", { name: "View parallax_slope" }).click();
-  await panesSettled(page);
+  await panesLoaded(page);
   assert.ok(
     (await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "parallax_slope")}"]`).count()) >
       0,
   );
   assert.equal(await page.getByLabel("Highlight A").inputValue(), frameId("torus", "parallax_slope"));
   await page.getByRole("button", { name: "View linear_binary", exact: true }).click();
-  await panesSettled(page);
+  await panesLoaded(page);
   assert.ok(
     (await page.locator(`.pane:not([hidden])[data-frame="${frameId("torus", "linear_binary")}"]`).count()) >
       0,

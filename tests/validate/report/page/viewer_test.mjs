@@ -7,7 +7,7 @@ import {
   frameId,
   framePixels,
   openReport,
-  panesSettled,
+  panesLoaded,
   reportFile,
   reportsFolder,
 } from "./browser.mjs";
@@ -21,7 +21,7 @@ const nextFrame = (page) =>
 
 async function openPanes(t, hash = "") {
   const { page, account } = await openReport(t, reportFile("torus"), { hash, width: 1920, height: 1080 });
-  await panesSettled(page);
+  await panesLoaded(page);
   await page.locator("#viewer").evaluate((viewer) => viewer.scrollIntoView());
   return { page, account };
 }
@@ -230,10 +230,10 @@ test("reload: shows the same", async (t) => {
     wipe: await page.locator("input.divider").inputValue(),
     pixel: await page.locator(".readout caption").innerText(),
   });
-  await panesSettled(page);
+  await panesLoaded(page);
   const before = await shown();
   await page.reload();
-  await panesSettled(page);
+  await panesLoaded(page);
   assert.deepEqual(await shown(), before);
 });
 

@@ -1,18 +1,19 @@
-// One pane: a menu of frames and of layers, the picture under the shared zoom with its crosshair, and a
-// legend.
+// One pane: its head, the picture under the shared zoom with its crosshair, and a legend.
 import type { ReportData } from "../data";
 import type { FrameData, FrameStore } from "../frame_store";
-import { frameById, frameLabel, referenceOf } from "../frames";
+import { referenceOf } from "../frames";
 import { colorsOf, type Colors } from "./colors";
-import { make, setOptions, setText } from "./dom";
-import { layersOf, reasonAgainst } from "./layers";
+import { Crosshair } from "./crosshair";
+import { make, setText } from "./dom";
+import { layersOf } from "./layers";
 import { Legend } from "./legend";
 import { paintLayer } from "./paint";
+import { PaneHead } from "./pane_head";
 import type { Range } from "./ranges";
 import type { DepthUnit, Reading } from "./reading";
 import { readLayer } from "./readings";
-import { possiblePane, type PaneChoice } from "./standard_panes";
-import type { Pixel, SharedZoom } from "./zoom";
+import type { PaneChoice } from "./standard_panes";
+import type { Pixel, Placement, SharedZoom } from "./zoom";
 
 /** Choices made in the pane. */
 export interface PaneEvents {
@@ -22,9 +23,6 @@ export interface PaneEvents {
 
 /** Planes that the read-out shows of any frame. */
 const kReadPlanes = ["id", "depth"] as const;
-/** Smallest size of the crosshair's box, CSS pixels. */
-const kBoxPx = 11;
-
 export class Pane {
   readonly element: HTMLElement;
   /** What zooms and listens to pointers and keys. */
@@ -38,18 +36,9 @@ export class Pane {
   private choice: PaneChoice = { frame: "", layer: "color" };
   private unit: DepthUnit = "world";
   private paintedWith = "";
-  private readonly name = make("span", { class: "pane-name" });
-  private readonly frameMenu: HTMLSelectElement;
-  private readonly layerMenu: HTMLSelectElement;
+  private readonly head: PaneHead;
   private readonly status = make("p", { class: "pane-status" });
-  private readonly crosshair = make(
-    "div",
-    { class: "crosshair", hidden: true },
-    make("i"),
-    make("i"),
-    make("i"),
-    make("i"),
-  );
+  private readonly crosshair = new Crosshair();
   private readonly legend: Legend;
   private readonly colors: Colors;
   /** Ids of the frames that `reading` was made from. */
@@ -59,22 +48,15 @@ export class Pane {
     private readonly report: ReportData,
     private readonly store: FrameStore,
     index: number,
-    private readonly events: PaneEvents,
+    events: PaneEvents,
   ) {
-    this.frameMenu = make("select", {
-      "aria-label": `Pane ${index + 1}: frame`,
-      change: () => this.chosen(),
-    });
-    this.layerMenu = make("select", {
-      "aria-label": `Pane ${index + 1}: layer`,
-      change: () => this.chosen(),
-    });
+    this.head = new PaneHead(report, index, (choice) => events.choose(choice));
     this.picture = make("div", { class: "pane-picture" }, this.canvas);
     this.view = make(
       "div",
       { class: "pane-view", tabindex: 0, role: "application" },
       this.picture,
-      this.crosshair,
+      this.crosshair.element,
       this.status,
     );
     this.colors = colorsOf(report);
@@ -86,7 +68,7 @@ export class Pane {
     this.element = make(
       "div",
       { class: "pane", role: "group" },
-      make("div", { class: "pane-head" }, this.name, this.frameMenu, this.layerMenu),
+      this.head.element,
       this.view,
       this.legend.element,
     );
@@ -97,7 +79,6 @@ export class Pane {
 
   /** Loads and reads the choice; resolves when there is a reading or a text that says why not. */
   async show(choice: PaneChoice, unit: DepthUnit, name: string): Promise<void> {
-    setText(this.name, name);
     const changed =
       choice.frame !== this.choice.frame || choice.layer !== this.choice.layer || unit !== this.unit;
     this.choice = choice;
@@ -171,10 +152,10 @@ export class Pane {
   }
 
   draw(zoom: SharedZoom, cursor: Pixel | null): void {
-    const { scale, left, top } = zoom.placement(this.view);
     if (zoom.size(this.view).width === 0) return;
-    this.drawPicture(scale, left, top);
-    this.drawCrosshair(cursor, scale, left, top);
+    const placement = zoom.placement(this.view);
+    this.drawPicture(placement);
+    this.crosshair.draw(cursor, placement);
     const camera = zoom.get();
     this.element.dataset.scale = String(camera.scale);
     this.element.dataset.x = String(camera.x);
@@ -185,55 +166,19 @@ export class Pane {
    * The canvas holds the frame pixel for pixel; only the compositor moves it, which keeps the frame rate up
    * without a GPU.
    */
-  private drawPicture(scale: number, left: number, top: number): void {
+  private drawPicture({ scale, left, top }: Placement): void {
     this.canvas.style.transform = `translate(${left}px, ${top}px) scale(${scale})`;
     // Single pixels must not vanish where it is shrunk.
     this.canvas.style.imageRendering = scale * window.devicePixelRatio < 1 ? "auto" : "pixelated";
   }
 
-  private drawCrosshair(cursor: Pixel | null, scale: number, left: number, top: number): void {
-    this.crosshair.hidden = cursor === null;
-    if (!cursor) return;
-    const size = Math.max(scale, kBoxPx);
-    const x = left + (cursor.x + 0.5) * scale - size / 2;
-    const y = top + (cursor.y + 0.5) * scale - size / 2;
-    this.crosshair.style.transform = `translate(${x}px, ${y}px)`;
-    this.crosshair.style.width = this.crosshair.style.height = `${size}px`;
-  }
-
-  private chosen(): void {
-    const wanted = { frame: this.frameMenu.value, layer: this.layerMenu.value as PaneChoice["layer"] };
-    this.events.choose(possiblePane(this.report, wanted));
-  }
-
   private showChoice(name: string): void {
-    const { frame: frameId, layer } = this.choice;
-    const { frames } = this.report;
-    setOptions(
-      this.frameMenu,
-      frames.map((frame) => ({ value: frame.id, label: frameLabel(frame) })),
-      frameId,
-    );
-    const entry = frameById(this.report, frameId);
-    if (!entry) throw new Error(`there is no frame '${frameId}'`);
-    const layers = layersOf(this.report);
-    setOptions(
-      this.layerMenu,
-      layers.map((info) => ({
-        value: info.key,
-        label: info.label,
-        reason: reasonAgainst(this.report, info, entry),
-      })),
-      layer,
-    );
-    this.element.dataset.frame = frameId;
-    this.element.dataset.layer = layer;
-    const title = `${frameLabel(entry)}, ${layers.find(({ key }) => key === layer)?.label ?? layer}`;
+    const title = this.head.show(name, this.choice);
+    this.element.dataset.frame = this.choice.frame;
+    this.element.dataset.layer = this.choice.layer;
     this.element.setAttribute("aria-label", `Pane ${name}`);
-    this.view.setAttribute(
-      "aria-label",
-      `Picture ${name}: ${title}. Arrow keys move the pixel that is read.`,
-    );
+    const label = `Picture ${name}: ${title}. Arrow keys move the pixel that is read.`;
+    this.view.setAttribute("aria-label", label);
   }
 
   private setStatus(state: "loading" | "ready" | "error", text: string): void {
