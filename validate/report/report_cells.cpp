@@ -156,7 +156,7 @@ data headOf(const Column& column) {
     return head;
 }
 
-/// Whether the figure of that key was required to be another one.
+/// Whether the figure of that key misses a requirement.
 bool isMissed(const std::string& key, const TechniqueOutcome& technique) {
     return std::any_of(technique.requirements.begin(), technique.requirements.end(),
                        [&](const RequirementResult& each) { return !each.passed && each.key == key; });
@@ -167,14 +167,14 @@ std::string keyOf(const Column& column, const ObjectComparison& object) {
     return column.key + "@" + object.object.name;
 }
 
-/// The row of the technique shows a lone object's figures too: there is no other.
+/// A lone object has no row of its own, so the technique's row is marked for it too.
 bool isMissedInRow(const Column& column, const TechniqueOutcome& technique) {
     const std::vector<ObjectComparison>& objects = technique.comparison.objects;
     return isMissed(column.key, technique) ||
            (objects.size() == 1 && isMissed(keyOf(column, objects[0]), technique));
 }
 
-/// Who looks up nothing is cheapest; that is no achievement.
+/// Costs have no best: a technique without a search is always cheapest.
 bool isQuality(const Column& column) {
     return !column.better.empty() && !column.key.starts_with("cost.");
 }

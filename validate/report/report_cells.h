@@ -16,11 +16,11 @@ namespace plumbline::report {
 
 using kainjow::mustache::data;
 
-/// Sets only what there is to say: an empty string would still open its section of the template.
+/// Sets nothing for an empty text, as even an empty string opens its section of the template.
 void setIfAny(data& entry, const std::string& key, const std::string& text);
 data listOfTexts(const std::vector<std::string>& texts);
 
-/// `format` of fmt for the figure; a dash with its reason where there is none.
+/// The figure in `format` of fmt; a dash with the reason if it is absent.
 data cell(const Figure& figure, const std::string& format);
 
 std::set<std::string> lightsOf(const Results& results);
@@ -52,13 +52,13 @@ std::vector<Column> techniqueColumns(const std::set<std::string>& lights);
 data headsOf(const std::vector<Column>& columns);
 data cellsOf(const std::vector<Column>& columns, const RowFigures& row);
 
-/// The best figure of each column among techniques; of a control, of a single technique and where neither end
-/// is better there is none.
+/// The best figure of each column among techniques that aren't controls; none if there are fewer than two, or
+/// where neither end is better.
 std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, const Results& results);
-/// Of an object; those that were required to be others are marked.
+/// Figures of an object; those that miss a requirement are marked.
 data objectCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
                  const ObjectComparison& object);
-/// Pooled figures; those that are the best, and those that were required to be others, are marked.
+/// Pooled figures; the best ones and those that miss a requirement are marked.
 data techniqueCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
                     const std::vector<std::optional<double>>& best);
 
