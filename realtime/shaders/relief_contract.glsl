@@ -31,8 +31,7 @@ struct ReliefHit {
 // --- given to a search --------------------------------------------------------------------------------------------
 vec3 reliefPosition(ReliefRay ray, float t); // (s, t, d)
 float descentAt(ReliefRay ray, float t);     // dd/dt
-// Largest dd/dt from t on to 1, 0 if d only falls: no step is too long by it. The surfaces whose st is linear and whose d is
-// a polynomial in t have it: flat, quadric, quadric_full.
+// Largest dd/dt from t on to 1, 0 if d only falls: no step is too long by it. Surfaces that offer bounded_descent have it.
 float steepestDescent(ReliefRay ray, float t);
 float reliefDepth(vec2 st);                  // the map's depth; one counted look-up
 vec4 reliefCell(ivec2 cell);                 // four texels of the map, reliefMapSize(), reliefMapClamps(): height_map.glsl

@@ -1,6 +1,7 @@
 #include "realtime/technique/manifest.h"
 
 #include "realtime/bake/bake.h"
+#include "realtime/technique/composition.h"
 #include "realtime/technique/glsl_words.h"
 #include "realtime/technique/manifest_parameters.h"
 #include "realtime/technique/technique_list.h"
@@ -20,6 +21,10 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kSurfaceInputs{"quadric", "quadric_full"}, kShadows{"relief", "none"},
     kGeometries{"proxy", "micro_triangles"};
+
+bool contains(const std::vector<std::string>& list, const std::string& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+}
 
 /// The parts a technique and a surface have in common but `inputs`; the caller reads the rest and calls
 /// finish().
@@ -49,19 +54,6 @@ std::vector<std::string> techniqueInputs(const Manifest& manifest) {
     return names;
 }
 
-/// [refused_surfaces]: name = "reason".
-void readRefusals(const TomlTable& table, Manifest& manifest) {
-    if (!table.has("refused_surfaces")) return;
-    const TomlTable reasons = table.table("refused_surfaces");
-    for (const std::string& surface : surfaceNames()) {
-        if (!reasons.has(surface)) continue;
-        if (std::find(manifest.surfaces.begin(), manifest.surfaces.end(), surface) != manifest.surfaces.end())
-            reasons.fail(surface, "is among the surfaces as well", "one of them");
-        manifest.refusals[surface] = reasons.line(surface);
-    }
-    reasons.finish();
-}
-
 std::vector<std::string> channelNames() {
     std::vector<std::string> names;
     for (const ChannelInfo& info : channelTable())
@@ -83,6 +75,17 @@ void checkShader(const Manifest& manifest) {
                              fmt::format("parameter '{}' doesn't occur in {}", parameter.name,
                                          manifest.shaderFile().filename().string()),
                              "a shader that uses every parameter of the manifest");
+}
+
+/// A shader that calls what is wrong on some surfaces must say so: on those it would draw nonsense silently.
+void checkNeeds(const TomlTable& table, const Manifest& manifest) {
+    const std::string glsl = readWholeFile(manifest.shaderFile());
+    for (const auto& [name, meaning, function] : surfaceProperties())
+        if (function && namesIdentifier(glsl, function) && !manifest.hasNeed(name))
+            table.fail("needs",
+                       fmt::format("lacks {}, which {} relies on by calling {}", name,
+                                   manifest.shaderFile().filename().string(), function),
+                       fmt::format("\"{}\" among them", name));
 }
 
 /// Absolute, without "." and a trailing slash, so that the last part is the folder's name.
@@ -109,7 +112,15 @@ Manifest emptyManifest(const fs::path& folder, const char* fileName) {
 } // namespace
 
 bool Manifest::hasInput(const std::string& input) const {
-    return std::find(inputs.begin(), inputs.end(), input) != inputs.end();
+    return contains(inputs, input);
+}
+
+bool Manifest::hasNeed(const std::string& property) const {
+    return contains(needs, property);
+}
+
+bool Manifest::hasOffer(const std::string& property) const {
+    return contains(offers, property);
 }
 
 Manifest readTechniqueManifest(const fs::path& folder) {
@@ -118,11 +129,7 @@ Manifest readTechniqueManifest(const fs::path& folder) {
     readCommon(table, manifest);
     manifest.inputs = table.someOf("inputs", techniqueInputs(manifest));
     manifest.channels = table.someOf("channels", channelNames(), std::vector<std::string>{});
-    const auto writes = [&](const char* channel) {
-        return std::find(manifest.channels.begin(), manifest.channels.end(), channel) !=
-               manifest.channels.end();
-    };
-    if (table.has("channels") && !writes("A") && !writes("id"))
+    if (table.has("channels") && !contains(manifest.channels, "A") && !contains(manifest.channels, "id"))
         table.fail("channels", "has neither A nor id, so that no frame says what it covers",
                    "one of them among the channels");
     if (table.choice("geometry", kGeometries, "proxy") == "micro_triangles") {
@@ -131,11 +138,10 @@ Manifest readTechniqueManifest(const fs::path& folder) {
             table.fail("parameter", "is there, but micro_triangles have no shader to take parameters",
                        "no [[parameter]]");
     } else {
-        manifest.surfaces = table.someOf("surfaces", surfaceNames());
-        if (manifest.surfaces.empty()) table.fail("surfaces", "is empty", listOf(surfaceNames()));
-        readRefusals(table, manifest);
+        manifest.needs = table.someOf("needs", surfacePropertyNames());
         manifest.shadows = readShadows(table, kShadows);
         checkShader(manifest);
+        checkNeeds(table, manifest);
     }
     table.finish();
     return manifest;
@@ -147,6 +153,7 @@ Manifest readSurfaceManifest(const fs::path& folder) {
     readCommon(table, manifest);
     manifest.inputs = table.someOf("inputs", kSurfaceInputs);
     if (manifest.inputs.size() > 1) table.fail("inputs", "holds two quadrics", listOf(kSurfaceInputs));
+    manifest.offers = table.someOf("offers", surfacePropertyNames());
     manifest.shadows = readShadows(table);
     if (table.has("variant_of")) manifest.variantOf = table.choice("variant_of", surfaceNames());
     table.finish();

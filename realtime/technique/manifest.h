@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -48,16 +47,18 @@ struct Manifest {
     std::vector<std::string>
         inputs; // "height", kinds of baked maps, parameters that choose between such kinds; of a surface,
                 // "quadric" (without cross term), "quadric_full" or nothing
-    std::vector<std::string> surfaces;           // of a technique: those it composes with
-    std::map<std::string, std::string> refusals; // of a technique: why not, by surface
-    std::string variantOf;                       // of a surface: the one it does otherwise; may be empty
-    std::vector<std::string> shadows;            // "none", "relief": what the harness may do with it
+    std::vector<std::string> needs;    // of a technique: properties of surfaces (composition.h) it relies on
+    std::vector<std::string> offers;   // of a surface: those it has
+    std::string variantOf;             // of a surface: the one it does otherwise; may be empty
+    std::vector<std::string> shadows;  // "none", "relief": what the harness may do with it
     std::vector<std::string> channels; // of a technique: what its frames hold; empty = every channel
     std::vector<std::string> limits;
     std::vector<Parameter> parameters;
 
     bool hasInput(const std::string& input) const;
     bool drawsMicroTriangles() const { return geometry == Geometry::MicroTriangles; }
+    bool hasNeed(const std::string& property) const;
+    bool hasOffer(const std::string& property) const;
     /// Of a surface: whether its base is a quadric.
     bool isBent() const { return hasInput("quadric") || hasInput("quadric_full"); }
     /// FOLDER/NAME.glsl.

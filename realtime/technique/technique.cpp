@@ -2,6 +2,7 @@
 
 #include "realtime/bake/bake.h"
 #include "realtime/technique/baked_family.h"
+#include "realtime/technique/composition.h"
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
@@ -78,14 +79,11 @@ Pieces findPieces(const TechniqueRequest& request) {
         return pieces;
     }
     pieces.surface = readSurfaceManifest(surfaceFolder(request.surface));
-    if (!contains(pieces.search.surfaces, request.surface)) {
-        const auto reason = pieces.search.refusals.find(request.surface);
+    if (const std::string refusal = refusalOf(pieces.search, *pieces.surface); !refusal.empty())
         throw InputError("technique",
-                         fmt::format("'{}' doesn't compose with surface '{}'{}", pieces.search.name,
-                                     request.surface,
-                                     reason == pieces.search.refusals.end() ? "" : ": " + reason->second),
-                         "@" + listOf(pieces.search.surfaces));
-    }
+                         fmt::format("'{}' doesn't compose with surface '{}': {}", pieces.search.name,
+                                     request.surface, refusal),
+                         "@" + listOf(surfacesFor(pieces.search, listSurfaces())));
     pieces.shader = pieces.search.parameters;
     for (const Parameter& parameter : pieces.surface->parameters) {
         if (contains(namesOf(pieces.shader), parameter.name))

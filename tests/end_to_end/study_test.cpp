@@ -105,9 +105,8 @@ TEST_F(StudyRun, ATechniqueThatFailsCostsItsRowsAlone) {
     writeStudy("0.02, 0.05");
     std::filesystem::create_directory(folder_ / "mine");
     writeFile(folder_ / "mine/mine.glsl", "ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
-    writeFile(
-        folder_ / "mine/technique.toml",
-        "title = \"t\"\ncitation = \"none\"\ninputs = [\"height\"]\nsurfaces = [\"flat\"]\nlimits = []\n");
+    writeFile(folder_ / "mine/technique.toml",
+              "title = \"t\"\ncitation = \"none\"\ninputs = [\"height\"]\nneeds = []\nlimits = []\n");
     const std::string study = readFile(folder_ / "tiny.toml");
     writeFile(folder_ / "tiny.toml",
               withLine(study, "name = \"linear:linear_steps=4\"", "name = \"./mine\""));

@@ -43,7 +43,7 @@ class TimeLimit : public EndToEnd {
         fs::create_directories(folder_ / "endless");
         writeFile(folder_ / "endless" / "technique.toml",
                   "title = \"Endless\"\ncitation = \"none\"\ninputs = [\"height\"]\n"
-                  "surfaces = [\"flat\"]\nlimits = []\n");
+                  "needs = []\nlimits = []\n");
         writeFile(folder_ / "endless" / "endless.glsl", endlessSearch());
     }
     void TearDown() override {

@@ -403,7 +403,7 @@ TEST_F(Validate, AnswersThatAreNoNumbersAreToldOf) {
     writeSmallScene();
     fs::create_directories(folder_ / "nan");
     writeFile(folder_ / "nan/technique.toml",
-              "title = 'NaN'\ncitation = 'me'\ninputs = ['height']\nsurfaces = ['flat']\nlimits = []\n");
+              "title = 'NaN'\ncitation = 'me'\ninputs = ['height']\nneeds = []\nlimits = []\n");
     writeFile(folder_ / "nan/nan.glsl", "ReliefHit traceRelief(ReliefRay ray) {\n"
                                         "    float depth = reliefDepth(ray.st);\n"
                                         "    return hitAt(ray, depth > 0.5 ? sqrt(-depth) : depth);\n}\n");
@@ -420,7 +420,8 @@ TEST_F(Validate, ARefusedSurfaceIsRefusedWithItsReason) {
     writeSmallScene();
     const Outcome outcome = validate("out", {"--technique", "sphere_tracing@quadric"});
     EXPECT_EQ(outcome.exitCode, 2);
-    EXPECT_THAT(outcome.err, HasSubstr("'sphere_tracing' has no surface 'quadric': distances in the field"));
+    EXPECT_THAT(outcome.err,
+                HasSubstr("'sphere_tracing' has no surface 'quadric': the search needs flat_base"));
 }
 
 TEST_F(Validate, AllHoldsVariantsOfASurfaceWithOneSearch) {

@@ -1,4 +1,5 @@
 #include "realtime/bake/bake.h"
+#include "realtime/technique/composition.h"
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
@@ -49,6 +50,7 @@ void listAllSurfaces() {
     for (const Manifest& surface : listSurfaces()) {
         fmt::print("{}: {}\n    source: {}\n", surface.name, surface.title, surface.citation);
         if (!surface.variantOf.empty()) fmt::print("    variant of: {}\n", surface.variantOf);
+        if (!surface.offers.empty()) fmt::print("    offers: {}\n", fmt::join(surface.offers, ", "));
         fmt::print("    shadows: {}\n", fmt::join(offeredShadows(surface), ", "));
         if (!surface.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(surface.inputs, ", "));
         printParameters(surface.parameters);
@@ -58,13 +60,13 @@ void listAllSurfaces() {
 }
 
 void listAllTechniques() {
+    const std::vector<Manifest> library = listSurfaces();
     for (const Manifest& technique : listTechniques()) {
         fmt::print("{}: {}\n", technique.name, technique.title);
         if (!technique.citation.empty()) fmt::print("    source: {}\n", technique.citation);
-        if (!technique.surfaces.empty())
-            fmt::print("    surfaces: {}\n", fmt::join(technique.surfaces, ", "));
-        for (const auto& [surface, reason] : technique.refusals)
-            fmt::print("    not on {}: {}\n", surface, reason);
+        if (!technique.needs.empty()) fmt::print("    needs: {}\n", fmt::join(technique.needs, ", "));
+        if (const std::vector<std::string> surfaces = surfacesFor(technique, library); !surfaces.empty())
+            fmt::print("    surfaces: {}\n", fmt::join(surfaces, ", "));
         if (const std::vector<std::string> shadows = offeredShadows(technique); !shadows.empty())
             fmt::print("    shadows: {}\n", fmt::join(shadows, ", "));
         if (!technique.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(technique.inputs, ", "));

@@ -1,4 +1,5 @@
 // The part of shared.h that needs realtime/.
+#include "realtime/technique/composition.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "validate/cli/shared.h"
@@ -19,14 +20,15 @@ constexpr const char* kSearchForVariants = "linear_binary";
 /// search.
 std::vector<TechniqueRequest> allTechniques() {
     std::set<std::string> variants;
-    for (const Manifest& surface : listSurfaces())
+    const std::vector<Manifest> library = listSurfaces();
+    for (const Manifest& surface : library)
         if (!surface.variantOf.empty()) variants.insert(surface.name);
     std::vector<TechniqueRequest> requests;
     for (const Manifest& info : listTechniques()) {
         TechniqueRequest request;
         request.search = info.name;
-        if (info.surfaces.empty()) requests.push_back(request);
-        for (const std::string& surface : info.surfaces) {
+        if (info.drawsMicroTriangles()) requests.push_back(request);
+        for (const std::string& surface : surfacesFor(info, library)) {
             if (variants.contains(surface) && info.name != kSearchForVariants) continue;
             request.surface = surface;
             requests.push_back(request);
@@ -40,20 +42,21 @@ std::vector<TechniqueRequest> allTechniques() {
 /// Throws for a surface the technique doesn't compose with; says nothing where its manifest can't be read.
 void requireSurface(const TechniqueRequest& request) {
     std::vector<std::string> surfaces;
-    std::map<std::string, std::string> refusals;
+    std::string reason;
     try {
         const Manifest info = readTechniqueManifest(techniqueFolder(request.search));
-        surfaces = info.surfaces;
-        refusals = info.refusals;
+        const std::vector<Manifest> library = listSurfaces();
+        surfaces = surfacesFor(info, library);
+        for (const Manifest& surface : library)
+            if (surface.name == request.surface) reason = refusalOf(info, surface);
     } catch (const InputError&) {
         return;
     }
     if (surfaces.empty()) surfaces = {"flat"}; // what a request without '@' says
     if (std::find(surfaces.begin(), surfaces.end(), request.surface) != surfaces.end()) return;
-    const auto reason = refusals.find(request.surface);
     throw InputError("--technique",
                      fmt::format("'{}' has no surface '{}'{}", request.search, request.surface,
-                                 reason == refusals.end() ? "" : ": " + reason->second),
+                                 reason.empty() ? "" : ": " + reason),
                      listOf(surfaces), didYouMean(request.surface, surfaces));
 }
 

@@ -241,7 +241,7 @@ TEST(BakedInput, OneTheShaderNeverReadsIsAnError) {
     const TemporaryFolder folder;
     folder.write("mine/technique.toml",
                  "title = 'Mine'\ncitation = 'me'\ninputs = ['height', 'cone_step']\nlimits = []\n"
-                 "surfaces = ['flat']\n");
+                 "needs = []\n");
     folder.write("mine/mine.glsl",
                  "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
     const std::string path = (folder.path() / "mine").string();
@@ -249,7 +249,7 @@ TEST(BakedInput, OneTheShaderNeverReadsIsAnError) {
                 HasSubstr("technique.toml: asks for input 'cone_step', which the shader never reads"));
     // Without asking for it there is no such function, and the compiler says so in the author's line.
     folder.write("mine/technique.toml",
-                 "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nsurfaces = ['flat']\n");
+                 "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
     folder.write("mine/mine.glsl",
                  "\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, coneOfCell(ray.st).r); }\n");
     EXPECT_THAT(messageOf<InputError>([&] { draw(sceneOf(kViews[0]), path); }), HasSubstr("mine.glsl:2: "));

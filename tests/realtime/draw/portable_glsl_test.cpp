@@ -1,5 +1,6 @@
 // The shaders stay in the common subset of GLSL 4.1 and GLSL ES 3.0, by the reference compiler's judgement.
 #include "realtime/draw/technique_program.h"
+#include "realtime/technique/composition.h"
 #include "realtime/technique/technique_list.h"
 #include "tests/realtime/temporary_folder.h"
 
@@ -45,7 +46,7 @@ TEST(PortableGlsl, EveryTechniqueIsGlsl410AndGlslEs300) {
         for (const bool shadowMaps : {false, true})
             check(plainSources(lights, shadowMaps), "plain");
         for (const Manifest& info : listTechniques())
-            for (const std::string& surface : info.surfaces)
+            for (const std::string& surface : surfacesFor(info, listSurfaces()))
                 for (const char* shadow : {"", "map"}) {
                     const std::map<std::string, std::string> settings =
                         *shadow ? std::map<std::string, std::string>{{"shadow", shadow}}
@@ -56,7 +57,7 @@ TEST(PortableGlsl, EveryTechniqueIsGlsl410AndGlslEs300) {
     }
     check(plainLightSources(), "plain, light pass");
     for (const Manifest& info : listTechniques())
-        for (const std::string& surface : info.surfaces)
+        for (const std::string& surface : surfacesFor(info, listSurfaces()))
             check(reliefLightSources(resolveTechnique({info.name, surface, {}}, {})),
                   info.name + "@" + surface + ", light pass");
     EXPECT_GE(programs, 3 * 5);

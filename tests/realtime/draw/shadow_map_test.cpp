@@ -2,6 +2,7 @@
 #include "realtime/draw/baked_input.h"
 #include "realtime/draw/shadow_maps.h"
 #include "realtime/draw/technique_program.h"
+#include "realtime/technique/composition.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/free_memory.h"
 #include "tests/realtime/draw/shadow_scenes.h"
@@ -363,7 +364,7 @@ TEST(ShadowMap, EverySearchComposesWithItOnEverySurface) {
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
     int drawn = 0;
     for (const Manifest& info : listTechniques())
-        for (const std::string& surface : info.surfaces) {
+        for (const std::string& surface : surfacesFor(info, listSurfaces())) {
             const std::string name = info.name + "@" + surface + ":shadow=map,shadow_bias=0.5";
             SCOPED_TRACE(name);
             const Frame frame = renderer.render(parseTechnique(name), {}, nullptr).frame;

@@ -44,11 +44,9 @@ class UserTechnique : public testing::Test {
         PLUMBLINE_NEEDS_GL(GlBackend::Auto);
         folder_ = std::make_unique<TemporaryFolder>();
     }
-    void write(const std::string& shader, const std::string& surfaces = "['flat', 'quadric']") {
+    void write(const std::string& shader) {
         folder_->write("mine/technique.toml",
-                       "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\n"
-                       "surfaces = " +
-                           surfaces + "\n");
+                       "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
         folder_->write("mine/mine.glsl", shader);
     }
     std::string path() const { return (folder_->path() / "mine").string(); }
@@ -116,7 +114,7 @@ TEST_F(UserTechnique, ABakedMapItNeverReadsIsAnError) {
         write(shader);
         folder_->write("mine/technique.toml",
                        "title = 'Mine'\ncitation = 'me'\ninputs = ['normal']\nlimits = []\n"
-                       "surfaces = ['flat']\n");
+                       "needs = []\n");
     };
     writeShader("// normalAndDepth\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0); }\n");
     EXPECT_EQ(message(),
@@ -136,12 +134,6 @@ TEST_F(UserTechnique, AShaderWithoutTraceReliefIsAnError) {
 TEST_F(UserTechnique, WhatMissesEverywhereCoversNothing) {
     write("ReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
     EXPECT_EQ(coveredPixels(draw(bumpyScene(), path())), 0u);
-}
-
-TEST_F(UserTechnique, ASurfaceItDoesNotNameIsAnError) {
-    write("ReliefHit traceRelief(ReliefRay ray) { return missed(); }\n", "['flat']");
-    EXPECT_EQ(messageOf<InputError>([&] { draw(bumpyScene(), path() + "@quadric"); }),
-              "technique: 'mine' doesn't compose with surface 'quadric'; expected @flat");
 }
 
 TEST_F(UserTechnique, TheRendererStaysUsableAfterOneFailed) {

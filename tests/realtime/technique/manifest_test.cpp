@@ -1,8 +1,10 @@
 // Manifests, settings and names, without OpenGL.
+#include "realtime/technique/composition.h"
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 #include "tests/realtime/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -81,12 +83,18 @@ TEST(TechniqueList, TheLibraryIsSortedAndLeavesOutTheTemplate) {
     EXPECT_THAT(names, testing::Not(testing::Contains("_template")));
 }
 
-TEST(TechniqueList, EveryTechniqueResolvesOnEverySurfaceItNames) {
+TEST(TechniqueList, EveryTechniqueResolvesOnItsSurfacesAlone) {
+    const std::vector<Manifest> library = listSurfaces();
     for (const Manifest& info : listTechniques()) {
         EXPECT_FALSE(info.title.empty());
-        EXPECT_EQ(info.drawsMicroTriangles(), info.surfaces.empty());
-        for (const std::string& surface : info.surfaces)
-            EXPECT_NO_THROW(nameOf(info.name + "@" + surface)) << info.name << " " << surface;
+        const std::vector<std::string> surfaces = surfacesFor(info, library);
+        EXPECT_EQ(info.drawsMicroTriangles(), surfaces.empty());
+        for (const Manifest& surface : library) {
+            const bool runs = std::find(surfaces.begin(), surfaces.end(), surface.name) != surfaces.end();
+            EXPECT_EQ(messageOf<InputError>([&] { nameOf(info.name + "@" + surface.name); }).empty(),
+                      runs || (info.drawsMicroTriangles() && surface.name == "flat"))
+                << info.name << " " << surface.name;
+        }
     }
 }
 
@@ -98,7 +106,7 @@ TEST(TechniqueList, ShadowsListedByTechniqueAndSurfaceAreThoseThatCanBeAsked) {
         return std::find(list.begin(), list.end(), value) != list.end();
     };
     for (const Manifest& info : listTechniques())
-        for (const std::string& surface : info.surfaces)
+        for (const std::string& surface : surfacesFor(info, listSurfaces()))
             for (const char* shadow : {"relief", "none", "map"}) {
                 const std::string name = info.name + "@" + surface + ":shadow=" + shadow;
                 if (contains(offeredShadows(info), shadow) && contains(ofSurface.at(surface), shadow))
@@ -155,7 +163,7 @@ TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
 constexpr const char* kGood = "title = 'Mine'\n"
                               "citation = 'me'\n"
                               "inputs = ['height']\n"
-                              "surfaces = ['flat']\n"
+                              "needs = []\n"
                               "limits = []\n";
 constexpr const char* kParameter = "[[parameter]]\n"
                                    "name = 'steps'\n"
@@ -197,18 +205,18 @@ TEST(Manifest, MistakesAreNamedWithTheirLine) {
     EXPECT_EQ(
         manifestMessage(with("limits = []", "limits = []\nlimit = []")),
         "technique.toml:6: limit: unknown field; expected channels, citation, geometry, inputs, limits, "
-        "parameter, refused_surfaces, shadows, surfaces or title; did you mean 'limits'?");
+        "needs, parameter, shadows or title; did you mean 'limits'?");
     EXPECT_THAT(manifestMessage(with("['height']", "[\n'hight']")),
                 AllOf(StartsWith("technique.toml:4: inputs: holds the text \"hight\"; expected height"),
                       EndsWith("did you mean 'height'?")));
-    EXPECT_EQ(manifestMessage(with("['flat']", "'flat'")),
-              "technique.toml:4: surfaces: is the text \"flat\"; expected an array of texts");
-    EXPECT_EQ(manifestMessage(with("['flat']", "['flat', 'flat']")),
-              "technique.toml:4: surfaces: holds \"flat\" twice; expected each once");
-    EXPECT_EQ(
-        manifestMessage(with("['flat']", "[]")),
-        "technique.toml:4: surfaces: is empty; expected flat, quadric, quadric_full, quadric_nearest or "
-        "quadric_perpendicular");
+    EXPECT_EQ(manifestMessage(with("needs = []", "needs = 'linear_st'")),
+              "technique.toml:4: needs: is the text \"linear_st\"; expected an array of texts");
+    EXPECT_EQ(manifestMessage(with("needs = []", "needs = ['linear_st', 'linear_st']")),
+              "technique.toml:4: needs: holds \"linear_st\" twice; expected each once");
+    EXPECT_THAT(manifestMessage(with("needs = []", "needs = ['linear_stt']")),
+                HasSubstr("did you mean 'linear_st'?"));
+    EXPECT_EQ(manifestMessage(with("limits = []", "limits = []\nshadows = []")),
+              "technique.toml:6: shadows: is empty; expected relief or none");
     EXPECT_EQ(manifestMessage(with("'me'", "7")),
               "technique.toml:2: citation: is 7; expected a text in quotes");
     EXPECT_THAT(manifestMessage(std::string(kGood) + "geometry = 'proxie'"),
@@ -254,28 +262,55 @@ TEST(Manifest, MistakesInParametersAreNamedWithTheirLine) {
                 HasSubstr("parameter.range: is 1e+300; expected a number from"));
 }
 
-TEST(Manifest, ASurfaceCanBeRefusedWithAReason) {
-    const auto message = [](const std::string& refusals) {
-        const TemporaryFolder folder;
-        folder.write("mine/technique.toml", std::string(kGood) + "[refused_surfaces]\n" + refusals);
-        folder.write("mine/mine.glsl", kShader);
-        return messageOf<InputError>([&] { nameOf((folder.path() / "mine@quadric").string()); });
+/// Message of the user's technique with these needs on a surface; empty if they compose.
+std::string compositionMessage(const std::string& needs, const std::string& surface) {
+    const TemporaryFolder folder;
+    folder.write("mine/technique.toml", with("needs = []", "needs = [" + needs + "]"));
+    folder.write("mine/mine.glsl", kShader);
+    return messageOf<InputError>([&] { nameOf((folder.path() / "mine").string() + "@" + surface); });
+}
+
+TEST(Composition, ASurfaceThatLacksANeedIsRefusedWithTheReason) {
+    EXPECT_EQ(compositionMessage("'bounded_descent', 'linear_st'", "quadric_nearest"),
+              "technique: 'mine' doesn't compose with surface 'quadric_nearest': the search needs linear_st "
+              "(texture coordinates that are linear along the ray) and bounded_descent (a bound on the ray's "
+              "descent), which the surface doesn't offer; expected @flat, quadric or quadric_full");
+    EXPECT_THAT(compositionMessage("'flat_base'", "quadric"), EndsWith("expected @flat"));
+    EXPECT_EQ(compositionMessage("'bounded_descent', 'linear_st'", "quadric_full"), "");
+    for (const std::string& surface : surfaceNames())
+        EXPECT_EQ(compositionMessage("", surface), "") << surface;
+}
+
+TEST(Composition, ACallOfWhatIsWrongOnSomeSurfacesHasToBeDeclared) {
+    const auto message = [](const std::string& needs, const std::string& call) {
+        return manifestMessage(with("needs = []", "needs = [" + needs + "]"),
+                               std::string(kShader) + "// call: " + call + "\nfloat f() { return " + call +
+                                   "; }");
     };
-    EXPECT_EQ(message("quadric = 'too round'\n"),
-              "technique: 'mine' doesn't compose with surface 'quadric': too round; expected @flat");
-    EXPECT_EQ(message(""), "technique: 'mine' doesn't compose with surface 'quadric'; expected @flat");
-    EXPECT_THAT(message("flat = 'no'\n"),
-                HasSubstr("technique.toml:7: refused_surfaces.flat: is among the surfaces as well"));
-    EXPECT_THAT(message("quadrik = 'no'\n"), HasSubstr("did you mean 'quadric'?"));
-    EXPECT_THAT(message("quadric = 3\n"),
-                HasSubstr("technique.toml:7: refused_surfaces.quadric: is 3; expected a text"));
+    EXPECT_EQ(message("", "steepestDescent(ray, 0.0)"),
+              "technique.toml:4: needs: lacks bounded_descent, which mine.glsl relies on by calling "
+              "steepestDescent; expected \"bounded_descent\" among them");
+    EXPECT_EQ(message("'bounded_descent'", "steepestDescent(ray, 0.0)"), "");
+    EXPECT_THAT(message("'polynomial_depth'", "beginWalk(ray)"), HasSubstr("lacks linear_st"));
+    EXPECT_THAT(message("'linear_st'", "hitInCell(ray)"), HasSubstr("lacks polynomial_depth"));
+    EXPECT_EQ(message("", "mySteepestDescent(ray, 0.0)"), "");
+}
+
+TEST(Composition, SurfacesThatOfferABoundDefineIt) {
+    for (const std::string& name : surfaceNames()) {
+        const Manifest surface = readSurfaceManifest(surfacesFolder() / name);
+        EXPECT_EQ(surface.hasOffer("bounded_descent"),
+                  namesIdentifier(readWholeFile(surface.shaderFile()), "steepestDescent"))
+            << name;
+    }
 }
 
 TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
     const auto message = [](const std::string& inputs, const std::string& rest) {
         const TemporaryFolder folder;
         folder.write("bent/surface.toml",
-                     "title = 'Bent'\ncitation = 'me'\nshadows = ['none']\nlimits = []\n" + inputs + rest);
+                     "title = 'Bent'\ncitation = 'me'\nshadows = ['none']\nlimits = []\noffers = []\n" +
+                         inputs + rest);
         folder.write("bent/bent.glsl", "// nothing");
         return messageOf<InputError>([&] {
             const Manifest manifest = readSurfaceManifest(folder.path() / "bent");
@@ -287,9 +322,9 @@ TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
     EXPECT_EQ(message("inputs = ['quadric']\n", variant), "");
     EXPECT_EQ(message("inputs = ['quadric_full']\n", variant), "");
     EXPECT_THAT(message("inputs = ['quadric', 'quadric_full']\n", variant),
-                HasSubstr("surface.toml:5: inputs: holds two quadrics; expected quadric or quadric_full"));
+                HasSubstr("surface.toml:6: inputs: holds two quadrics; expected quadric or quadric_full"));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 'quadrik'\n"),
-                AllOf(HasSubstr("surface.toml:6: variant_of: is the text \"quadrik\""),
+                AllOf(HasSubstr("surface.toml:7: variant_of: is the text \"quadrik\""),
                       EndsWith("did you mean 'quadric'?")));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"),
                 HasSubstr("variant_of: is 3; expected flat"));
