@@ -17,10 +17,10 @@ class History : public EndToEnd {
     void SetUp() override {
         EndToEnd::SetUp();
         Results worse = sampleResults(), better = sampleResults();
-        worse.techniques[0].comparison.pooled.depth.world.rmse = 0.75;
-        better.techniques[0].comparison.pooled.depth.world.rmse = 0.25;
+        setFigure(worse.techniques[0].comparison.pooled, "depth.rmse", 0.75);
+        setFigure(better.techniques[0].comparison.pooled, "depth.rmse", 0.25);
         Results base = sampleResults();
-        base.techniques[0].comparison.pooled.depth.world.rmse = 0.5;
+        setFigure(base.techniques[0].comparison.pooled, "depth.rmse", 0.5);
         writeFile(folder_ / "base.json", toJson(base));
         writeFile(folder_ / "worse.json", toJson(worse));
         writeFile(folder_ / "better.json", toJson(better));

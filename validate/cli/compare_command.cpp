@@ -97,7 +97,7 @@ Results compareFiles(const Arguments& arguments, const ForeignFrame& referenceFi
     results.reference = fromFile(reference, arguments.reference.string());
     TechniqueOutcome outcome;
     outcome.name = metadataOf(test, "technique", arguments.test.stem().string());
-    outcome.msMedian = Figure::absent("the frame came from a file");
+    outcome.cost.msMedian = Figure::absent("the frame came from a file");
     outcome.comparison = compareFrames(reference, test, objects, cameraOf(referenceFile, testFile));
     std::vector<std::string>& notes = outcome.comparison.notes;
     notes.insert(notes.begin(), assumed.begin(), assumed.end());

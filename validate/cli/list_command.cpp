@@ -7,7 +7,7 @@
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"
-#include "validate/metrics/metric_table.h"
+#include "validate/metrics/metric_registry.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

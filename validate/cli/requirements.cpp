@@ -38,9 +38,9 @@ void checkNames(const std::vector<Requirement>& requirements, const Scene& scene
 }
 
 void checkNames(const std::vector<Requirement>& requirements, const TechniqueOutcome& outcome) {
-    std::vector<std::string> lights, objects;
-    for (const auto& [light, shadow] : outcome.comparison.pooled.shadow)
-        lights.push_back(light);
+    const std::set<std::string>& shown = outcome.comparison.pooled.lights();
+    const std::vector<std::string> lights(shown.begin(), shown.end());
+    std::vector<std::string> objects;
     for (const ObjectComparison& object : outcome.comparison.objects)
         objects.push_back(object.object.name);
     for (const Requirement& requirement : requirements)

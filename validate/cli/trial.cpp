@@ -48,12 +48,12 @@ Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, 
         trial.outcome.parameters = result.parameters;
         trial.outcome.backend = result.backend;
         trial.outcome.renderer = result.renderer;
-        trial.outcome.msMedian = result.msMedian;
+        trial.outcome.cost.msMedian = result.msMedian;
         trial.outcome.msRuns = result.msRuns;
         trial.outcome.timer = result.timer;
         trial.warnings = result.warnings;
-        trial.outcome.bakeMs = result.bakeMs;
-        trial.outcome.bakeBytes = static_cast<double>(result.bakeBytes);
+        trial.outcome.cost.bakeMs = result.bakeMs;
+        trial.outcome.cost.bakeBytes = static_cast<double>(result.bakeBytes);
         trial.frame = std::move(result.frame);
     } catch (const InputError& error) {
         trial.outcome.error = error.what();

@@ -1,165 +1,175 @@
 #include "validate/compare/compare.h"
 
 #include "validate/compare/frame_metadata.h"
+#include "validate/metrics/metric_registry.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <set>
+#include <numeric>
 
 namespace plumbline {
 namespace {
 
-std::set<std::string> lightsOf(const FramePair& pair) {
-    std::set<std::string> lights;
-    for (const Frame* frame : {&pair.reference(), &pair.test()})
-        for (const std::string& light : frame->lightNames())
-            lights.insert(light);
-    return lights;
-}
-
-/// What metrics need beside the pair.
-struct View {
-    std::span<const float> referenceDepth, testDepth;
-    std::string noDepthReason;
-    std::vector<BoundaryRims> rims;
-    std::vector<Light> lights; // those whose place is known
-    const std::optional<Camera>& camera;
-
-    std::optional<Light> light(const std::string& name) const {
-        const auto found = std::find_if(lights.begin(), lights.end(),
-                                        [&](const Light& light) { return light.name == name; });
-        return found == lights.end() ? std::nullopt : std::optional(*found);
-    }
-};
-
-MetricSet computeMetrics(const FramePair& pair, ObjectSelection selection, const View& view) {
-    MetricSet metrics;
-    tbb::parallel_invoke([&] { metrics.silhouette = computeSilhouetteIou(pair, selection); },
-                         [&] { metrics.boundary = computeBoundaryIou(pair, selection, view.rims); },
-                         [&] { metrics.contour = computeContourDistance(pair, selection); },
-                         [&] {
-                             metrics.depth = computeDepthError(pair, selection, view.referenceDepth,
-                                                               view.testDepth, view.noDepthReason);
-                         },
-                         [&] {
-                             for (const std::string& light : lightsOf(pair)) {
-                                 metrics.shadow[light] = computeShadowAgreement(pair, selection, light);
-                                 metrics.shadowKinds[light] = computeShadowKinds(
-                                     pair, selection, light, view.light(light), view.camera);
-                             }
-                         },
-                         [&] { metrics.normal = computeNormalAngle(pair, selection); },
-                         [&] { metrics.st = computeStError(pair, selection); },
-                         [&] {
-                             metrics.cost = computeFetchCost(pair, selection);
-                             metrics.iterations = computeSearchIterations(pair, selection);
-                         });
-    return metrics;
-}
-
-void noteMissing(const FramePair& pair, const View& view, std::vector<std::string>& notes) {
+void noteObjects(const FramePair& pair, std::vector<std::string>& notes) {
     if (!pair.objectsToldApart())
         notes.push_back(pair.missingChannel("id") + ": everything covered counts as one object");
-    if (!view.noDepthReason.empty()) notes.push_back(view.noDepthReason + ": no depth figures");
-    if (lightsOf(pair).empty())
-        notes.push_back("neither frame has a channel shadow.<light>: no shadow figures");
-    for (const std::string& light : lightsOf(pair))
+}
+
+void noteDepth(const MetricInput& input, std::vector<std::string>& notes) {
+    if (const std::string& reason = input.noDepthReason(); !reason.empty())
+        notes.push_back(reason + ": no depth figures");
+}
+
+void noteShadows(const FramePair& pair, const std::vector<std::string>& lights,
+                 std::vector<std::string>& notes) {
+    if (lights.empty()) notes.push_back("neither frame has a channel shadow.<light>: no shadow figures");
+    for (const std::string& light : lights)
         if (const std::string missing = pair.missingChannel(shadowChannel(light)); !missing.empty())
             notes.push_back(fmt::format("{}: no shadow figures for {}", missing, light));
-    for (const std::string& light : lightsOf(pair))
+}
+
+void noteIntervals(const FramePair& pair, const std::vector<std::string>& lights,
+                   std::vector<std::string>& notes) {
+    for (const std::string& light : lights)
         if (const std::string missing = pair.missingInReference(uncertainShadowChannel(light));
             !missing.empty() && pair.missingChannel(shadowChannel(light)).empty())
             notes.push_back(fmt::format("{}: no intervals of the shadow figures for {}", missing, light));
     if (const std::string missing = pair.missingInReference("uncertain"); !missing.empty())
         notes.push_back(missing + ": no intervals");
-    if (!view.camera && !lightsOf(pair).empty())
-        notes.push_back("the camera is not known: attached and cast shadows are not told apart");
-    else
-        for (const std::string& light : lightsOf(pair))
-            if (!view.light(light) && pair.missingChannel(shadowChannel(light)).empty())
-                notes.push_back(fmt::format("no frame's header says where the light {} is: attached and cast "
-                                            "shadows are not told apart",
-                                            light));
-    for (const char* channel : {"N.X", "N.Y", "N.Z"})
-        if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
-            notes.push_back(missing + ": no normal figures");
-            break;
-        }
-    for (const char* channel : {"st.S", "st.T"})
-        if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
-            notes.push_back(missing + ": no st figures");
-            break;
-        }
-    for (const char* channel : {"R", "G", "B"})
-        if (const std::string missing = pair.missingChannel(channel); !missing.empty()) {
-            notes.push_back(missing + ": no figures of the picture");
-            break;
-        }
+}
+
+void noteShadowKinds(const MetricInput& input, const std::vector<std::string>& lights,
+                     std::vector<std::string>& notes) {
+    if (!input.camera && !lights.empty()) {
+        notes.emplace_back("the camera is not known: attached and cast shadows are not told apart");
+        return;
+    }
+    for (const std::string& light : lights)
+        if (!input.light(light) && input.pair.missingChannel(shadowChannel(light)).empty())
+            notes.push_back(fmt::format(
+                "no frame's header says where the light {} is: attached and cast shadows are not told apart",
+                light));
+}
+
+/// Metrics that can't be computed for want of a channel.
+void noteMetrics(const FramePair& pair, std::vector<std::string>& notes) {
+    for (const Metric& metric : metricRegistry())
+        if (const std::string missing = pair.missingChannel(metric.channels); !missing.empty())
+            notes.push_back(fmt::format("{}: no {}", missing, metric.figuresName));
+}
+
+void noteReliefs(const FramePair& pair, std::vector<std::string>& notes) {
     for (const ObjectInfo& object : pair.objects())
         if (!object.reliefDepth)
             notes.push_back(fmt::format(
                 "the relief depth of '{}' is not known: no depth figures relative to it", object.name));
 }
 
-} // namespace
-
-PlanarDepth planarDepth(const Frame& frame, const char* which, const std::optional<Camera>& camera) {
-    if (frame.has("Z")) {
-        const auto plane = frame.channel("Z");
-        return {{plane.begin(), plane.end()}, {}};
-    }
-    if (!frame.has("P.X") || !frame.has("P.Y") || !frame.has("P.Z"))
-        return {{}, fmt::format("the {} frame has neither Z nor P.X P.Y P.Z", which)};
-    if (!camera) return {{}, fmt::format("the {} frame has P but no Z, and the camera is not known", which)};
-    const auto x = frame.channel("P.X"), y = frame.channel("P.Y"), z = frame.channel("P.Z");
-    const CameraRays rays(*camera);
-    PlanarDepth result;
-    result.depth.resize(frame.pixelCount());
-    for (size_t pixel = 0; pixel < result.depth.size(); ++pixel)
-        result.depth[pixel] = static_cast<float>(rays.planarDepth(Vec3(x[pixel], y[pixel], z[pixel])));
-    return result;
+/// What is missing, and what that rules out.
+std::vector<std::string> notesOn(const MetricInput& input) {
+    const std::vector<std::string> lights = input.lightNames();
+    std::vector<std::string> notes;
+    noteObjects(input.pair, notes);
+    noteDepth(input, notes);
+    noteShadows(input.pair, lights, notes);
+    noteIntervals(input.pair, lights, notes);
+    noteShadowKinds(input, lights, notes);
+    noteMetrics(input.pair, notes);
+    noteReliefs(input.pair, notes);
+    return notes;
 }
+
+/// In either header; the reference's goes first.
+std::vector<Light> placedLights(const Frame& reference, const Frame& test) {
+    std::vector<Light> lights = lightsFromHeader(reference, "reference");
+    for (const Light& light : lightsFromHeader(test, "test"))
+        if (std::ranges::find(lights, light.name, &Light::name) == lights.end()) lights.push_back(light);
+    return lights;
+}
+
+/// Side by side, each as a task of its own: they take from microseconds to tens of milliseconds.
+template <class Run>
+void runAll(size_t count, const Run& run) {
+    tbb::parallel_for(
+        tbb::blocked_range<size_t>(0, count, 1),
+        [&](const tbb::blocked_range<size_t>& range) {
+            for (size_t i = range.begin(); i != range.end(); ++i)
+                run(i);
+        },
+        tbb::simple_partitioner());
+}
+
+/// A metric, for one light where there are figures for every one.
+struct PreparedMetric {
+    const Metric* metric;
+    std::string light;
+    std::function<Measured(ObjectSelection)> measure = {};
+};
+
+/// What selections share is computed.
+std::vector<PreparedMetric> prepareMetrics(const MetricInput& input) {
+    std::vector<PreparedMetric> prepared;
+    for (const Metric& metric : metricRegistry()) {
+        if (metric.scope == Scope::Run) continue;
+        if (metric.scope != Scope::ObjectsByLight)
+            prepared.push_back({&metric, ""});
+        else
+            for (const std::string& light : input.lightNames())
+                prepared.push_back({&metric, light});
+    }
+    runAll(prepared.size(),
+           [&](size_t i) { prepared[i].measure = prepared[i].metric->prepare(input, prepared[i].light); });
+    return prepared;
+}
+
+/// A metric over one selection.
+struct Measurement {
+    const PreparedMetric* metric;
+    ObjectSelection selection;
+    MetricSet* set; // for the result
+    Measured result = {};
+};
+
+/// Every metric of each object and of the pooled ones: comparison.objects and comparison.pooled.
+void measureAll(const MetricInput& input, Comparison& comparison) {
+    const std::vector<PreparedMetric> metrics = prepareMetrics(input);
+    std::vector<size_t> all(comparison.objects.size());
+    std::iota(all.begin(), all.end(), size_t(0));
+    const std::vector<size_t> relief = input.pair.reliefObjects();
+    const bool several = relief.size() != 1; // pooled over one, figures are that one's
+    std::vector<Measurement> measurements;
+    for (const PreparedMetric& metric : metrics) {
+        const bool ofPicture = metric.metric->scope == Scope::Picture;
+        if (ofPicture || several) measurements.push_back({&metric, relief, &comparison.pooled});
+        if (ofPicture) continue;
+        for (const size_t index : all)
+            measurements.push_back(
+                {&metric, std::span(all).subspan(index, 1), &comparison.objects[index].metrics});
+    }
+    runAll(measurements.size(), [&](size_t i) {
+        measurements[i].result = measurements[i].metric->measure(measurements[i].selection);
+    });
+    for (Measurement& each : measurements)
+        each.set->add(*each.metric->metric, each.metric->light, std::move(each.result));
+    if (!several) comparison.pooled.add(comparison.objects[relief[0]].metrics);
+}
+
+} // namespace
 
 Comparison compareFrames(const Frame& reference, const Frame& test, const std::vector<ObjectInfo>& objects,
                          const std::optional<Camera>& camera) {
-    const FramePair pair(reference, test, objects);
+    MetricInput input(reference, test, objects, camera, placedLights(reference, test));
     Comparison comparison;
-    PlanarDepth referenceDepth, testDepth;
-    std::vector<BoundaryRims> rims;
-    tbb::parallel_invoke([&] { rims = findBoundaryRims(pair); },
-                         [&] { comparison.image = computeImageError(pair); },
-                         [&] { referenceDepth = planarDepth(reference, "reference", camera); },
-                         [&] { testDepth = planarDepth(test, "test", camera); });
-    comparison.referenceDepth = std::move(referenceDepth.depth);
-    comparison.testDepth = std::move(testDepth.depth);
-
-    View view{comparison.referenceDepth,
-              comparison.testDepth,
-              referenceDepth.reason.empty() ? testDepth.reason : referenceDepth.reason,
-              std::move(rims),
-              lightsFromHeader(reference, "reference"),
-              camera};
-    for (const Light& light : lightsFromHeader(test, "test")) // in either header; the reference's goes first
-        if (!view.light(light.name)) view.lights.push_back(light);
-
-    const std::vector<size_t> relief = pair.reliefObjects();
-    const bool several = relief.size() != 1; // pooled over one, figures are that one's
-    std::vector<MetricSet> ofObjects(pair.objects().size());
-    tbb::parallel_for(size_t(0), ofObjects.size() + several, [&](size_t index) {
-        if (index == ofObjects.size())
-            comparison.pooled = computeMetrics(pair, relief, view);
-        else
-            ofObjects[index] = computeMetrics(pair, std::span(&index, 1), view);
-    });
-    if (!several) comparison.pooled = ofObjects[relief[0]];
-    for (const size_t index : relief)
-        comparison.pooledObjects.push_back(pair.objects()[index].name);
-    for (size_t index = 0; index < pair.objects().size(); ++index)
-        comparison.objects.push_back({pair.objects()[index], std::move(ofObjects[index])});
-    noteMissing(pair, view, comparison.notes);
+    for (const ObjectInfo& object : input.pair.objects())
+        comparison.objects.push_back({object, {}});
+    for (const size_t index : input.pair.reliefObjects())
+        comparison.pooledObjects.push_back(input.pair.objects()[index].name);
+    measureAll(input, comparison);
+    comparison.notes = notesOn(input);
+    comparison.referenceDepth = std::move(input.referenceDepth.depth);
+    comparison.testDepth = std::move(input.testDepth.depth);
     return comparison;
 }
 

@@ -203,18 +203,59 @@ BoundaryIou computeBoundaryIou(const FramePair& pair, ObjectSelection selection,
     return result;
 }
 
-MetricValues valuesOf(const BoundaryIou& result) {
-    MetricValues values;
-    for (size_t width = 0; width < kWidthCount; ++width) {
-        const BoundaryIou::AtWidth& at = result.at[width];
-        const std::string key = kBoundaryWidths[width];
-        values.insert(values.end(), {{key, at.iou},
-                                     {key + "_low", at.range.low},
-                                     {key + "_high", at.range.high},
-                                     {key + "_intersection_px", at.intersectionPx},
-                                     {key + "_union_px", at.unionPx}});
-    }
-    return values;
+namespace {
+
+/// The rows of one width; `width`: its place in kBoundaryWidths.
+void appendRows(std::vector<FigureRow<BoundaryIou>>& rows, size_t width) {
+    const std::string name = kBoundaryWidths[width];
+    const bool widest = name == "2pct";
+    const std::string label = widest ? "boundary IoU 2 %" : "boundary IoU " + name;
+    MetricInfo iou{.key = name,
+                   .label = label,
+                   .unit = Unit::Ratio,
+                   .goal = Goal::One,
+                   .meaning = "iou of the rims of the two silhouettes, " +
+                              (widest ? std::string("d = 2 % of the picture's diagonal, at least 1 px")
+                                      : "d = " + name.substr(0, name.find('p')) + " px"),
+                   .formula = "Σ|R_d∩T_d| / Σ|R_d∪T_d|, sums over the objects",
+                   .source = "Cheng et al. 2021, CVPR, Eq. 4"};
+    if (widest) iou.report = {"boundary IoU", "2 % of diagonal", "{:.4f}"};
+    rows.push_back({iou,
+                    [width](const BoundaryIou& result) { return result.at[width].iou; },
+                    {[width](const BoundaryIou& result) { return result.at[width].range; },
+                     {"no true image that the reference's uncertain pixels leave open has a lower one",
+                      "none has a higher one"}}});
+    rows.push_back({{.key = name + "_intersection_px",
+                     .label = label + ", in both",
+                     .unit = Unit::PixelCount,
+                     .meaning = "its numerator",
+                     .formula = "Σ|R_d∩T_d|"},
+                    [width](const BoundaryIou& result) { return result.at[width].intersectionPx; }});
+    rows.push_back({{.key = name + "_union_px",
+                     .label = label + ", in either",
+                     .unit = Unit::PixelCount,
+                     .meaning = "its denominator",
+                     .formula = "Σ|R_d∪T_d|"},
+                    [width](const BoundaryIou& result) { return result.at[width].unionPx; }});
+}
+
+} // namespace
+
+Metric boundaryIouMetric() {
+    std::vector<FigureRow<BoundaryIou>> rows;
+    for (size_t width = 0; width < kWidthCount; ++width)
+        appendRows(rows, width);
+    return makeMetric<BoundaryIou>({
+        .group = "silhouette.boundary_iou",
+        .domain = "rims R_d, T_d: the object's pixels with one outside it, in the picture, at most d away",
+        .rows = std::move(rows),
+        .prepare =
+            [](const MetricInput& input) {
+                return [&pair = input.pair, rims = findBoundaryRims(input.pair)](ObjectSelection selection) {
+                    return computeBoundaryIou(pair, selection, rims);
+                };
+            },
+    });
 }
 
 } // namespace plumbline

@@ -26,8 +26,7 @@
 // or nothing. interval.h has the closed form. True IoUs never lie outside; the ends may not be reached.
 #pragma once
 
-#include "validate/metrics/frame_pair.h"
-#include "validate/metrics/interval.h"
+#include "validate/metrics/metric.h"
 
 #include <array>
 
@@ -62,7 +61,6 @@ std::vector<BoundaryRims> findBoundaryRims(const FramePair& pair);
 BoundaryIou computeBoundaryIou(const FramePair& pair, ObjectSelection selection,
                                std::span<const BoundaryRims> rims);
 
-/// Under the keys of results.json, in the group `silhouette.boundary_iou`.
-MetricValues valuesOf(const BoundaryIou& result);
+Metric boundaryIouMetric();
 
 } // namespace plumbline

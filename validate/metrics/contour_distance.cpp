@@ -79,11 +79,43 @@ ContourDistance computeContourDistance(const FramePair& pair, ObjectSelection se
     return result;
 }
 
-MetricValues valuesOf(const ContourDistance& result) {
-    return {{"contour_mean_px", result.meanPx},
-            {"hausdorff95_px", result.hausdorff95Px},
-            {"contour_reference_px", result.referencePx},
-            {"contour_test_px", result.testPx}};
+Metric contourDistanceMetric() {
+    return makeMetric<ContourDistance>({
+        .group = "silhouette",
+        .domain = "contours A of R, B of T: pixels with a 4-neighbour in the picture outside the silhouette",
+        .rows = {{{.key = "contour_mean_px",
+                   .label = "outline off, mean",
+                   .unit = Unit::Pixels,
+                   .goal = Goal::Zero,
+                   .meaning = "mean distance of either outline's pixels to the other outline",
+                   .formula = "(Σ_a d(a,B) + Σ_b d(b,A)) / (|A| + |B|)",
+                   .source = "Heimann et al. 2009, IEEE TMI 28(8)",
+                   .report = {{"outline off", "mean, px", "{:.2f}"}}},
+                  &ContourDistance::meanPx},
+                 {{.key = "hausdorff95_px",
+                   .label = "outline off, 95 %",
+                   .unit = Unit::Pixels,
+                   .goal = Goal::Zero,
+                   .meaning = "95th percentile of it from one outline to the other: the larger of the two",
+                   .formula = "max(p95_a d(a,B), p95_b d(b,A))",
+                   .source = "Huttenlocher et al. 1993, IEEE PAMI 15(9); Taha, Hanbury 2015",
+                   .report = {{"outline off", "95 %, px", "{:.2f}"}}},
+                  &ContourDistance::hausdorff95Px},
+                 {{.key = "contour_reference_px",
+                   .label = "outline in the reference",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels of the outline in the reference",
+                   .formula = "|A|"},
+                  &ContourDistance::referencePx},
+                 {{.key = "contour_test_px",
+                   .label = "outline in the test",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels of the outline in the test",
+                   .formula = "|B|"},
+                  &ContourDistance::testPx}},
+        .compute = [](const MetricInput& input, ObjectSelection selection,
+                      const std::string&) { return computeContourDistance(input.pair, selection); },
+    });
 }
 
 } // namespace plumbline

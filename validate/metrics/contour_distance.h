@@ -21,8 +21,7 @@
 // is sure of its outline.
 #pragma once
 
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 namespace plumbline {
 
@@ -33,7 +32,6 @@ struct ContourDistance {
 
 ContourDistance computeContourDistance(const FramePair& pair, ObjectSelection selection);
 
-/// Under the keys of results.json, in the group `silhouette`.
-MetricValues valuesOf(const ContourDistance& result);
+Metric contourDistanceMetric();
 
 } // namespace plumbline

@@ -103,33 +103,162 @@ DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
     return result;
 }
 
-MetricValues valuesOf(const DepthError& result) {
-    const DepthError::Spread &world = result.world, &relief = result.relief;
-    return {{"domain_px", result.domainPx},
-            {"bias", world.bias},
-            {"mae", world.mae},
-            {"rmse", world.rmse},
-            {"p50", world.p50},
-            {"p95", world.p95},
-            {"p99", world.p99},
-            {"max", world.max},
-            {"bias_relief", relief.bias},
-            {"mae_relief", relief.mae},
-            {"rmse_relief", relief.rmse},
-            {"p50_relief", relief.p50},
-            {"p95_relief", relief.p95},
-            {"p99_relief", relief.p99},
-            {"max_relief", relief.max},
-            {"badpix_1pct", result.badpix1pct},
-            {"badpix_5pct", result.badpix5pct},
-            {"badpix_25pct", result.badpix25pct},
-            {"badpix_1pct_px", result.bad1pctPx},
-            {"badpix_5pct_px", result.bad5pctPx},
-            {"badpix_25pct_px", result.bad25pctPx},
-            {"only_reference_px", result.onlyReferencePx},
-            {"only_test_px", result.onlyTestPx},
-            {"invalid_px", result.invalidPx},
-            {"uncertain_px", wholeNumber(result.uncertainPx)}};
+namespace {
+
+using Rows = std::vector<FigureRow<DepthError>>;
+
+/// A figure of a spread of errors, in relief depths; in world units no column shows it.
+struct SpreadRow {
+    MetricInfo info;
+    Figure DepthError::Spread::*figure;
+};
+
+std::vector<SpreadRow> spreadRows() {
+    using Spread = DepthError::Spread;
+    return {{{.key = "bias",
+              .label = "depth bias",
+              .goal = Goal::Zero,
+              .meaning = "mean error; positive: too far away",
+              .formula = "mean e, e = Z_T - Z_R",
+              .report = {{"depth bias", "relief depth", "{:+.4f}"}}},
+             &Spread::bias},
+            {{.key = "mae",
+              .label = "depth MAE",
+              .goal = Goal::Zero,
+              .meaning = "mean magnitude of the error",
+              .formula = "mean |e|"},
+             &Spread::mae},
+            {{.key = "rmse",
+              .label = "depth RMSE",
+              .goal = Goal::Zero,
+              .meaning = "root of the mean squared error",
+              .formula = "√(mean e²)",
+              .table = {{"RMSE rel", 5}},
+              .report = {{"depth RMSE", "relief depth", "{:.4f}"}}},
+             &Spread::rmse},
+            {{.key = "p50",
+              .label = "depth p50",
+              .goal = Goal::Zero,
+              .meaning = "median magnitude of the error",
+              .formula = "p50 |e|, nearest rank"},
+             &Spread::p50},
+            {{.key = "p95",
+              .label = "depth p95",
+              .goal = Goal::Zero,
+              .meaning = "95th percentile of it",
+              .formula = "p95 |e|, nearest rank"},
+             &Spread::p95},
+            {{.key = "p99",
+              .label = "depth p99",
+              .goal = Goal::Zero,
+              .meaning = "99th percentile of it",
+              .formula = "p99 |e|, nearest rank",
+              .table = {{"p99 rel", 5}},
+              .report = {{"depth p99", "relief depth", "{:.4f}"}}},
+             &Spread::p99},
+            {{.key = "max",
+              .label = "depth max",
+              .goal = Goal::Zero,
+              .meaning = "largest magnitude of the error",
+              .formula = "max |e|"},
+             &Spread::max}};
+}
+
+void appendSpreadRows(Rows& rows) {
+    for (SpreadRow row : spreadRows()) {
+        row.info.unit = Unit::World;
+        row.info.table.reset();
+        row.info.report.reset();
+        rows.push_back(
+            {row.info, [figure = row.figure](const DepthError& result) { return result.world.*figure; }});
+    }
+    for (SpreadRow row : spreadRows()) {
+        row.info.key += "_relief";
+        row.info.label += ", relief";
+        row.info.unit = Unit::ReliefDepth;
+        row.info.formula += "; e in relief depths of the pixel's object";
+        rows.push_back(
+            {row.info, [figure = row.figure](const DepthError& result) { return result.relief.*figure; }});
+    }
+}
+
+void appendBadPixelRows(Rows& rows) {
+    const auto ratio = [&](const std::string& percent, Figure DepthError::*figure) {
+        rows.push_back(
+            {{.key = "badpix_" + percent + "pct",
+              .label = "off by > " + percent + " %",
+              .unit = Unit::Ratio,
+              .goal = Goal::Zero,
+              .meaning = "share of the domain off by more than " + percent + " % of the relief depth",
+              .formula = "mean [ |e| > " + percent + " % of the relief depth ], strictly",
+              .source = "Scharstein, Szeliski 2002, IJCV 47"},
+             figure});
+    };
+    ratio("1", &DepthError::badpix1pct);
+    ratio("5", &DepthError::badpix5pct);
+    rows.back().info.table = {"bad 5%", 4};
+    rows.back().info.report = {"off by > 5 %", "share", "{:.4f}"};
+    ratio("25", &DepthError::badpix25pct);
+    const auto count = [&](const std::string& percent, uint64_t DepthError::*pixels) {
+        rows.push_back({{.key = "badpix_" + percent + "pct_px",
+                         .label = "off by > " + percent + " %",
+                         .unit = Unit::PixelCount,
+                         .goal = Goal::Zero,
+                         .meaning = "numerator of badpix_" + percent + "pct"},
+                        pixels});
+    };
+    count("1", &DepthError::bad1pctPx);
+    count("5", &DepthError::bad5pctPx);
+    count("25", &DepthError::bad25pctPx);
+}
+
+void appendCountRows(Rows& rows) {
+    rows.push_back({{.key = "only_reference_px",
+                     .label = "only in the reference",
+                     .unit = Unit::PixelCount,
+                     .goal = Goal::Zero,
+                     .meaning = "pixels only the reference covers with the object: not in the domain"},
+                    &DepthError::onlyReferencePx});
+    rows.push_back({{.key = "only_test_px",
+                     .label = "only in the test",
+                     .unit = Unit::PixelCount,
+                     .goal = Goal::Zero,
+                     .meaning = "pixels only the test covers with it: not in the domain"},
+                    &DepthError::onlyTestPx});
+    rows.push_back({{.key = "invalid_px",
+                     .label = "without depth",
+                     .unit = Unit::PixelCount,
+                     .goal = Goal::Zero,
+                     .meaning = "shared pixels without a finite depth in both: not in the domain"},
+                    &DepthError::invalidPx});
+    rows.push_back({{.key = "uncertain_px",
+                     .label = "uncertain",
+                     .unit = Unit::PixelCount,
+                     .meaning = "pixels of the domain that may show another object in truth, or none"},
+                    &DepthError::uncertainPx});
+}
+
+} // namespace
+
+Metric depthErrorMetric() {
+    Rows rows{{{.key = "domain_px",
+                .label = "depth compared",
+                .unit = Unit::PixelCount,
+                .meaning = "pixels compared"},
+               &DepthError::domainPx}};
+    appendSpreadRows(rows);
+    appendBadPixelRows(rows);
+    appendCountRows(rows);
+    return makeMetric<DepthError>({
+        .group = "depth",
+        .domain = kSharedDomain,
+        .rows = std::move(rows),
+        .compute =
+            [](const MetricInput& input, ObjectSelection selection, const std::string&) {
+                return computeDepthError(input.pair, selection, input.referenceDepth.depth,
+                                         input.testDepth.depth, input.noDepthReason());
+            },
+    });
 }
 
 } // namespace plumbline

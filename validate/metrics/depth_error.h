@@ -11,8 +11,7 @@
 // finite.
 #pragma once
 
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 #include <span>
 
@@ -34,13 +33,12 @@ struct DepthError {
     Figure badpix1pct, badpix5pct, badpix25pct; // in [0, 1]
 };
 
-/// `referenceDepth`, `testDepth`: planar depth per pixel, world units (see planarDepth in compare.h), or
+/// `referenceDepth`, `testDepth`: planar depth per pixel, world units (see planarDepth in metric_input.h), or
 /// empty if a frame has none; then every figure is absent because of `noDepthReason`.
 DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
                              std::span<const float> referenceDepth, std::span<const float> testDepth,
                              const std::string& noDepthReason = {});
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const DepthError& result);
+Metric depthErrorMetric();
 
 } // namespace plumbline

@@ -29,12 +29,44 @@ FetchCost computeFetchCost(const FramePair& pair, ObjectSelection selection) {
     return result;
 }
 
-MetricValues valuesOf(const FetchCost& result) {
-    return {{"fetches_mean", result.mean},
-            {"fetches_p99", result.p99},
-            {"fetches_px", result.domainPx},
-            {"fetches_height_mean", result.heightMean},
-            {"fetches_baked_mean", result.bakedMean}};
+Metric fetchCostMetric() {
+    return makeMetric<FetchCost>({
+        .group = "cost",
+        .domain = kTestDomain,
+        .rows = {{{.key = "fetches_mean",
+                   .label = "look-ups, mean",
+                   .unit = Unit::LookUps,
+                   .goal = Goal::Lowest,
+                   .meaning = "look-ups of height and baked maps a covered pixel",
+                   .table = {{"fetches", 1}},
+                   .report = {{"look-ups", "a pixel", "{:.1f}"}}},
+                  &FetchCost::mean},
+                 {{.key = "fetches_p99",
+                   .label = "look-ups, 99 %",
+                   .unit = Unit::LookUps,
+                   .goal = Goal::Lowest,
+                   .meaning = "99th percentile of it, nearest rank"},
+                  &FetchCost::p99},
+                 {{.key = "fetches_px",
+                   .label = "look-ups counted",
+                   .unit = Unit::PixelCount,
+                   .meaning = "covered pixels counted"},
+                  &FetchCost::domainPx},
+                 {{.key = "fetches_height_mean",
+                   .label = "height look-ups",
+                   .unit = Unit::LookUps,
+                   .goal = Goal::Lowest,
+                   .meaning = "those of the height map"},
+                  &FetchCost::heightMean},
+                 {{.key = "fetches_baked_mean",
+                   .label = "baked look-ups",
+                   .unit = Unit::LookUps,
+                   .goal = Goal::Lowest,
+                   .meaning = "those of baked maps: cone ratios, distances, normals, bounds"},
+                  &FetchCost::bakedMean}},
+        .compute = [](const MetricInput& input, ObjectSelection selection,
+                      const std::string&) { return computeFetchCost(input.pair, selection); },
+    });
 }
 
 } // namespace plumbline

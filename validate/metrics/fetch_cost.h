@@ -5,8 +5,7 @@
 // shadow rays together, as the harness counts them.
 #pragma once
 
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 namespace plumbline {
 
@@ -19,7 +18,6 @@ struct FetchCost {
 /// Absent if the test frame has no channel cost.fetches.
 FetchCost computeFetchCost(const FramePair& pair, ObjectSelection selection);
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const FetchCost& result);
+Metric fetchCostMetric();
 
 } // namespace plumbline

@@ -13,7 +13,6 @@
 #include <span>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 namespace plumbline {
@@ -50,19 +49,6 @@ class Figure {
     std::optional<double> value_;
     std::string reason_;
 };
-
-/// One named result of a metric: a count of pixels, or a figure. Keys are those of results.json.
-struct MetricValue {
-    std::string key;
-    std::variant<uint64_t, Figure> value;
-};
-using MetricValues = std::vector<MetricValue>;
-
-/// A figure that counts something, without a decimal point.
-inline std::variant<uint64_t, Figure> wholeNumber(const Figure& figure) {
-    if (figure) return static_cast<uint64_t>(*figure);
-    return figure;
-}
 
 /// Nearest-rank percentile (scenes/core/nearest_rank.h). `values`: in any order, not empty; left in another
 /// one.

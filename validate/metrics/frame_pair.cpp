@@ -122,6 +122,12 @@ std::string FramePair::missingChannel(std::string_view name) const {
     return fmt::format("{} {} channel {}", which, inReference || inTest ? "no" : "a", name);
 }
 
+std::string FramePair::missingChannel(std::span<const char* const> names) const {
+    for (const char* name : names)
+        if (std::string missing = missingChannel(name); !missing.empty()) return missing;
+    return {};
+}
+
 std::string FramePair::missingInReference(std::string_view name) const {
     return reference_->has(name) ? std::string() : fmt::format("the reference frame has no channel {}", name);
 }

@@ -57,6 +57,8 @@ class FramePair {
 
     /// Empty if both frames have the channel, else which of them lacks it.
     std::string missingChannel(std::string_view name) const;
+    /// The same of several: of the first that is missing.
+    std::string missingChannel(std::span<const char* const> names) const;
     /// Empty if the reference has the channel, else a sentence that it hasn't.
     std::string missingInReference(std::string_view name) const;
 

@@ -11,7 +11,7 @@
 namespace plumbline {
 namespace {
 
-constexpr std::array kColors{"R", "G", "B"};
+constexpr std::array<const char*, 3> kColors{"R", "G", "B"};
 
 using Planes = std::array<std::span<const float>, 3>; // one a colour
 
@@ -71,9 +71,8 @@ std::optional<std::array<int, 3>> codesApart(const SrgbCodes& codes, const Plane
 } // namespace
 
 ImageError computeImageError(const FramePair& pair) {
-    for (const char* color : kColors)
-        if (const std::string missing = pair.missingChannel(color); !missing.empty())
-            return absentImageError(missing);
+    if (const std::string missing = pair.missingChannel(kColors); !missing.empty())
+        return absentImageError(missing);
     const Planes reference = planesOf(pair.reference()), test = planesOf(pair.test());
 
     static const SrgbCodes srgbCodes;
@@ -102,13 +101,54 @@ ImageError computeImageError(const FramePair& pair) {
     return result;
 }
 
-MetricValues valuesOf(const ImageError& result) {
-    return {{"domain_px", result.domainPx},
-            {"psnr_db", result.psnrDb},
-            {"rmse", result.rmse},
-            {"badpix_2codes", result.badpix2Codes},
-            {"badpix_2codes_px", result.bad2CodesPx},
-            {"invalid_px", result.invalidPx}};
+Metric imageErrorMetric() {
+    return makeMetric<ImageError>({
+        .group = "image",
+        .domain = "all pixels of the picture, background included, with finite colours in both",
+        .scope = Scope::Picture,
+        .channels = {kColors.begin(), kColors.end()},
+        .figuresName = "figures of the picture",
+        .rows = {{{.key = "domain_px",
+                   .label = "picture compared",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels compared"},
+                  &ImageError::domainPx},
+                 {{.key = "psnr_db",
+                   .label = "PSNR",
+                   .unit = Unit::Decibels,
+                   .goal = Goal::Highest,
+                   .meaning = "peak signal-to-noise ratio of the sRGB pictures; none where they are equal",
+                   .formula = "20 log10(1 / rmse)"},
+                  &ImageError::psnrDb},
+                 {{.key = "rmse",
+                   .label = "picture RMSE",
+                   .unit = Unit::Ratio,
+                   .goal = Goal::Zero,
+                   .meaning = "root of the mean squared difference of sRGB codes / 255",
+                   .formula = "√(mean ((c_T - c_R) / 255)²) over pixels and channels"},
+                  &ImageError::rmse},
+                 {{.key = "badpix_2codes",
+                   .label = "off by > 2 codes",
+                   .unit = Unit::Ratio,
+                   .goal = Goal::Zero,
+                   .meaning = "share of them a channel of which is off by more than 2 sRGB codes of 255",
+                   .formula = "mean [ max over channels |c_T - c_R| > 2 ]"},
+                  &ImageError::badpix2Codes},
+                 {{.key = "badpix_2codes_px",
+                   .label = "off by > 2 codes",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "numerator of badpix_2codes"},
+                  &ImageError::bad2CodesPx},
+                 {{.key = "invalid_px",
+                   .label = "without colour",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "pixels without a finite colour in both frames: not in the domain"},
+                  &ImageError::invalidPx}},
+        .compute = [](const MetricInput& input, ObjectSelection,
+                      const std::string&) { return computeImageError(input.pair); },
+    });
 }
 
 } // namespace plumbline

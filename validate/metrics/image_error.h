@@ -13,8 +13,7 @@
 // interval; the background counts, so that figures of pictures with different shares of it don't compare.
 #pragma once
 
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 namespace plumbline {
 
@@ -30,7 +29,6 @@ struct ImageError {
 /// Absent if a frame lacks R, G or B.
 ImageError computeImageError(const FramePair& pair);
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const ImageError& result);
+Metric imageErrorMetric();
 
 } // namespace plumbline

@@ -21,9 +21,9 @@ bool usable(const Vec3& normal) {
 } // namespace
 
 PixelNormalAngle::PixelNormalAngle(const FramePair& pair) {
+    missing_ = pair.missingChannel(kChannels);
+    if (!missing_.empty()) return;
     for (size_t axis = 0; axis < 3; ++axis) {
-        missing_ = pair.missingChannel(kChannels[axis]);
-        if (!missing_.empty()) return;
         reference_[axis] = pair.reference().channel(kChannels[axis]);
         test_[axis] = pair.test().channel(kChannels[axis]);
     }
@@ -64,11 +64,43 @@ NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection)
     return result;
 }
 
-MetricValues valuesOf(const NormalAngle& result) {
-    return {{"domain_px", result.domainPx},
-            {"mean_degrees", result.meanDegrees},
-            {"p95_degrees", result.p95Degrees},
-            {"invalid_px", result.invalidPx}};
+Metric normalAngleMetric() {
+    return makeMetric<NormalAngle>({
+        .group = "normal",
+        .domain = kSharedDomain,
+        .channels = {kChannels.begin(), kChannels.end()},
+        .figuresName = "normal figures",
+        .rows = {{{.key = "domain_px",
+                   .label = "normals compared",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels compared"},
+                  &NormalAngle::domainPx},
+                 {{.key = "mean_degrees",
+                   .label = "normal, mean",
+                   .unit = Unit::Degrees,
+                   .goal = Goal::Zero,
+                   .meaning = "mean angle between the normals",
+                   .formula = "mean atan2(|a×b|, a·b)",
+                   .source = "Kahan, How Futile are Mindless Assessments of Roundoff, 2006",
+                   .table = {{"normal", 2}},
+                   .report = {{"normal", "mean, degrees", "{:.2f}"}}},
+                  &NormalAngle::meanDegrees},
+                 {{.key = "p95_degrees",
+                   .label = "normal, 95 %",
+                   .unit = Unit::Degrees,
+                   .goal = Goal::Zero,
+                   .meaning = "95th percentile of the angle",
+                   .formula = "p95, nearest rank"},
+                  &NormalAngle::p95Degrees},
+                 {{.key = "invalid_px",
+                   .label = "without normal",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "shared pixels without a normal in both: not in the domain"},
+                  &NormalAngle::invalidPx}},
+        .compute = [](const MetricInput& input, ObjectSelection selection,
+                      const std::string&) { return computeNormalAngle(input.pair, selection); },
+    });
 }
 
 } // namespace plumbline

@@ -6,8 +6,7 @@
 // section 12). Unit: degrees, in [0, 180].
 #pragma once
 
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 #include <array>
 
@@ -35,7 +34,6 @@ class PixelNormalAngle {
 
 NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection);
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const NormalAngle& result);
+Metric normalAngleMetric();
 
 } // namespace plumbline

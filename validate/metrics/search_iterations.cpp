@@ -26,9 +26,33 @@ SearchIterations computeSearchIterations(const FramePair& pair, ObjectSelection 
     return result;
 }
 
-MetricValues valuesOf(const SearchIterations& result) {
-    return {
-        {"iterations_mean", result.mean}, {"iterations_p99", result.p99}, {"iterations_max", result.most}};
+Metric searchIterationsMetric() {
+    return makeMetric<SearchIterations>({
+        .group = "cost",
+        .domain = kTestDomain,
+        .rows = {{{.key = "iterations_mean",
+                   .label = "rounds, mean",
+                   .unit = Unit::Rounds,
+                   .goal = Goal::Lowest,
+                   .meaning = "rounds of the search of a covered pixel's view ray"},
+                  &SearchIterations::mean},
+                 {{.key = "iterations_p99",
+                   .label = "rounds, 99 %",
+                   .unit = Unit::Rounds,
+                   .goal = Goal::Lowest,
+                   .meaning = "99th percentile of it, nearest rank"},
+                  &SearchIterations::p99},
+                 {{.key = "iterations_max",
+                   .label = "rounds, most",
+                   .unit = Unit::Rounds,
+                   .goal = Goal::Lowest,
+                   .meaning = "the most; iterations_histogram counts pixels by rounds"},
+                  &SearchIterations::most}},
+        .histogramKey = "iterations_histogram",
+        .histogram = &SearchIterations::histogram,
+        .compute = [](const MetricInput& input, ObjectSelection selection,
+                      const std::string&) { return computeSearchIterations(input.pair, selection); },
+    });
 }
 
 } // namespace plumbline

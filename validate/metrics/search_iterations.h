@@ -5,8 +5,7 @@
 // steps, cells).
 #pragma once
 
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 namespace plumbline {
 
@@ -21,7 +20,6 @@ struct SearchIterations {
 /// Absent if the test frame has no channel cost.iterations.
 SearchIterations computeSearchIterations(const FramePair& pair, ObjectSelection selection);
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const SearchIterations& result);
+Metric searchIterationsMetric();
 
 } // namespace plumbline

@@ -20,8 +20,7 @@
 // two rates pull against each other.
 #pragma once
 
-#include "validate/metrics/frame_pair.h"
-#include "validate/metrics/interval.h"
+#include "validate/metrics/metric.h"
 
 #include <cmath>
 #include <string>
@@ -62,7 +61,6 @@ struct ShadowAgreement {
 ShadowAgreement computeShadowAgreement(const FramePair& pair, ObjectSelection selection,
                                        const std::string& light);
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const ShadowAgreement& result);
+Metric shadowAgreementMetric();
 
 } // namespace plumbline

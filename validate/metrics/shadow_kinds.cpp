@@ -99,18 +99,71 @@ ShadowKinds computeShadowKinds(const FramePair& pair, ObjectSelection selection,
             cast.part("no pixel of the domain is turned towards the light"), static_cast<double>(noNormalPx)};
 }
 
-MetricValues valuesOf(const ShadowKinds& result) {
-    MetricValues values;
-    const auto add = [&](const std::string& kind, const ShadowKinds::Part& part) {
-        values.insert(values.end(), {{kind + "_domain_px", wholeNumber(part.domainPx)},
-                                     {kind + "_agreement", part.agreement},
-                                     {kind + "_false_shadow_px", wholeNumber(part.falseShadowPx)},
-                                     {kind + "_false_lit_px", wholeNumber(part.falseLitPx)}});
+namespace {
+
+using Rows = std::vector<FigureRow<ShadowKinds>>;
+
+/// The rows of one of the parts. `where`: N·L there.
+void appendRows(Rows& rows, ShadowKinds::Part ShadowKinds::*part, const std::string& kind,
+                const std::string& where, const std::string& meaningOfDomain) {
+    const auto figure = [part](Figure ShadowKinds::Part::*member) {
+        return [part, member](const ShadowKinds& result) { return result.*part.*member; };
     };
-    add("attached", result.attached);
-    add("cast", result.cast);
-    values.push_back({"no_normal_px", wholeNumber(result.noNormalPx)});
-    return values;
+    rows.push_back({{.key = kind + "_domain_px",
+                     .label = kind + " shadow compared",
+                     .unit = Unit::PixelCount,
+                     .meaning = meaningOfDomain,
+                     .formula = where},
+                    figure(&ShadowKinds::Part::domainPx)});
+    rows.push_back({{.key = kind + "_agreement",
+                     .label = kind + " shadow agreement",
+                     .unit = Unit::Ratio,
+                     .goal = Goal::One,
+                     .meaning = "share of them where both are lit or both in shadow",
+                     .formula = "agreement over " + where},
+                    figure(&ShadowKinds::Part::agreement)});
+    rows.push_back({{.key = kind + "_false_shadow_px",
+                     .label = kind + ", false shadow",
+                     .unit = Unit::PixelCount,
+                     .goal = Goal::Zero,
+                     .meaning = "of them, lit in the reference and in shadow in the test",
+                     .formula = "FP over " + where},
+                    figure(&ShadowKinds::Part::falseShadowPx)});
+    rows.push_back({{.key = kind + "_false_lit_px",
+                     .label = kind + ", false lit",
+                     .unit = Unit::PixelCount,
+                     .goal = Goal::Zero,
+                     .meaning = "of them, in shadow in the reference and lit in the test",
+                     .formula = "FN over " + where},
+                    figure(&ShadowKinds::Part::falseLitPx)});
+}
+
+} // namespace
+
+Metric shadowKindsMetric() {
+    Rows rows;
+    appendRows(rows, &ShadowKinds::attached, "attached", "N·L <= 0",
+               "pixels turned away from the light: dark in truth");
+    appendRows(rows, &ShadowKinds::cast, "cast", "N·L > 0",
+               "pixels turned towards the light: every shadow there is cast");
+    for (FigureRow<ShadowKinds>& row : rows)
+        if (row.info.key == "cast_agreement") row.info.report = {"cast shadows", "", "{:.4f}", "shadow.ber"};
+    rows.push_back(
+        {{.key = "no_normal_px",
+          .label = "without normal",
+          .unit = Unit::PixelCount,
+          .meaning = "pixels of shadow's domain where the reference has no normal: in neither part"},
+         &ShadowKinds::noNormalPx});
+    return makeMetric<ShadowKinds>({
+        .group = "shadow",
+        .domain = "of shadow's domain; N the reference's normal on the camera's side, L towards the light",
+        .scope = Scope::ObjectsByLight,
+        .rows = std::move(rows),
+        .compute =
+            [](const MetricInput& input, ObjectSelection selection, const std::string& light) {
+                return computeShadowKinds(input.pair, selection, light, input.light(light), input.camera);
+            },
+    });
 }
 
 } // namespace plumbline

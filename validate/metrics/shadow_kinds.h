@@ -9,7 +9,7 @@
 //     cast
 // Both frames are counted in both parts: agreement, false shadow, false lit. The parts make up the domain,
 // but for pixels at which the reference has no normal. Needs the camera, and of the light its direction or
-// place (lightsFromHeader in frame_metadata.h); for a place also P.X P.Y P.Z of the reference.
+// place; for a place also P.X P.Y P.Z of the reference.
 //
 // There is no interval: what the reference leaves open of N . L isn't in its channels. The reference decides
 // with the side that the facet it hit turns to the camera; at an outline, where N may turn away on a facet
@@ -18,8 +18,7 @@
 
 #include "scenes/scene/camera.h"
 #include "scenes/scene/light.h"
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 #include <optional>
 #include <string>
@@ -39,7 +38,6 @@ struct ShadowKinds {
 ShadowKinds computeShadowKinds(const FramePair& pair, ObjectSelection selection, const std::string& name,
                                const std::optional<Light>& light, const std::optional<Camera>& camera);
 
-/// Under the keys of results.json, in the group `shadow.<light>`.
-MetricValues valuesOf(const ShadowKinds& result);
+Metric shadowKindsMetric();
 
 } // namespace plumbline

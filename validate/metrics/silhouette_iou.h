@@ -17,8 +17,7 @@
 // interval.h has the closed form and its proof. Channels `uncertain` of the test frame are never looked at.
 #pragma once
 
-#include "validate/metrics/frame_pair.h"
-#include "validate/metrics/interval.h"
+#include "validate/metrics/metric.h"
 
 namespace plumbline {
 
@@ -33,7 +32,6 @@ struct SilhouetteIou {
 
 SilhouetteIou computeSilhouetteIou(const FramePair& pair, ObjectSelection selection);
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const SilhouetteIou& result);
+Metric silhouetteIouMetric();
 
 } // namespace plumbline

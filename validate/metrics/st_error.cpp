@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace plumbline {
 namespace {
+
+constexpr std::array<const char*, 2> kChannels{"st.S", "st.T"};
 
 double tileDifference(float test, float reference, bool repeats) {
     const double difference = static_cast<double>(test) - static_cast<double>(reference);
@@ -31,9 +34,8 @@ StError absentStError(const std::string& reason) {
 } // namespace
 
 StError computeStError(const FramePair& pair, ObjectSelection selection) {
-    for (const char* channel : {"st.S", "st.T"})
-        if (const std::string missing = pair.missingChannel(channel); !missing.empty())
-            return absentStError(missing);
+    if (const std::string missing = pair.missingChannel(kChannels); !missing.empty())
+        return absentStError(missing);
     if (const std::string reason = noMapReason(pair, selection); !reason.empty())
         return absentStError(reason);
 
@@ -64,11 +66,41 @@ StError computeStError(const FramePair& pair, ObjectSelection selection) {
     return result;
 }
 
-MetricValues valuesOf(const StError& result) {
-    return {{"domain_px", result.domainPx},
-            {"mean_texels", result.meanTexels},
-            {"p95_texels", result.p95Texels},
-            {"invalid_px", result.invalidPx}};
+Metric stErrorMetric() {
+    return makeMetric<StError>({
+        .group = "st",
+        .domain = kSharedDomain,
+        .channels = {kChannels.begin(), kChannels.end()},
+        .figuresName = "st figures",
+        .rows = {{{.key = "domain_px",
+                   .label = "st compared",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels compared"},
+                  &StError::domainPx},
+                 {{.key = "mean_texels",
+                   .label = "st, mean",
+                   .unit = Unit::Texels,
+                   .goal = Goal::Zero,
+                   .meaning = "mean distance in the height map between the places seen",
+                   .formula = "mean |(Δs·W, Δt·H)|, modulo one tile along an axis that repeats",
+                   .report = {{"st", "mean, texels", "{:.2f}"}}},
+                  &StError::meanTexels},
+                 {{.key = "p95_texels",
+                   .label = "st, 95 %",
+                   .unit = Unit::Texels,
+                   .goal = Goal::Zero,
+                   .meaning = "95th percentile of it",
+                   .formula = "p95, nearest rank"},
+                  &StError::p95Texels},
+                 {{.key = "invalid_px",
+                   .label = "without st",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "shared pixels without a finite st in both: not in the domain"},
+                  &StError::invalidPx}},
+        .compute = [](const MetricInput& input, ObjectSelection selection,
+                      const std::string&) { return computeStError(input.pair, selection); },
+    });
 }
 
 } // namespace plumbline

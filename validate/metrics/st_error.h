@@ -8,8 +8,7 @@
 // difference is taken as it is.
 #pragma once
 
-#include "validate/metrics/figure.h"
-#include "validate/metrics/frame_pair.h"
+#include "validate/metrics/metric.h"
 
 namespace plumbline {
 
@@ -22,7 +21,6 @@ struct StError {
 /// Absent if a frame lacks st.S or st.T, or an object of the selection has no map of known size.
 StError computeStError(const FramePair& pair, ObjectSelection selection);
 
-/// Under the keys of results.json.
-MetricValues valuesOf(const StError& result);
+Metric stErrorMetric();
 
 } // namespace plumbline

@@ -46,7 +46,7 @@ std::vector<double> histogramEdges() {
 }
 
 std::optional<ErrorCurves> errorCurves(const FramePair& pair, const Comparison& comparison) {
-    if (!comparison.pooled.depth.relief.rmse) return std::nullopt;
+    if (!comparison.pooled.figure("depth.rmse_relief")) return std::nullopt;
     const std::vector<double> errors = sortedErrors(pair, comparison);
     ErrorCurves curves;
     for (const double threshold : badpixThresholds())

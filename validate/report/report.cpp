@@ -101,17 +101,18 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
         entries.push_back({save(stem, "_depth", picture), "Depth error, signed", Kind::DepthError,
                            fmt::format("{:.3g}", range.worldUnits), range.note});
     }
-    for (const auto& [light, agreement] : comparison.pooled.shadow)
+    for (const std::string& light : comparison.pooled.lights())
         if (pair.missingChannel(shadowChannel(light)).empty())
             entries.push_back({save(stem, "_shadow_" + light, shadowPicture(pair, light)),
                                "Shadow difference, light " + light, Kind::Shadow});
-    const SearchIterations& iterations = comparison.pooled.iterations;
-    if (iterations.most && *iterations.most > 0 && test.has("id")) {
+    const Figure &most = comparison.pooled.figure("cost.iterations_max"),
+                 &p99 = comparison.pooled.figure("cost.iterations_p99");
+    if (most && *most > 0 && test.has("id")) {
         // By the 99th percentile, or a few pixels would leave the rest pale.
-        const double most = std::max(*iterations.p99, 1.0);
-        entries.push_back({save(stem, "_iterations", iterationsPicture(test, most)),
-                           "Iterations of the search", Kind::Iterations, fmt::format("{:.0f}", most), "",
-                           iterations.histogram});
+        const double darkest = std::max(*p99, 1.0);
+        entries.push_back({save(stem, "_iterations", iterationsPicture(test, darkest)),
+                           "Iterations of the search", Kind::Iterations, fmt::format("{:.0f}", darkest), "",
+                           comparison.pooled.histogram("cost.iterations_histogram")});
     }
     return entries;
 }

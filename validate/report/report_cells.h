@@ -1,5 +1,5 @@
-// Cells of the report's tables as data for its template. A column is one row of metricColumns(): head,
-// figures, and which end is better.
+// Cells of the report's tables as data for its template. A column is a row of metricTable() that has one
+// (ReportColumn), of figures of lights one for each light.
 #pragma once
 
 #include "validate/results/results.h"
@@ -25,32 +25,21 @@ data cell(const Figure& figure, const std::string& format);
 
 std::set<std::string> lightsOf(const Results& results);
 
-struct ColumnValue {
-    Figure figure;
-    Interval interval;
-};
-
-/// A row of a table: of a technique or of one object in it.
-struct RowFigures {
-    const MetricSet& metrics;
-    Figure milliseconds = Figure::absent("time is measured for the whole frame");
-};
-
 struct Column {
-    std::string key;        // as `plumbline list metrics` has it, with the light's name
-    std::string text, unit; // of its head
-    std::string better;     // "high", "low" (by size: the nearer to 0), or empty where neither end is
-    std::string format;     // of fmt
-    std::function<ColumnValue(const RowFigures&)> value;
+    const MetricInfo* metric;
+    std::string light; // of a figure that there is for every light
+
+    /// As requirements name the figure: with the light's name.
+    std::string key() const;
 };
 
-/// What is measured: two columns for each light.
+/// What is measured.
 std::vector<Column> metricColumns(const std::set<std::string>& lights);
-/// Those, and what a technique costs.
+/// That, and what a technique costs.
 std::vector<Column> techniqueColumns(const std::set<std::string>& lights);
 
 data headsOf(const std::vector<Column>& columns);
-data cellsOf(const std::vector<Column>& columns, const RowFigures& row);
+data cellsOf(const std::vector<Column>& columns, const MetricSet& figures);
 
 /// The best figure of each column among techniques that aren't controls; none if there are fewer than two, or
 /// where neither end is better.

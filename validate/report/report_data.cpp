@@ -55,7 +55,7 @@ DepthRange depthRange(const Comparison& comparison) {
     for (const ObjectComparison& object : comparison.objects)
         if (object.object.reliefDepth) deepest = std::max(deepest, *object.object.reliefDepth);
     if (deepest > 0) return {0.25 * deepest, "a quarter of the relief depth"};
-    const Figure& p95 = comparison.pooled.depth.world.p95;
+    const Figure& p95 = comparison.pooled.figure("depth.p95");
     if (p95 && *p95 > 0) return {*p95, "95 % of the shared pixels lie within"};
     return {1, "no relief depth is known, and no error to scale by"};
 }

@@ -2,6 +2,7 @@
 
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "validate/metrics/search_iterations.h"
 #include "validate/report/colors.h"
 #include "validate/report/page_bundle.h"
 #include "validate/report/page_template.h"
@@ -165,8 +166,8 @@ data techniqueSection(size_t number, const TechniqueOutcome& technique, const st
     setIfAny(section, "parameters", parametersText(technique.parameters));
     if (!technique.renderer.empty())
         section.set("renderer", fmt::format("{}, {}", technique.renderer, technique.backend));
-    if (technique.msMedian)
-        section.set("timer", fmt::format("{:.1f} ms, median of {} ({})", *technique.msMedian,
+    if (technique.cost.msMedian)
+        section.set("timer", fmt::format("{:.1f} ms, median of {} ({})", *technique.cost.msMedian,
                                          technique.msRuns, technique.timer));
     const std::vector<std::string> missed = missedRequirements(technique);
     section.set("missed", listOfTexts(missed));
@@ -190,7 +191,7 @@ data techniqueSection(size_t number, const TechniqueOutcome& technique, const st
 data gapRow(const std::string& name, const Comparison& comparison, const std::vector<Column>& columns) {
     data row{data::type::object};
     row.set("row", name);
-    row.set("gap_cells", cellsOf(columns, {comparison.pooled}));
+    row.set("gap_cells", cellsOf(columns, comparison.pooled));
     return row;
 }
 

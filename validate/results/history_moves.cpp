@@ -1,7 +1,7 @@
 #include "validate/results/history_moves.h"
 
 #include "scenes/core/error.h"
-#include "validate/metrics/metric_table.h"
+#include "validate/metrics/metric_registry.h"
 
 #include <fmt/format.h>
 
@@ -15,46 +15,49 @@ namespace {
 constexpr const char* kAll = "all";
 
 /// Where a figure should go.
-enum class Goal { None, Higher, NearZero, Lower };
+enum class Direction { None, Higher, NearZero, Lower };
 
-/// The key metric_table.h has for a figure: without the reference it is held against and without the light.
+/// The key its row has for a figure: without the reference it is held against and without the light.
 std::string metricKey(std::string figure) {
-    constexpr std::string_view kAgainstProxy = "against_proxy.", kShadow = "shadow.";
+    constexpr std::string_view kAgainstProxy = "against_proxy.";
     if (figure.starts_with(kAgainstProxy)) figure.erase(0, kAgainstProxy.size());
-    if (figure.starts_with(kShadow)) figure.erase(kShadow.size(), figure.rfind('.') + 1 - kShadow.size());
-    return figure;
+    return parseFigureName(figure).key;
+}
+
+const MetricInfo* metricOf(const std::string& figure) {
+    return findMetric(metricKey(figure));
 }
 
 bool isCost(const std::string& figure) {
-    return metricKey(figure).starts_with("cost.");
+    const MetricInfo* metric = metricOf(figure);
+    return metric && isCost(*metric);
 }
 
 /// Numerators and the like: the ratio made of them has an interval, they have none.
 bool isCount(const std::string& figure) {
-    return figure.ends_with("_px") && !figure.ends_with("contour_mean_px") &&
-           !figure.ends_with("hausdorff95_px");
+    const MetricInfo* metric = metricOf(figure);
+    return metric && metric->unit == Unit::PixelCount;
 }
 
-Goal goalOf(const std::string& figure) {
-    const std::string key = metricKey(figure);
-    const auto metrics = metricTable();
-    const auto found = std::find_if(metrics.begin(), metrics.end(),
-                                    [&](const MetricInfo& metric) { return metric.key == key; });
-    if (found == metrics.end()) return Goal::None;
-    if (isCost(figure)) return Goal::Lower;
-    return found->best == "1" ? Goal::Higher : found->best == "0" ? Goal::NearZero : Goal::None;
+Direction directionOf(const std::string& figure) {
+    const MetricInfo* metric = metricOf(figure);
+    if (!metric) return Direction::None;
+    if (isCost(*metric)) return Direction::Lower;
+    return metric->goal == Goal::One    ? Direction::Higher
+           : metric->goal == Goal::Zero ? Direction::NearZero
+                                        : Direction::None;
 }
 
 /// How much worse `after` is, in the figure's unit; below 0 where it is better.
-double worsening(Goal goal, double before, double after) {
-    switch (goal) {
-    case Goal::Higher:
+double worsening(Direction direction, double before, double after) {
+    switch (direction) {
+    case Direction::Higher:
         return before - after;
-    case Goal::Lower:
+    case Direction::Lower:
         return after - before;
-    case Goal::NearZero:
+    case Direction::NearZero:
         return std::abs(after) - std::abs(before);
-    case Goal::None:
+    case Direction::None:
         break;
     }
     return 0;
@@ -76,15 +79,15 @@ std::optional<double> valueOf(const HistoryTechnique& technique, const std::stri
 }
 
 void judge(FigureMove& move, const HistoryTechnique& before, const Tolerances& tolerances) {
-    const Goal goal = goalOf(move.figure);
-    if (goal == Goal::None || !move.before) return;
+    const Direction direction = directionOf(move.figure);
+    if (direction == Direction::None || !move.before) return;
     const std::optional<double> asked = tolerances.of(move.figure, *move.before);
     if ((isCost(move.figure) || isCount(move.figure)) && !asked) return;
     if (!move.after) {
         move.verdict = Verdict::Regression;
         return;
     }
-    const double worse = worsening(goal, *move.before, *move.after);
+    const double worse = worsening(direction, *move.before, *move.after);
     move.tolerated = asked.value_or(intervalBelow(before, move.figure, *move.before));
     move.verdict = worse <= 0                ? Verdict::Better
                    : worse <= move.tolerated ? Verdict::Tolerated
@@ -210,10 +213,11 @@ Tolerances Tolerances::parse(const std::vector<std::string>& texts) {
             throw InputError("--tolerance", fmt::format("found '{}'", text),
                              "FIGURE=AMOUNT, for example silhouette.iou=0.001 or depth.rmse=2%");
         if (amount.relative) amount.value /= 100;
-        if (key != kAll && (goalOf(key) == Goal::None || isEndOfInterval(key))) {
+        if (key != kAll && (directionOf(key) == Direction::None || isEndOfInterval(key))) {
             std::vector<std::string> known{kAll};
             for (const MetricInfo& metric : metricTable())
-                if (const std::string name(metric.key); goalOf(name) != Goal::None && !isEndOfInterval(name))
+                if (const std::string name(metric.key);
+                    directionOf(name) != Direction::None && !isEndOfInterval(name))
                     known.push_back(name);
             throw InputError("--tolerance", fmt::format("no figure '{}' can become worse", key),
                              "all, or a figure of 'plumbline list metrics' with a best value, or of cost",

@@ -49,8 +49,8 @@ struct SceneMoves {
 /// their first record.
 ///
 /// Records compare if they have the scene's hash and base in common. A technique is held against the latest
-/// such record in which it worked. A figure is worse if it is farther from its best value (metric_table.h).
-/// Unless a tolerance says otherwise,
+/// such record in which it worked. A figure is worse if it is farther from its best value (Goal in
+/// validate/metrics/metric.h). Unless a tolerance says otherwise,
 /// - one with an interval (…_low to …_high) may be anywhere in the interval it had: the reference can't tell
 /// there;
 /// - counts of pixels aren't judged: the ratio made of them is;

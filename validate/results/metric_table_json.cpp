@@ -1,6 +1,6 @@
 #include "validate/results/metric_table_json.h"
 
-#include "validate/metrics/metric_table.h"
+#include "validate/metrics/metric_registry.h"
 
 #include <nlohmann/json.hpp>
 
@@ -11,9 +11,9 @@ std::string metricTableJson() {
     for (const MetricInfo& metric : metricTable())
         table.push_back({{"key", metric.key},
                          {"label", metric.label},
-                         {"unit", metric.unit},
-                         {"best", metric.best},
-                         {"better", metric.better},
+                         {"unit", textOf(metric.unit)},
+                         {"best", bestText(metric.goal)},
+                         {"better", betterText(metric.goal)},
                          {"formula", metric.formula},
                          {"domain", metric.domain},
                          {"source", metric.source},

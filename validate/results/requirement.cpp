@@ -1,9 +1,8 @@
 #include "validate/results/requirement.h"
 
 #include "scenes/core/error.h"
-#include "validate/metrics/metric_table.h"
+#include "validate/metrics/metric_registry.h"
 #include "validate/results/results.h"
-#include "validate/results/row_values.h"
 
 #include <fmt/format.h>
 
@@ -14,7 +13,6 @@ namespace plumbline {
 namespace {
 
 const char* const kForm = "METRIC[@OBJECT] >= NUMBER, or with >, <=, <";
-const std::string kShadow = "shadow.";
 
 std::string trimmed(const std::string& text) {
     const size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
@@ -29,24 +27,12 @@ double parseBound(const std::string& text, const std::string& where) {
     return value;
 }
 
-/// Splits "shadow.<light>.<key>" unless that is a key by itself.
-void splitLight(Requirement& requirement) {
-    const std::string whole = requirement.key;
-    const size_t last = whole.rfind('.');
-    if (findMetric(whole) || !whole.starts_with(kShadow) || last < kShadow.size()) return;
-    requirement.light = whole.substr(kShadow.size(), last - kShadow.size());
-    requirement.key = kShadow + whole.substr(last + 1);
-}
-
 [[noreturn]] void refuseMetric(const Requirement& requirement) {
-    const std::string infix = requirement.light.empty() ? "" : requirement.light + ".";
     std::vector<std::string> known;
     for (const MetricInfo& metric : metricTable())
-        known.push_back(metric.key.starts_with(kShadow) ? kShadow + infix + metric.key.substr(kShadow.size())
-                                                        : metric.key);
-    const std::string found = requirement.light.empty()
-                                  ? requirement.key
-                                  : kShadow + infix + requirement.key.substr(kShadow.size());
+        known.push_back(metric.scope == Scope::ObjectsByLight ? textOf({metric.key, requirement.light})
+                                                              : metric.key);
+    const std::string found = textOf({requirement.key, requirement.light});
     throw InputError(requirement.where, fmt::format("no metric is called '{}'", found),
                      "a key of 'plumbline list metrics'", didYouMean(found, known));
 }
@@ -75,36 +61,33 @@ const MetricSet* metricsOf(const Comparison& comparison, const std::string& obje
     return found == comparison.objects.end() ? nullptr : &found->metrics;
 }
 
+bool isOfLights(const Requirement& requirement) {
+    const MetricInfo* metric = findMetric(requirement.key);
+    return metric && metric->scope == Scope::ObjectsByLight;
+}
+
 Figure figureOf(const TechniqueOutcome& technique, const Requirement& requirement, const std::string& light) {
     if (technique.error) return Figure::absent("the technique failed");
-    const Comparison& comparison = technique.comparison;
-    const MetricSet* metrics = metricsOf(comparison, requirement.object);
+    const MetricSet* metrics = metricsOf(technique.comparison, requirement.object);
     if (!metrics) return Figure::absent("neither frame shows the object");
-    const bool ofLight = requirement.key.starts_with(kShadow);
-    if (ofLight && !metrics->shadow.contains(light))
-        return Figure::absent(light.empty() ? "neither frame has a channel shadow.<light>"
-                                            : "neither frame has a channel " + kShadow + light);
-    for (const MetricValue& entry :
-         rowValues(*metrics, light, requirement.object.empty() ? &comparison.image : nullptr, &technique)) {
-        if (entry.key != requirement.key) continue;
-        if (const auto* count = std::get_if<uint64_t>(&entry.value)) return {static_cast<double>(*count)};
-        return std::get<Figure>(entry.value);
-    }
-    return Figure::absent("not among the results");
+    if (isOfLights(requirement) && !metrics->lights().contains(light))
+        return Figure::absent("neither frame has a channel " +
+                              shadowChannel(light.empty() ? "<light>" : light));
+    const MetricInfo* metric = findMetric(requirement.key);
+    if (!metric) return Figure::absent("not among the results");
+    return requirement.object.empty() ? pooledFigures(technique).figure(*metric, light)
+                                      : metrics->figure(*metric, light);
 }
 
 /// The lights it is about; one without a name where none is known.
 std::vector<std::string> lightsOf(const TechniqueOutcome& technique, const Requirement& requirement) {
-    if (!requirement.key.starts_with(kShadow) || !requirement.light.empty()) return {requirement.light};
-    std::vector<std::string> lights;
-    for (const auto& [light, shadow] : technique.comparison.pooled.shadow)
-        lights.push_back(light);
-    return lights.empty() ? std::vector<std::string>{""} : lights;
+    if (!isOfLights(requirement) || !requirement.light.empty()) return {requirement.light};
+    const std::set<std::string>& lights = technique.comparison.pooled.lights();
+    return lights.empty() ? std::vector<std::string>{""} : std::vector(lights.begin(), lights.end());
 }
 
 std::string keyOf(const Requirement& requirement, const std::string& light) {
-    const std::string key =
-        light.empty() ? requirement.key : kShadow + light + "." + requirement.key.substr(kShadow.size());
+    const std::string key = textOf({requirement.key, light});
     return requirement.object.empty() ? key : key + "@" + requirement.object;
 }
 
@@ -128,10 +111,12 @@ Requirement parseRequirement(const std::string& text, const std::string& where) 
     }
     requirement.text = fmt::format("{}{}{} {} {}", requirement.key, requirement.object.empty() ? "" : "@",
                                    requirement.object, requirement.comparison, bound);
-    splitLight(requirement);
+    const FigureName name = parseFigureName(requirement.key);
+    requirement.key = name.key;
+    requirement.light = name.light;
     const MetricInfo* metric = findMetric(requirement.key);
     if (!metric) refuseMetric(requirement);
-    if (!metric->perObject && !requirement.object.empty())
+    if ((metric->scope == Scope::Picture || metric->scope == Scope::Run) && !requirement.object.empty())
         throw InputError(where, fmt::format("no object has a {} of its own", requirement.key),
                          requirement.key + " without '@'");
     return requirement;

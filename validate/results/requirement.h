@@ -1,8 +1,9 @@
 // What a run must reach: "silhouette.iou >= 0.99", from --require or a scene's [require].
 //
 //     KEY[@OBJECT] OPERATOR NUMBER
-// KEY: of metricTable(); of shadows also with a light, "shadow.sun.agreement", else every light must reach
-// it. @OBJECT: the figure of that object, else the pooled one. OPERATOR: >= > <= <. Spaces don't matter.
+// KEY: of metricTable(); of figures of lights also with a light, "shadow.sun.agreement", else every light
+// must reach it. @OBJECT: the figure of that object, else the pooled one. OPERATOR: >= > <= <. Spaces don't
+// matter.
 #pragma once
 
 #include "validate/metrics/figure.h"

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "validate/compare/compare.h"
+#include "validate/metrics/run_cost.h"
 #include "validate/results/certificate.h"
 #include "validate/results/requirement.h"
 
@@ -43,11 +44,9 @@ struct TechniqueOutcome {
     bool control = false; // it draws the reference's own triangles: no technique to compete with
     std::map<std::string, std::string> parameters; // all, with the values used
     std::string backend, renderer;                 // empty where the frame came from a file
-    Figure msMedian;
-    int msRuns = 0;
+    RunCost cost;
+    int msRuns = 0; // of which cost.msMedian is the median
     std::string timer;
-    Figure bakeMs,
-        bakeBytes; // of its baked maps: made, now or when they came into the cache; held on the GPU
     std::vector<std::string> limits;  // known ones, from its manifest
     std::optional<std::string> error; // set: no metrics
     Comparison comparison;
@@ -70,6 +69,9 @@ struct Results {
     std::optional<ProxyReference> proxy; // then `reference` is on the limit surface
     std::vector<TechniqueOutcome> techniques;
 };
+
+/// Those of the whole picture and of its run.
+MetricSet pooledFigures(const TechniqueOutcome& technique);
 
 /// Pretty-printed, keys in the schema's order, ends with a newline.
 std::string toJson(const Results& results);

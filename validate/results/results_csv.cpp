@@ -1,85 +1,78 @@
+#include "validate/metrics/metric_registry.h"
 #include "validate/results/csv_text.h"
 #include "validate/results/results.h"
-#include "validate/results/row_values.h"
 
 #include <fmt/format.h>
 
 namespace plumbline {
 namespace {
 
-std::string cell(const MetricValue& entry) {
-    if (const auto* count = std::get_if<uint64_t>(&entry.value)) return std::to_string(*count);
-    const Figure& figure = std::get<Figure>(entry.value);
-    return figure ? fmt::format("{}", *figure) : std::string();
+std::string cell(const MetricInfo& metric, const Figure& figure) {
+    if (!figure) return {};
+    return isWhole(metric.unit) ? fmt::format("{:.0f}", *figure) : fmt::format("{}", *figure);
 }
-
-/// Columns of one row: name and text. Built the same way for the head and for every row, so they can't part.
-struct Row {
-    std::vector<std::pair<std::string, std::string>> cells;
-    void add(const std::string& name, const std::string& text) { cells.emplace_back(name, text); }
-};
 
 /// What a row is of, beyond its object and light.
 struct Subject {
     std::string technique;
-    std::string reference; // base of the reference held against
-    std::string error = {};
-    const TechniqueOutcome* outcome = nullptr; // for what it cost; nullptr: nothing is known of that
+    std::string reference;     // base of the reference held against
+    MetricSet runFigures = {}; // what its run cost
 };
 
-/// `image`: of the pooled row; nullptr: empty cells.
-Row makeRow(const Subject& subject, const std::string& object, const std::string& light,
-            const MetricSet& metrics, const ImageError* image) {
-    Row row;
-    row.add("technique", subject.technique);
-    row.add("object", object);
-    row.add("light", light);
-    row.add("reference", subject.reference);
-    for (const MetricValue& entry : rowValues(metrics, light, image, subject.outcome))
-        row.add(entry.key, cell(entry));
-    row.add("error", subject.error);
-    return row;
-}
-
-std::string textOf(const Row& row, bool head) {
-    std::vector<std::string> texts;
-    for (const auto& [name, text] : row.cells)
-        texts.push_back(head ? name : text);
+/// Texts around the figures: the same for the head and for every row, so they can't part.
+std::string line(const std::string& technique, const std::string& object, const std::string& light,
+                 const std::string& reference, const std::vector<std::string>& figures,
+                 const std::string& error) {
+    std::vector<std::string> texts{technique, object, light, reference};
+    texts.insert(texts.end(), figures.begin(), figures.end());
+    texts.push_back(error);
     return csvLine(texts);
 }
 
-void addRows(std::string& csv, const Subject& subject, const std::string& object, const MetricSet& metrics,
-             const ImageError* image) {
-    for (const auto& [light, shadow] : metrics.shadow)
-        csv += textOf(makeRow(subject, object, light, metrics, image), false);
-    if (metrics.shadow.empty()) csv += textOf(makeRow(subject, object, "", metrics, image), false);
+std::string head() {
+    std::vector<std::string> keys;
+    for (const MetricInfo& metric : metricTable())
+        keys.push_back(metric.key);
+    return line("technique", "object", "light", "reference", keys, "error");
+}
+
+std::string row(const Subject& subject, const std::string& object, const std::string& light,
+                const MetricSet& metrics) {
+    std::vector<std::string> figures;
+    for (const MetricInfo& metric : metricTable())
+        figures.push_back(
+            cell(metric, (metric.scope == Scope::Run ? subject.runFigures : metrics).figure(metric, light)));
+    return line(subject.technique, object, light, subject.reference, figures, "");
+}
+
+std::string failedRow(const TechniqueOutcome& technique) {
+    return line(technique.name, "(pooled)", "", "", std::vector<std::string>(metricTable().size()),
+                *technique.error);
+}
+
+void addRows(std::string& csv, const Subject& subject, const std::string& object, const MetricSet& metrics) {
+    for (const std::string& light : metrics.lights())
+        csv += row(subject, object, light, metrics);
+    if (metrics.lights().empty()) csv += row(subject, object, "", metrics);
 }
 
 void addRows(std::string& csv, const Subject& subject, const Comparison& comparison) {
-    addRows(csv, subject, "(pooled)", comparison.pooled, &comparison.image);
+    addRows(csv, subject, "(pooled)", comparison.pooled);
     for (const ObjectComparison& object : comparison.objects)
-        addRows(csv, subject, object.object.name, object.metrics, nullptr);
-}
-
-std::string failedRow(const Subject& subject) {
-    Row row = makeRow(subject, "(pooled)", "", {}, nullptr);
-    for (auto& [name, text] : row.cells)
-        if (name != "technique" && name != "object" && name != "error")
-            text.clear(); // counts of nothing are no zeros
-    return textOf(row, false);
+        addRows(csv, subject, object.object.name, object.metrics);
 }
 
 } // namespace
 
 std::string toCsv(const Results& results) {
-    std::string csv = textOf(makeRow({}, "", "", {}, nullptr), true);
+    std::string csv = head();
     if (results.proxy) addRows(csv, {"(base gap)", results.base}, results.proxy->gap);
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
-            csv += failedRow({technique.name, "", *technique.error});
+            csv += failedRow(technique);
             continue;
         }
-        Subject subject{technique.name, results.base, "", &technique};
+        Subject subject{technique.name, results.base, figuresOf(technique.cost)};
         addRows(csv, subject, technique.comparison);
         if (!technique.againstProxy) continue;
         subject.reference = "proxy";

@@ -1,24 +1,33 @@
+#include "validate/metrics/metric_registry.h"
 #include "validate/results/results.h"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <memory>
 
 namespace plumbline {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// A group of the schema: counts, figures that are there, and the reasons of those that aren't.
+const std::string kCostGroup = "cost";
+
+/// A group of the schema: figures that are there, groups in it, and the reasons of figures that aren't there.
 class Group {
   public:
-    void add(const MetricValues& values) {
-        for (const MetricValue& entry : values) {
-            if (const auto* count = std::get_if<uint64_t>(&entry.value))
-                json_[entry.key] = *count;
-            else if (const Figure& figure = std::get<Figure>(entry.value))
-                json_[entry.key] = *figure;
-            else
-                absent_[entry.key] = figure.reason();
-        }
+    void add(const std::string& key, const Figure& figure) {
+        if (figure)
+            json_[key] = *figure;
+        else
+            absent_[key] = figure.reason();
+    }
+    /// A figure that is a whole number, without a decimal point.
+    void addCount(const std::string& key, const Figure& figure) {
+        if (figure)
+            json_[key] = static_cast<uint64_t>(*figure);
+        else
+            absent_[key] = figure.reason();
     }
     void add(const std::string& key, const std::optional<std::string>& text, const std::string& reason) {
         if (text)
@@ -26,73 +35,103 @@ class Group {
         else
             absent_[key] = reason;
     }
-    void add(const std::string& key, Json inner) { json_[key] = std::move(inner); }
+    /// What stands behind the figures and their reasons.
+    void addLast(const std::string& key, Json value) { last_[key] = std::move(value); }
+    /// The group of that name; where it is new, it stands behind what was added so far.
+    Group& inner(const std::string& key) {
+        std::unique_ptr<Group>& group = inner_[key];
+        if (!group) {
+            group = std::make_unique<Group>();
+            json_[key] = nullptr; // its place
+        }
+        return *group;
+    }
     Json json() const {
         Json whole = json_;
+        for (const auto& [key, group] : inner_)
+            whole[key] = group->json();
         if (!absent_.empty()) whole["absent"] = absent_;
+        for (const auto& [key, value] : last_.items())
+            whole[key] = value;
         return whole;
     }
 
   private:
-    Json json_ = Json::object(), absent_ = Json::object();
+    Json json_ = Json::object(), absent_ = Json::object(), last_ = Json::object();
+    std::map<std::string, std::unique_ptr<Group>> inner_;
 };
 
-Json toGroup(const MetricValues& values) {
-    Group group;
-    group.add(values);
-    return group.json();
+/// The group of a metric; `path`: with dots between the names of groups in groups.
+Group& groupOf(Group& root, const std::string& path) {
+    const size_t dot = path.find('.');
+    return dot == std::string::npos ? root.inner(path)
+                                    : groupOf(root.inner(path.substr(0, dot)), path.substr(dot + 1));
 }
 
-void addMetrics(Json& json, const MetricSet& metrics) {
-    Group silhouette;
-    silhouette.add(valuesOf(metrics.silhouette));
-    silhouette.add("boundary_iou", toGroup(valuesOf(metrics.boundary)));
-    silhouette.add(valuesOf(metrics.contour));
-    json["silhouette"] = silhouette.json();
-    json["depth"] = toGroup(valuesOf(metrics.depth));
-    json["shadow"] = Json::object();
-    for (const auto& [light, agreement] : metrics.shadow) {
-        Group shadow;
-        shadow.add(valuesOf(agreement));
-        if (const auto kinds = metrics.shadowKinds.find(light); kinds != metrics.shadowKinds.end())
-            shadow.add(valuesOf(kinds->second));
-        json["shadow"][light] = shadow.json();
+/// Schema 1 has the time of a frame in front of what else a run costs.
+std::vector<const MetricInfo*> inSchemaOrder(const std::vector<MetricInfo>& rows) {
+    std::vector<const MetricInfo*> ordered;
+    for (const MetricInfo& row : rows)
+        ordered.push_back(&row);
+    std::ranges::stable_partition(ordered,
+                                  [](const MetricInfo* row) { return row->key == "cost.ms_median"; });
+    return ordered;
+}
+
+void addMetric(Group& group, const Metric& metric, const MetricSet& metrics, const std::string& light) {
+    for (const MetricInfo* row : inSchemaOrder(metric.rows)) {
+        const std::string key = row->key.substr(metric.group.size() + 1);
+        if (isWhole(row->unit))
+            group.addCount(key, metrics.figure(*row, light));
+        else
+            group.add(key, metrics.figure(*row, light));
     }
-    json["normal"] = toGroup(valuesOf(metrics.normal));
-    json["st"] = toGroup(valuesOf(metrics.st));
+    const auto& histogram = metrics.histogram(metric.group + "." + metric.histogram);
+    if (!histogram.empty()) group.addLast(metric.histogram, histogram);
 }
 
-void addPooled(Json& json, const Comparison& comparison) {
-    json["pooled_objects"] = comparison.pooledObjects;
-    addMetrics(json, comparison.pooled);
-    json["image"] = toGroup(valuesOf(comparison.image));
+/// The metrics whose scope is one of `scopes`.
+Group metricGroups(const MetricSet& metrics, std::initializer_list<Scope> scopes) {
+    Group root;
+    for (const Metric& metric : metricRegistry()) {
+        if (std::ranges::find(scopes, metric.scope) == scopes.end()) continue;
+        Group& group = groupOf(root, metric.group);
+        if (metric.scope != Scope::ObjectsByLight)
+            addMetric(group, metric, metrics, "");
+        else
+            for (const std::string& light : metrics.lights())
+                addMetric(group.inner(light), metric, metrics, light);
+    }
+    return root;
 }
 
-void addCost(Json& json, const MetricSet& metrics, const MetricValues& more) {
-    MetricValues values = valuesOf(metrics.cost);
-    for (const MetricValues& further : {valuesOf(metrics.iterations), more})
-        values.insert(values.end(), further.begin(), further.end());
-    json["cost"] = toGroup(values);
-    if (!metrics.iterations.histogram.empty())
-        json["cost"]["iterations_histogram"] = metrics.iterations.histogram;
+/// `withCost`: two references have none, and a technique's doesn't depend on what it is held against.
+void addGroups(Json& json, const Group& groups, bool withCost) {
+    const Json all = groups.json();
+    for (const auto& [name, group] : all.items())
+        if (withCost || name != kCostGroup) json[name] = group;
 }
 
 Json toJson(const ObjectComparison& object, bool withCost) {
     Json json{{"name", object.object.name}, {"id", object.object.id}};
     if (object.object.reliefDepth) json["relief_depth"] = *object.object.reliefDepth;
-    addMetrics(json, object.metrics);
-    if (withCost) addCost(json, object.metrics, {});
+    addGroups(json, metricGroups(object.metrics, {Scope::Objects, Scope::ObjectsByLight}), withCost);
     return json;
 }
 
-/// Without cost: two references have none, and a technique's doesn't depend on what it is held against.
-Json toJson(const Comparison& comparison) {
-    Json json;
-    addPooled(json, comparison);
+void addObjectsAndNotes(Json& json, const Comparison& comparison, bool withCost) {
     json["objects"] = Json::array();
     for (const ObjectComparison& object : comparison.objects)
-        json["objects"].push_back(toJson(object, false));
+        json["objects"].push_back(toJson(object, withCost));
     if (!comparison.notes.empty()) json["notes"] = comparison.notes;
+}
+
+Json toJson(const Comparison& comparison) {
+    Json json;
+    json["pooled_objects"] = comparison.pooledObjects;
+    addGroups(json, metricGroups(comparison.pooled, {Scope::Objects, Scope::ObjectsByLight, Scope::Picture}),
+              false);
+    addObjectsAndNotes(json, comparison, false);
     return json;
 }
 
@@ -116,19 +155,15 @@ Json toJson(const TechniqueOutcome& technique) {
         json["error"] = *technique.error;
         return json;
     }
-    addPooled(json, technique.comparison);
-    addCost(json, technique.comparison.pooled,
-            {{"ms_median", technique.msMedian},
-             {"bake_ms", technique.bakeMs},
-             {"bake_bytes", wholeNumber(technique.bakeBytes)}});
-    if (technique.msMedian) {
-        json["cost"]["ms_runs"] = technique.msRuns;
-        json["cost"]["timer"] = technique.timer;
+    json["pooled_objects"] = technique.comparison.pooledObjects;
+    Group groups = metricGroups(pooledFigures(technique),
+                                {Scope::Objects, Scope::ObjectsByLight, Scope::Picture, Scope::Run});
+    if (technique.cost.msMedian) {
+        groups.inner(kCostGroup).addLast("ms_runs", technique.msRuns);
+        groups.inner(kCostGroup).addLast("timer", technique.timer);
     }
-    json["objects"] = Json::array();
-    for (const ObjectComparison& object : technique.comparison.objects)
-        json["objects"].push_back(toJson(object, true));
-    if (!technique.comparison.notes.empty()) json["notes"] = technique.comparison.notes;
+    addGroups(json, groups, true);
+    addObjectsAndNotes(json, technique.comparison, true);
     if (technique.againstProxy) json["against_proxy"] = toJson(*technique.againstProxy);
     json["error"] = nullptr;
     return json;
@@ -136,24 +171,23 @@ Json toJson(const TechniqueOutcome& technique) {
 
 void addCertificate(Group& group, const CertificateSummary& certificate) {
     for (const CertificateFigure& entry : certificateFigures())
-        group.add({{entry.key, certificate.*entry.figure}});
+        group.add(entry.key, certificate.*entry.figure);
     group.add("error_limit", certificate.limit, certificate.limitReason);
-    group.add({{"uncertain_pixels", wholeNumber(certificate.uncertainPixels)}});
-    MetricValues byLight;
+    group.addCount("uncertain_pixels", certificate.uncertainPixels);
+    Group& byLight = group.inner("uncertain_shadow_pixels");
     for (const auto& [light, count] : certificate.uncertainShadowPixels)
-        byLight.push_back({light, wholeNumber(count)});
-    group.add("uncertain_shadow_pixels", toGroup(byLight));
-    group.add({{"covered_pixels", wholeNumber(certificate.coveredPixels)}});
+        byLight.addCount(light, count);
+    group.addCount("covered_pixels", certificate.coveredPixels);
 }
 
 Json toJson(const ReferenceSummary& reference) {
     Group group;
-    group.add({{"micro_triangles", wholeNumber(reference.microTriangles)}});
+    group.addCount("micro_triangles", reference.microTriangles);
     addCertificate(group, reference.certificate);
-    group.add({{"tessellate_ms", reference.tessellateMs},
-               {"build_ms", reference.buildMs},
-               {"trace_ms", reference.traceMs},
-               {"peak_bytes", wholeNumber(reference.peakBytes)}});
+    group.add("tessellate_ms", reference.tessellateMs);
+    group.add("build_ms", reference.buildMs);
+    group.add("trace_ms", reference.traceMs);
+    group.addCount("peak_bytes", reference.peakBytes);
     Json json = group.json();
     json["objects"] = Json::array();
     for (const ReferenceSummary::Object& object : reference.objects)

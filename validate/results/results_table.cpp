@@ -1,3 +1,4 @@
+#include "validate/metrics/metric_registry.h"
 #include "validate/results/results.h"
 #include "validate/results/text_table.h"
 
@@ -9,8 +10,8 @@
 namespace plumbline {
 namespace {
 
-std::string shown(const Figure& figure, const char* format) {
-    return figure ? fmt::format(fmt::runtime(format), *figure) : std::string("-");
+std::string shown(const Figure& figure, int decimals) {
+    return figure ? fmt::format("{:.{}f}", *figure, decimals) : std::string("-");
 }
 
 /// How far the true figure may be from the one shown, rounded up: never less than it is.
@@ -23,31 +24,58 @@ std::string shownReach(const Interval& interval, const Figure& figure, int decim
     return fmt::format("{:.{}f}", std::ceil(*reach * scale - kRounding) / scale, decimals);
 }
 
-/// The light with the worst agreement stands for all; results.csv has each.
-ShadowAgreement worstShadow(const MetricSet& metrics) {
-    ShadowAgreement worst;
-    for (const auto& [light, shadow] : metrics.shadow)
-        if (shadow.agreement && (!worst.agreement || *shadow.agreement < *worst.agreement)) worst = shadow;
+std::vector<MetricInfo> columnsWhere(bool (*wanted)(const MetricInfo&)) {
+    std::vector<MetricInfo> columns;
+    for (const MetricInfo& metric : metricTable())
+        if (metric.table && wanted(metric)) columns.push_back(metric);
+    return columns;
+}
+
+const std::vector<MetricInfo>& qualityColumns() {
+    static const std::vector<MetricInfo> columns =
+        columnsWhere([](const MetricInfo& metric) { return !isCost(metric); });
+    return columns;
+}
+
+const std::vector<MetricInfo>& costColumns() {
+    static const std::vector<MetricInfo> columns = columnsWhere(isCost);
+    return columns;
+}
+
+std::vector<std::string> headsOf(const std::vector<MetricInfo>& columns) {
+    std::vector<std::string> heads;
+    for (const MetricInfo& column : columns) {
+        heads.push_back(column.table->head);
+        if (column.hasInterval) heads.emplace_back("±");
+    }
+    return heads;
+}
+
+/// The light that stands for all: with the lowest figure in the first column of lights; results.csv has each.
+std::string worstLight(const std::vector<MetricInfo>& columns, const MetricSet& metrics) {
+    const auto column = std::ranges::find(columns, Scope::ObjectsByLight, &MetricInfo::scope);
+    std::string worst;
+    Figure lowest;
+    for (const std::string& light : metrics.lights()) {
+        if (column == columns.end()) break;
+        const Figure& figure = metrics.figure(*column, light);
+        if (!figure || (lowest && *figure >= *lowest)) continue;
+        worst = light;
+        lowest = figure;
+    }
     return worst;
 }
 
-const std::vector<std::string> kMetricHeads{"IoU",    "±",      "miss", "extra", "RMSE rel", "p99 rel",
-                                            "bad 5%", "shadow", "±",    "BER",   "normal"};
-
-std::vector<std::string> metricCells(const MetricSet& metrics) {
-    const SilhouetteIou& silhouette = metrics.silhouette;
-    const ShadowAgreement shadow = worstShadow(metrics);
-    return {shown(silhouette.iou, "{:.5f}"),
-            shownReach(silhouette.iouRange, silhouette.iou, 5),
-            std::to_string(silhouette.missingPx),
-            std::to_string(silhouette.extraPx),
-            shown(metrics.depth.relief.rmse, "{:.5f}"),
-            shown(metrics.depth.relief.p99, "{:.5f}"),
-            shown(metrics.depth.badpix5pct, "{:.4f}"),
-            shown(shadow.agreement, "{:.4f}"),
-            shownReach(shadow.agreementRange, shadow.agreement, 4),
-            shown(shadow.ber, "{:.4f}"),
-            shown(metrics.normal.meanDegrees, "{:.2f}")};
+std::vector<std::string> cellsOf(const std::vector<MetricInfo>& columns, const MetricSet& metrics) {
+    const std::string light = worstLight(columns, metrics);
+    std::vector<std::string> cells;
+    for (const MetricInfo& column : columns) {
+        const Figure& figure = metrics.figure(column, light);
+        cells.push_back(shown(figure, column.table->decimals));
+        if (column.hasInterval)
+            cells.push_back(shownReach(metrics.interval(column, light), figure, column.table->decimals));
+    }
+    return cells;
 }
 
 /// `cells` between a first and the last ones.
@@ -66,11 +94,11 @@ std::string reached(const std::vector<RequirementResult>& requirements) {
 }
 
 std::string proxyTable(const Results& results) {
-    TextTable table(joined("against the proxy", kMetricHeads, {}));
-    table.add(joined("(base gap)", metricCells(results.proxy->gap.pooled), {}));
+    TextTable table(joined("against the proxy", headsOf(qualityColumns()), {}));
+    table.add(joined("(base gap)", cellsOf(qualityColumns(), results.proxy->gap.pooled), {}));
     for (const TechniqueOutcome& technique : results.techniques)
         if (technique.againstProxy)
-            table.add(joined(technique.name, metricCells(technique.againstProxy->pooled), {}));
+            table.add(joined(technique.name, cellsOf(qualityColumns(), technique.againstProxy->pooled), {}));
     return table.text();
 }
 
@@ -80,20 +108,19 @@ std::string toTable(const Results& results) {
     const bool required =
         std::any_of(results.techniques.begin(), results.techniques.end(),
                     [](const TechniqueOutcome& each) { return !each.requirements.empty(); });
-    std::vector<std::string> costHeads{"fetches", "ms"};
-    if (required) costHeads.push_back("require");
-    TextTable table(joined("technique", kMetricHeads, costHeads));
+    std::vector<std::string> costHeads = headsOf(costColumns());
+    if (required) costHeads.emplace_back("require");
+    TextTable table(joined("technique", headsOf(qualityColumns()), costHeads));
     std::string errors;
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
             errors += fmt::format("{}: failed: {}\n", technique.name, *technique.error);
             continue;
         }
-        const MetricSet& pooled = technique.comparison.pooled;
-        std::vector<std::string> costCells{shown(pooled.cost.mean, "{:.1f}"),
-                                           shown(technique.msMedian, "{:.1f}")};
+        const MetricSet metrics = pooledFigures(technique);
+        std::vector<std::string> costCells = cellsOf(costColumns(), metrics);
         if (required) costCells.push_back(reached(technique.requirements));
-        table.add(joined(technique.name, metricCells(pooled), costCells));
+        table.add(joined(technique.name, cellsOf(qualityColumns(), metrics), costCells));
     }
     std::string text = table.text() + errors;
     if (results.proxy)

@@ -1,5 +1,6 @@
 #include "tests/validate/metrics/random_frames.h"
 #include "validate/compare/compare.h"
+#include "validate/metrics/metric_registry.h"
 #include "validate/results/results.h"
 
 #include <gtest/gtest.h>
@@ -24,11 +25,9 @@ RC_GTEST_PROP(CompareProperty, PooledCountsAreTheSumsOfTheReliefObjects, ()) {
     const Comparison result = compareFrames(a, b, objects, std::nullopt);
     const MetricSet &one = result.objects[0].metrics, &three = result.objects[2].metrics;
     RC_ASSERT(result.pooledObjects == (std::vector<std::string>{"object 1", "object 3"}));
-    RC_ASSERT(result.pooled.silhouette.unionPx == one.silhouette.unionPx + three.silhouette.unionPx);
-    RC_ASSERT(result.pooled.depth.domainPx == one.depth.domainPx + three.depth.domainPx);
-    RC_ASSERT(result.pooled.depth.bad5pctPx == one.depth.bad5pctPx + three.depth.bad5pctPx);
-    RC_ASSERT(result.pooled.shadow.at("sun").falseLitPx ==
-              one.shadow.at("sun").falseLitPx + three.shadow.at("sun").falseLitPx);
+    for (const char* key :
+         {"silhouette.union_px", "depth.domain_px", "depth.badpix_5pct_px", "shadow.false_lit_px"})
+        RC_ASSERT(*result.pooled.figure(key, "sun") == *one.figure(key, "sun") + *three.figure(key, "sun"));
 }
 
 TEST(Compare, AFrameWithItself) {
@@ -36,13 +35,19 @@ TEST(Compare, AFrameWithItself) {
     paintRectangle(frame, 1, 1, 6, 7);
     set(frame, "shadow.sun", 3, 3, 1);
     const MetricSet metrics = compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, std::nullopt).pooled;
-    EXPECT_EQ(*metrics.silhouette.iou, 1);
-    EXPECT_EQ(*metrics.contour.hausdorff95Px, 0);
-    EXPECT_EQ(*metrics.depth.world.max, 0);
-    EXPECT_EQ(*metrics.depth.relief.rmse, 0);
-    EXPECT_EQ(*metrics.shadow.at("sun").agreement, 1);
-    EXPECT_EQ(*metrics.normal.p95Degrees, 0);
-    EXPECT_EQ(*metrics.st.p95Texels, 0);
+    for (const MetricInfo& metric : metricTable()) {
+        const Figure& figure = metrics.figure(metric, "sun");
+        if (!figure) continue;
+        if (metric.goal == Goal::One) {
+            EXPECT_EQ(*figure, 1) << metric.key;
+        } else if (metric.goal == Goal::Zero) {
+            EXPECT_EQ(*figure, 0) << metric.key;
+        }
+    }
+    for (const char* key :
+         {"silhouette.iou", "silhouette.boundary_iou.1px", "silhouette.hausdorff95_px", "depth.max",
+          "depth.rmse_relief", "shadow.agreement", "normal.p95_degrees", "st.p95_texels", "image.rmse"})
+        EXPECT_TRUE(metrics.figure(key, "sun")) << key;
 }
 
 TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
@@ -60,9 +65,9 @@ TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
     EXPECT_THAT(result.notes, Contains(HasSubstr("no st figures")));
     EXPECT_THAT(result.notes,
                 Contains(HasSubstr("the test frame has no channel R: no figures of the picture")));
-    EXPECT_EQ(*result.pooled.silhouette.iou, 1);
-    EXPECT_FALSE(result.pooled.depth.world.mae);
-    EXPECT_FALSE(result.pooled.shadow.at("sun").agreement);
+    EXPECT_EQ(*result.pooled.figure("silhouette.iou"), 1);
+    EXPECT_FALSE(result.pooled.figure("depth.mae"));
+    EXPECT_FALSE(result.pooled.figure("shadow.agreement", "sun"));
 }
 
 TEST(Compare, SaysThatThereAreNoIntervals) {
@@ -93,7 +98,7 @@ TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
     lit.metadata["light.sun"] = "to_light 0 0 1";
     dark.metadata["light.sun"] = "to_light 0 0 -1";
     const auto castPx = [](const Frame& reference, const Frame& test) {
-        return *compareFrames(reference, test, {}, Camera()).pooled.shadowKinds.at("sun").cast.domainPx;
+        return *compareFrames(reference, test, {}, Camera()).pooled.figure("shadow.cast_domain_px", "sun");
     };
     EXPECT_EQ(castPx(lit, dark), 2);
     EXPECT_EQ(castPx(dark, lit), 0);
@@ -103,7 +108,7 @@ TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
     EXPECT_EQ(castPx(other, lit), 2);
     const Comparison unknown = compareFrames(frame, frame, {}, Camera());
     EXPECT_THAT(unknown.notes, Contains(HasSubstr("no frame's header says where the light sun is")));
-    EXPECT_FALSE(unknown.pooled.shadowKinds.at("sun").cast.agreement);
+    EXPECT_FALSE(unknown.pooled.figure("shadow.cast_agreement", "sun"));
     EXPECT_THAT(compareFrames(lit, lit, {}, std::nullopt).notes,
                 Contains(HasSubstr("the camera is not known: attached and cast")));
 }

@@ -150,9 +150,9 @@ TEST(ErrorCurves, FiveErrorsGiveTheirSharesAndCounts) {
         return curves->badpix[static_cast<size_t>(std::find(thresholds.begin(), thresholds.end(), t) -
                                                   thresholds.begin())];
     };
-    EXPECT_EQ(at(0.01), *comparison.pooled.depth.badpix1pct);
-    EXPECT_EQ(at(0.05), *comparison.pooled.depth.badpix5pct);
-    EXPECT_EQ(at(0.25), *comparison.pooled.depth.badpix25pct);
+    EXPECT_EQ(at(0.01), *comparison.pooled.figure("depth.badpix_1pct"));
+    EXPECT_EQ(at(0.05), *comparison.pooled.figure("depth.badpix_5pct"));
+    EXPECT_EQ(at(0.25), *comparison.pooled.figure("depth.badpix_25pct"));
 
     EXPECT_EQ(curves->below, 0u);
     EXPECT_EQ(curves->above, 2u); // 0.3 and 1

@@ -70,9 +70,8 @@ TEST(HistoryFile, KeepsWhatResultsSayOfTheWholePicture) {
 // A light may be called as a part of the results that holds no figures.
 TEST(HistoryFile, KeepsTheFiguresOfALightOfAnyName) {
     Results results = sampleResults();
-    auto& shadow = results.techniques[0].comparison.pooled.shadow;
     for (const char* name : {"notes", "objects", "absent"})
-        shadow[name] = shadow.at("sun");
+        copyLight(results.techniques[0].comparison.pooled, "sun", name);
     const auto figures = recordOf("r", toJson(results), {}).techniques.at(0).figures;
     for (const char* name : {"notes", "objects", "absent"})
         EXPECT_EQ(figures.at(std::string("shadow.") + name + ".agreement"),

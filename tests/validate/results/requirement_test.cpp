@@ -1,6 +1,6 @@
 #include "scenes/core/error.h"
 #include "tests/validate/results/sample_results.h"
-#include "validate/metrics/metric_table.h"
+#include "validate/metrics/metric_registry.h"
 #include "validate/results/requirement.h"
 
 #include <gtest/gtest.h>
@@ -121,15 +121,17 @@ TEST(Requirement, WhatIsAbsentIsNotReached) {
     EXPECT_EQ(failed.value.reason(), "the technique failed");
     EXPECT_FALSE(held("silhouette.iou@nothing >= 0", results.techniques[0]).passed);
     EXPECT_FALSE(held("shadow.moon.domain_px >= 0", results.techniques[0]).passed);
-    TechniqueOutcome dark = results.techniques[0];
-    dark.comparison.pooled.shadow.clear();
+    Frame unlit = sampleReference();
+    unlit.remove("shadow.sun");
+    TechniqueOutcome dark;
+    dark.comparison = compareFrames(unlit, unlit, {}, std::nullopt);
     EXPECT_FALSE(held("shadow.false_lit_px <= 9", dark).passed); // counts of nothing are no zeros
 }
 
 TEST(Requirement, OfShadowsHoldsForEveryLight) {
     TechniqueOutcome outcome = sampleResults().techniques[0];
-    outcome.comparison.pooled.shadow["lamp"] = outcome.comparison.pooled.shadow["sun"];
-    outcome.comparison.pooled.shadow["lamp"].agreement = 1.0;
+    copyLight(outcome.comparison.pooled, "sun", "lamp");
+    setFigure(outcome.comparison.pooled, "shadow.agreement", 1.0, "lamp");
     const std::vector<Requirement> requirements{parsed("shadow.agreement >= 0.9")};
     const auto results = holdAgainst(requirements, outcome);
     ASSERT_EQ(results.size(), 2u);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/validate/metrics/painted_frames.h"
+#include "validate/metrics/metric_registry.h"
 #include "validate/results/results.h"
 
 namespace plumbline::test {
@@ -35,6 +36,16 @@ inline CertificateSummary sampleCertificate() {
     return certificate;
 }
 
+inline void setFigure(MetricSet& metrics, const char* key, double value, const std::string& light = {}) {
+    metrics.set(*findMetric(key), light, value);
+}
+
+/// The figures of a light for another one, too.
+inline void copyLight(MetricSet& metrics, const std::string& from, const std::string& to) {
+    for (const MetricInfo& metric : metricTable())
+        if (metric.scope == Scope::ObjectsByLight) metrics.set(metric, to, metrics.figure(metric, from));
+}
+
 inline Results sampleResults(const std::string& techniqueName = "linear_binary") {
     const Frame reference = sampleReference(), test = shiftedRight(reference);
     Results results;
@@ -52,7 +63,7 @@ inline Results sampleResults(const std::string& techniqueName = "linear_binary")
     good.parameters = {{"linear_steps", "32"}};
     good.backend = "egl";
     good.renderer = "llvmpipe";
-    good.msMedian = 12.5;
+    good.cost.msMedian = 12.5;
     good.msRuns = 5;
     good.timer = "wall clock around glFinish";
     good.comparison =

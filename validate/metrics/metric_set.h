@@ -1,0 +1,40 @@
+// Every figure of one selection of objects, by the keys of metricTable().
+#pragma once
+
+#include "validate/metrics/metric.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace plumbline {
+
+class MetricSet {
+  public:
+    /// `light`: of a figure that there is for every light. Absent where nobody has set it, with the reason.
+    const Figure& figure(const MetricInfo& metric, const std::string& light = {}) const;
+    /// The same by a key of metricTable().
+    const Figure& figure(std::string_view key, const std::string& light = {}) const;
+    /// Absent for a figure that has none.
+    Interval interval(const MetricInfo& metric, const std::string& light = {}) const;
+    /// By its whole key; empty where there is none.
+    const std::vector<uint64_t>& histogram(const std::string& key) const;
+    /// Lights there are figures for, ascending.
+    const std::set<std::string>& lights() const { return lights_; }
+
+    void set(const MetricInfo& metric, const std::string& light, Figure figure);
+    void add(const Metric& metric, const std::string& light, Measured measured);
+    /// Those of another set, none of which this one has.
+    void add(const MetricSet& other);
+
+  private:
+    const Figure* find(const std::string& key, const std::string& light) const;
+
+    std::map<std::pair<std::string, std::string>, Figure> figures_; // by key and light
+    std::map<std::string, std::vector<uint64_t>> histograms_;
+    std::set<std::string> lights_;
+};
+
+} // namespace plumbline
