@@ -11,6 +11,8 @@
 namespace plumbline {
 namespace {
 
+/// The draw buffers, as shaders/shading.glsl writes them. 8 is what every driver offers.
+enum Target { kColor, kPosition, kNormal, kTexture, kSurface, kTargets };
 constexpr double kBytesPerPixelOfTarget = 16; // RGBA32F
 
 void checkSize(int width, int height) {
@@ -34,14 +36,103 @@ GlTexture makeTarget(GLenum format, int width, int height) {
     return texture;
 }
 
-/// One channel out of four interleaved ones, turned upside down: GL's row 0 is the bottom row.
-template <class Store>
-void forEachPixel(int width, int height, const std::vector<float>& target, const Store& store) {
-    const auto columns = static_cast<size_t>(width), rows = static_cast<size_t>(height);
-    for (size_t row = 0; row < rows; ++row)
-        for (size_t column = 0; column < columns; ++column)
-            store(row * columns + column, &target[4 * ((rows - 1 - row) * columns + column)]);
-}
+/// Takes the targets apart into the channels of a frame.
+class ChannelSplitter {
+  public:
+    /// `channels`: rows of the channel table to keep, all if empty. `texture`: the target that says what is
+    /// covered.
+    ChannelSplitter(int width, int height, const std::vector<std::string>& channels,
+                    const std::vector<float>& texture)
+        : frame_(width, height), channels_(channels), unwanted_(frame_.pixelCount()),
+          covered_(frame_.pixelCount()), heightFetches_(frame_.pixelCount()) {
+        forEachPixel(texture, [&](size_t i, const float* p) { covered_[i] = p[2] > 0 ? 1.0f : 0.0f; });
+    }
+
+    void addColor(const std::vector<float>& target) {
+        const auto r = plane("R"), g = plane("G"), b = plane("B"), a = plane("A"),
+                   iterations = plane("cost.iterations");
+        forEachPixel(target, [&](size_t i, const float* p) {
+            r[i] = p[0], g[i] = p[1], b[i] = p[2], a[i] = covered_[i], iterations[i] = p[3];
+        });
+    }
+
+    void addPosition(const std::vector<float>& target, const Vec3& originWorld) {
+        const auto x = plane("P.X"), y = plane("P.Y"), z = plane("P.Z"), depth = plane("Z");
+        forEachHit(target, [&](size_t i, const float* p) {
+            x[i] = static_cast<float>(p[0] + originWorld.x);
+            y[i] = static_cast<float>(p[1] + originWorld.y);
+            z[i] = static_cast<float>(p[2] + originWorld.z);
+            depth[i] = p[3];
+        });
+    }
+
+    void addNormal(const std::vector<float>& target) {
+        const auto x = plane("N.X"), y = plane("N.Y"), z = plane("N.Z"),
+                   heights = plane("cost.fetches.height");
+        forEachHit(target, [&](size_t i, const float* p) {
+            x[i] = p[0], y[i] = p[1], z[i] = p[2], heights[i] = p[3];
+            heightFetches_[i] = p[3];
+        });
+    }
+
+    /// After addNormal, which knows the look-ups of the height map.
+    void addTexture(const std::vector<float>& target, const std::vector<Vec2>& stOrigins) {
+        const auto s = plane("st.S"), t = plane("st.T"), id = plane("id"),
+                   baked = plane("cost.fetches.baked"), all = plane("cost.fetches");
+        forEachHit(target, [&](size_t i, const float* p) {
+            const Vec2 origin = stOrigins[static_cast<size_t>(p[2]) - 1];
+            s[i] = static_cast<float>(p[0] + origin.x);
+            t[i] = static_cast<float>(p[1] + origin.y);
+            id[i] = p[2];
+            baked[i] = p[3];
+            all[i] = heightFetches_[i] + p[3];
+        });
+    }
+
+    void addCurvature(const std::vector<float>& target) {
+        const auto a = plane("curvature.a"), b = plane("curvature.b"), cross = plane("curvature.cross");
+        forEachHit(target, [&](size_t i, const float* p) { a[i] = p[1], b[i] = p[2], cross[i] = p[3]; });
+    }
+
+    void addShadows(const std::vector<float>& target, const std::vector<Light>& lights) {
+        if (!wanted("shadow.<light>")) return;
+        for (size_t light = 0; light < lights.size(); ++light) {
+            const auto shadow = frame_.add(shadowChannel(lights[light].name));
+            forEachHit(target, [&](size_t i, const float* p) {
+                shadow[i] = static_cast<float>(static_cast<unsigned>(p[0]) >> light & 1u);
+            });
+        }
+    }
+
+    Frame takeFrame() { return std::move(frame_); }
+
+  private:
+    bool wanted(std::string_view row) const {
+        return channels_.empty() || std::find(channels_.begin(), channels_.end(), row) != channels_.end();
+    }
+    /// Unwanted channels share one that is in no frame.
+    std::span<float> plane(const char* name) {
+        return wanted(name) ? frame_.add(name) : std::span<float>(unwanted_);
+    }
+    /// The four components of each pixel, upside down: GL's row 0 is the bottom row.
+    template <class Store>
+    void forEachPixel(const std::vector<float>& target, const Store& store) const {
+        const auto columns = static_cast<size_t>(frame_.width()), rows = static_cast<size_t>(frame_.height());
+        for (size_t row = 0; row < rows; ++row)
+            for (size_t column = 0; column < columns; ++column)
+                store(row * columns + column, &target[4 * ((rows - 1 - row) * columns + column)]);
+    }
+    template <class Store>
+    void forEachHit(const std::vector<float>& target, const Store& store) const {
+        forEachPixel(target, [&](size_t i, const float* p) {
+            if (covered_[i] > 0) store(i, p);
+        });
+    }
+
+    Frame frame_;
+    const std::vector<std::string>& channels_;
+    std::vector<float> unwanted_, covered_, heightFetches_;
+};
 
 } // namespace
 
@@ -54,7 +145,7 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
     const std::string what =
         fmt::format("a frame of {} x {} pixels and {} lights", width_, height_, scene.lights.size());
     if (context.softwareRasteriser())
-        requireMemory(what, (kTargets * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
+        requireMemory(what, (int(kTargets) * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
                                 static_cast<double>(height_));
     clearGlErrors();
     framebuffer_ = GlFramebuffer::make();
@@ -83,7 +174,7 @@ void FrameTarget::begin() const {
                                   static_cast<float>(scene_.background.z), 0};
     const GLfloat zero[] = {0, 0, 0, 0}, farthest = 1;
     for (int i = 0; i < kTargets; ++i)
-        glClearBufferfv(GL_COLOR, i, i == 0 ? background : zero);
+        glClearBufferfv(GL_COLOR, i, i == kColor ? background : zero);
     glClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
@@ -99,79 +190,16 @@ std::vector<float> FrameTarget::readTarget(int target) const {
 Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
                         const std::vector<std::string>& channels, bool bentBase) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
-    Frame frame(width_, height_);
-    const auto wanted = [&](std::string_view row) {
-        return channels.empty() || std::find(channels.begin(), channels.end(), row) != channels.end();
-    };
-    // Every channel is made here and the unwanted ones go to a plane nobody sees.
-    std::vector<float> unwanted(frame.pixelCount());
-    const auto plane = [&](const char* name) {
-        return wanted(name) ? frame.add(name) : std::span<float>(unwanted);
-    };
-
-    const std::vector<float> texture = readTarget(3);
-    std::vector<float> coverage(frame.pixelCount());
-    forEachPixel(width_, height_, texture,
-                 [&](size_t i, const float* p) { coverage[i] = p[2] > 0 ? 1.0f : 0.0f; });
-    std::vector<float> lookups(frame.pixelCount());
-    {
-        const auto r = plane("R"), g = plane("G"), b = plane("B"), a = plane("A"),
-                   iterations = plane("cost.iterations");
-        forEachPixel(width_, height_, readTarget(0), [&](size_t i, const float* p) {
-            r[i] = p[0], g[i] = p[1], b[i] = p[2], a[i] = coverage[i], iterations[i] = p[3];
-        });
-    }
-    const auto forEachHit = [&](const std::vector<float>& target, const auto& store) {
-        forEachPixel(width_, height_, target, [&](size_t i, const float* p) {
-            if (coverage[i] > 0) store(i, p);
-        });
-    };
-    {
-        const auto x = plane("P.X"), y = plane("P.Y"), z = plane("P.Z"), depth = plane("Z");
-        forEachHit(readTarget(1), [&](size_t i, const float* p) {
-            x[i] = static_cast<float>(p[0] + originWorld.x);
-            y[i] = static_cast<float>(p[1] + originWorld.y);
-            z[i] = static_cast<float>(p[2] + originWorld.z);
-            depth[i] = p[3];
-        });
-    }
-    {
-        const auto x = plane("N.X"), y = plane("N.Y"), z = plane("N.Z"),
-                   heights = plane("cost.fetches.height");
-        forEachHit(readTarget(2), [&](size_t i, const float* p) {
-            x[i] = p[0], y[i] = p[1], z[i] = p[2], heights[i] = p[3];
-            lookups[i] = p[3];
-        });
-    }
-    {
-        const auto s = plane("st.S"), t = plane("st.T"), id = plane("id"),
-                   baked = plane("cost.fetches.baked"), all = plane("cost.fetches");
-        forEachHit(texture, [&](size_t i, const float* p) {
-            const Vec2 origin = stOrigins[static_cast<size_t>(p[2]) - 1];
-            s[i] = static_cast<float>(p[0] + origin.x);
-            t[i] = static_cast<float>(p[1] + origin.y);
-            id[i] = p[2];
-            baked[i] = p[3];
-            all[i] = lookups[i] + p[3];
-        });
-    }
-    const std::vector<float> surface = readTarget(4);
-    if (bentBase) {
-        const auto a = plane("curvature.a"), b = plane("curvature.b"), cross = plane("curvature.cross");
-        forEachHit(surface, [&](size_t i, const float* p) { a[i] = p[1], b[i] = p[2], cross[i] = p[3]; });
-    }
-    if (wanted("shadow.<light>")) readShadows(frame, surface, coverage);
-    return frame;
-}
-
-void FrameTarget::readShadows(Frame& frame, const std::vector<float>& surface,
-                              const std::vector<float>& coverage) const {
-    for (size_t light = 0; light < scene_.lights.size(); ++light) {
-        const auto plane = frame.add(shadowChannel(scene_.lights[light].name));
-        forEachPixel(width_, height_, surface, [&](size_t i, const float* p) {
-            if (coverage[i] > 0) plane[i] = static_cast<float>(static_cast<unsigned>(p[0]) >> light & 1u);
-        });
-    }
+    const std::vector<float> texture = readTarget(kTexture);
+    ChannelSplitter splitter(width_, height_, channels, texture);
+    splitter.addColor(readTarget(kColor));
+    splitter.addPosition(readTarget(kPosition), originWorld);
+    splitter.addNormal(readTarget(kNormal));
+    splitter.addTexture(texture, stOrigins);
+    const std::vector<float> surface = readTarget(kSurface);
+    if (bentBase) splitter.addCurvature(surface);
+    splitter.addShadows(surface, scene_.lights);
+    return splitter.takeFrame();
 }
 
 } // namespace plumbline

@@ -11,8 +11,6 @@
 
 namespace plumbline {
 
-/// Draw buffers; shaders/shading.glsl says what each holds. 8 is what every driver offers.
-inline constexpr int kTargets = 5;
 /// As many as a scene file may have. Shadows share one float, a bit a light: whole numbers up to 2^24 are
 /// exact.
 inline constexpr int kMaxLights = 16;
@@ -32,8 +30,6 @@ class FrameTarget {
 
   private:
     std::vector<float> readTarget(int target) const;
-    void readShadows(Frame& frame, const std::vector<float>& surface,
-                     const std::vector<float>& coverage) const;
 
     const Scene& scene_;
     int width_, height_;
