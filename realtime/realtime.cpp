@@ -30,12 +30,12 @@ struct GpuState {
 
 void checkMicroMeshes(const Technique& technique, const std::vector<MicroMesh>* meshes, size_t objectCount) {
     if (!meshes || meshes->size() != objectCount)
-        throw InputError(technique.name, "needs the reference's micro-triangles",
+        throw InputError(technique.name(), "needs the reference's micro-triangles",
                          "a reference of the same scene");
     for (const MicroMesh& mesh : *meshes)
         if (mesh.normalsWorld.size() != mesh.positionsWorld.size() ||
             mesh.st.size() != mesh.positionsWorld.size())
-            throw InputError(technique.name, "the reference's micro-triangles have no normals and st",
+            throw InputError(technique.name(), "the reference's micro-triangles have no normals and st",
                              "a reference with microAttributes");
 }
 
@@ -131,6 +131,23 @@ struct RealtimeRenderer::Impl {
         return time;
     }
 
+    Frame readFrame(const Technique& technique) const {
+        // Micro-triangles carry st as it is.
+        const std::vector<Vec2> stOrigins = technique.drawsMicroTriangles()
+                                                ? std::vector<Vec2>(scene.objects.size(), Vec2(0))
+                                                : gpu->objects.stOrigins();
+        Frame frame = gpu->target.read(gpu->view.originWorld(), stOrigins, technique.search.channels,
+                                       technique.hasBentBase());
+        // Not the driver: frames of different backends are equal byte for byte where their pixels are.
+        frame.metadata = sceneMetadata(scene);
+        frame.metadata["renderer"] = "realtime";
+        frame.metadata["base"] = technique.drawsMicroTriangles() ? "limit" : "proxy";
+        frame.metadata["technique"] = technique.name();
+        for (const auto& [name, value] : technique.parameters())
+            frame.metadata["parameter." + name] = value;
+        return frame;
+    }
+
     const Scene& scene;
     double timingBudgetMs;
     std::unique_ptr<GlContext> context;
@@ -146,43 +163,30 @@ RealtimeRenderer::RealtimeRenderer(const Scene& scene, const GlOptions& options,
 
 RealtimeRenderer::~RealtimeRenderer() = default;
 
-TechniqueResult RealtimeRenderer::render(const TechniqueRequest& request, const Settings& shared,
+TechniqueResult RealtimeRenderer::render(const Technique& technique,
                                          const std::vector<MicroMesh>* microMeshes,
                                          const PhaseCallback& onPhase) {
-    const Technique technique = resolveTechnique(request, shared);
     if (technique.drawsMicroTriangles())
         checkMicroMeshes(technique, microMeshes, impl_->scene.objects.size());
-
     const CurrentContext current(*impl_->context);
-    GpuState& gpu = *impl_->gpu;
-    const BakeCost bakes = gpu.objects.prepareBaked(technique.bakedKinds());
-    if (technique.hasBentBase()) gpu.objects.useCurvature(technique.curvatureSet());
+    GpuScene& objects = impl_->gpu->objects;
+    BakeCost bakes = objects.prepareBaked(technique.bakedKinds());
+    if (technique.hasBentBase()) objects.useCurvature(technique.curvatureSet());
     if (onPhase) onPhase(kPhaseDrawing);
-    const FrameTime time = impl_->drawTechnique(technique, microMeshes);
+    FrameTime time = impl_->drawTechnique(technique, microMeshes);
 
     TechniqueResult result;
-    result.name = technique.name;
+    result.name = technique.name();
     result.parameters = technique.parameters();
-    // Micro-triangles carry st as it is.
-    const std::vector<Vec2> noOrigins(impl_->scene.objects.size(), Vec2(0));
-    result.frame = gpu.target.read(gpu.view.originWorld(),
-                                   technique.drawsMicroTriangles() ? noOrigins : gpu.objects.stOrigins(),
-                                   technique.search.channels, technique.hasBentBase());
-    // Not the driver: frames of different backends are equal byte for byte where their pixels are.
-    result.frame.metadata = sceneMetadata(impl_->scene);
-    result.frame.metadata["renderer"] = "realtime";
-    result.frame.metadata["base"] = technique.drawsMicroTriangles() ? "limit" : "proxy";
-    result.frame.metadata["technique"] = technique.name;
-    for (const auto& [name, value] : result.parameters)
-        result.frame.metadata["parameter." + name] = value;
+    result.frame = impl_->readFrame(technique);
     result.backend = impl_->context->backend();
     result.renderer = impl_->context->renderer();
     result.msMedian = time.msMedian;
     result.msRuns = time.runs;
-    result.timer = time.timer;
+    result.timer = std::move(time.timer);
     result.bakeMs = bakes.ms;
     result.bakeBytes = bakes.bytes;
-    result.warnings = bakes.warnings;
+    result.warnings = std::move(bakes.warnings);
     return result;
 }
 

@@ -4,13 +4,12 @@
 #pragma once
 
 #include "realtime/gl/gl_options.h"
-#include "realtime/technique/technique_request.h"
+#include "realtime/technique/technique.h"
 #include "scenes/frame/frame.h"
 #include "scenes/scene/scene.h"
 #include "scenes/surface/micro_mesh.h"
 
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,8 +18,8 @@
 namespace plumbline {
 
 struct TechniqueResult {
-    std::string name;                              // as in every result: search@surface:changed=parameters
-    std::map<std::string, std::string> parameters; // all of them, with the values used
+    std::string name;    // as in every result: search@surface:changed=parameters
+    Settings parameters; // all of them, with the values used
     Frame frame;
     std::string backend, renderer; // "egl", GL_RENDERER
     double msMedian = 0;           // of one frame, warm
@@ -46,12 +45,10 @@ class RealtimeRenderer {
     RealtimeRenderer(const Scene& scene, const GlOptions& options, std::unique_ptr<GlContext> context);
     ~RealtimeRenderer();
 
-    /// `shared`: settings for every technique (`--set`); keys a technique doesn't know are ignored here, and
-    /// the caller must check that at least one technique knows each (see knownSettings). `microMeshes`: one
-    /// per object, or null. Throws InputError for a technique that can't be used: unknown, manifest,
-    /// parameter, shader (file:line).
-    TechniqueResult render(const TechniqueRequest& request, const Settings& shared,
-                           const std::vector<MicroMesh>* microMeshes, const PhaseCallback& onPhase = {});
+    /// `microMeshes`: one per object, or null. Throws InputError for a shader (file:line), for maps or meshes
+    /// the scene can't give the technique.
+    TechniqueResult render(const Technique& technique, const std::vector<MicroMesh>* microMeshes,
+                           const PhaseCallback& onPhase = {});
 
   private:
     struct Impl;

@@ -6,7 +6,7 @@
 #include "realtime/gl/gl_objects.h"
 #include "realtime/gl/gl_program.h"
 #include "realtime/technique/baked_family.h"
-#include "realtime/technique/curvature_set.h"
+#include "realtime/technique/technique.h"
 #include "scenes/scene/scene.h"
 #include "scenes/surface/proxy_mesh.h"
 

@@ -16,8 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kFlat = "flat";
-
 bool contains(const std::vector<std::string>& list, const std::string& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
@@ -30,77 +28,36 @@ std::vector<std::string> namesOf(const std::vector<Parameter>& parameters) {
     return names;
 }
 
-/// Own settings over shared ones over defaults.
-std::vector<Technique::Setting> chooseValues(const std::vector<Parameter>& parameters,
-                                             const std::string& where, const Settings& own,
-                                             const Settings& shared) {
-    std::vector<Technique::Setting> settings;
-    for (const Parameter& parameter : parameters) {
-        Technique::Setting setting{parameter, parameter.defaultValue};
+/// Own values over shared ones over those there are.
+void setValues(std::vector<Technique::Setting>& settings, const std::string& where, const Settings& own,
+               const Settings& shared) {
+    for (auto& [parameter, value] : settings) {
         if (const auto found = own.find(parameter.name); found != own.end())
-            setting.value = parameter.parse(where, found->second);
+            value = parameter.parse(where, found->second);
         else if (const auto foundShared = shared.find(parameter.name); foundShared != shared.end())
-            setting.value = parameter.parse(where, foundShared->second);
-        settings.push_back(std::move(setting));
+            value = parameter.parse(where, foundShared->second);
     }
+}
+
+std::vector<Technique::Setting> withDefaults(const std::vector<Parameter>& parameters) {
+    std::vector<Technique::Setting> settings;
+    for (const Parameter& parameter : parameters)
+        settings.push_back({parameter, parameter.defaultValue});
     return settings;
 }
 
-std::string resultName(const Technique& technique) {
-    Settings changed;
-    for (const auto* settings : {&technique.shaderSettings, &technique.harnessSettings})
-        for (const Technique::Setting& setting : *settings)
-            if (!(setting.value == setting.parameter.defaultValue))
-                changed[setting.parameter.name] = setting.parameter.format(setting.value);
-    std::string name = technique.search.name;
-    if (technique.surface && technique.surface->name != kFlat) name += "@" + technique.surface->name;
-    char separator = ':';
-    for (const auto& [key, value] : changed) {
-        name += fmt::format("{}{}={}", separator, key, value);
-        separator = ',';
-    }
-    return name;
-}
-
-/// Everything but the values.
-struct Pieces {
-    Manifest search;
-    std::optional<Manifest> surface;
-    std::vector<Parameter> shader, harness;
-};
-
-Pieces findPieces(const TechniqueRequest& request) {
-    Pieces pieces;
-    pieces.search = readTechniqueManifest(techniqueFolder(request.search));
-    if (pieces.search.geometry == Geometry::MicroTriangles) {
-        if (request.surface != kFlat)
-            throw InputError("technique", fmt::format("'{}' composes with no surface", pieces.search.name),
-                             "it without @" + request.surface);
-        return pieces;
-    }
-    pieces.surface = readSurfaceManifest(surfaceFolder(request.surface));
-    if (const std::string refusal = refusalOf(pieces.search, *pieces.surface); !refusal.empty())
-        throw InputError("technique",
-                         fmt::format("'{}' doesn't compose with surface '{}': {}", pieces.search.name,
-                                     request.surface, refusal),
-                         "@" + listOf(surfacesFor(pieces.search, listSurfaces())));
-    pieces.shader = pieces.search.parameters;
-    for (const Parameter& parameter : pieces.surface->parameters) {
-        if (contains(namesOf(pieces.shader), parameter.name))
+/// Of search and surface, whose names the shader sees side by side.
+std::vector<Parameter> shaderParameters(const Manifest& search, const Manifest& surface) {
+    std::vector<Parameter> parameters = search.parameters;
+    for (const Parameter& parameter : surface.parameters) {
+        if (contains(namesOf(search.parameters), parameter.name))
             throw InputError(
-                pieces.search.file.string(),
-                fmt::format("parameter '{}' is also one of surface '{}'", parameter.name, request.surface),
+                search.file.string(),
+                fmt::format("parameter '{}' is also one of surface '{}'", parameter.name, surface.name),
                 "another name");
-        pieces.shader.push_back(parameter);
+        parameters.push_back(parameter);
     }
-    pieces.harness = harnessParameters(pieces.search, *pieces.surface);
-    return pieces;
-}
-
-std::vector<std::string> settingNames(const Pieces& pieces) {
-    std::vector<Parameter> all = pieces.shader;
-    all.insert(all.end(), pieces.harness.begin(), pieces.harness.end());
-    return namesOf(all);
+    return parameters;
 }
 
 /// A shader has one sampler a family.
@@ -114,13 +71,66 @@ void checkFamilies(const Technique& technique) {
                 "one of them");
 }
 
-/// "linear_binary@quadric", for messages.
-std::string displayName(const Pieces& pieces) {
-    const bool flat = !pieces.surface || pieces.surface->name == kFlat;
-    return flat ? pieces.search.name : pieces.search.name + "@" + pieces.surface->name;
+[[noreturn]] void refuseSurface(const TechniqueRequest& request, const std::vector<std::string>& choices,
+                                const std::string& reason = {}) {
+    throw NoSuchTechnique("--technique",
+                          fmt::format("'{}' has no surface '{}'{}{}", request.search, request.surface,
+                                      reason.empty() ? "" : ": ", reason),
+                          listOf(choices), didYouMean(request.surface, choices));
+}
+
+const Manifest& surfaceFor(const TechniqueRequest& request, const Manifest& search,
+                           ManifestCache& manifests) {
+    if (!contains(surfaceNames(), request.surface))
+        refuseSurface(request, surfacesFor(search, listSurfaces()));
+    const Manifest& surface = manifests.surface(request.surface);
+    if (const std::string refusal = refusalOf(search, surface); !refusal.empty())
+        refuseSurface(request, surfacesFor(search, listSurfaces()), refusal);
+    return surface;
 }
 
 } // namespace
+
+std::string Technique::name() const {
+    std::string text = search.name;
+    if (surface && surface->name != kFlatSurface) text += "@" + surface->name;
+    std::map<std::string, std::string> changed;
+    for (const auto* settings : {&shaderSettings, &harnessSettings})
+        for (const auto& [parameter, value] : *settings)
+            if (!(value == parameter.defaultValue)) changed[parameter.name] = parameter.format(value);
+    char separator = ':';
+    for (const auto& [key, value] : changed) {
+        text += fmt::format("{}{}={}", separator, key, value);
+        separator = ',';
+    }
+    return text;
+}
+
+TechniqueRequest Technique::request() const {
+    return {search.folder.string(), surface ? surface->name : kFlatSurface, parameters()};
+}
+
+std::vector<std::string> Technique::settingNames() const {
+    std::vector<std::string> names;
+    for (const auto* settings : {&shaderSettings, &harnessSettings})
+        for (const Setting& setting : *settings)
+            names.push_back(setting.parameter.name);
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+void Technique::set(const Settings& own, const Settings& shared) {
+    const std::string where = name();
+    const std::vector<std::string> known = settingNames();
+    for (const auto& [key, value] : own)
+        if (!contains(known, key))
+            throw InputError(where, fmt::format("has no parameter '{}'", key),
+                             known.empty() ? "none, it takes no parameters" : listOf(known),
+                             didYouMean(key, known));
+    setValues(shaderSettings, where, own, shared);
+    setValues(harnessSettings, where, own, shared);
+    checkFamilies(*this);
+}
 
 std::vector<std::string> Technique::bakedKinds() const {
     std::vector<std::string> kinds;
@@ -181,39 +191,28 @@ std::string Technique::glslConstants() const {
     return text;
 }
 
-Technique resolveTechnique(const TechniqueRequest& request, const Settings& shared) {
-    Pieces pieces = findPieces(request);
-    const std::string where = displayName(pieces);
-    const std::vector<std::string> known = settingNames(pieces);
-    for (const auto& [key, value] : request.settings)
-        if (!contains(known, key))
-            throw InputError(where, fmt::format("has no parameter '{}'", key),
-                             known.empty() ? "none, it takes no parameters" : listOf(known),
-                             didYouMean(key, known));
+Technique composeTechnique(const TechniqueRequest& request, ManifestCache& manifests) {
     Technique technique;
-    technique.shaderSettings = chooseValues(pieces.shader, where, request.settings, shared);
-    technique.harnessSettings = chooseValues(pieces.harness, where, request.settings, shared);
-    technique.search = std::move(pieces.search);
-    technique.surface = std::move(pieces.surface);
-    checkFamilies(technique);
-    technique.name = resultName(technique);
+    technique.search = manifests.search(request.search);
+    if (technique.drawsMicroTriangles()) {
+        if (request.surface != kFlatSurface) refuseSurface(request, {kFlatSurface});
+        return technique;
+    }
+    technique.surface = surfaceFor(request, technique.search, manifests);
+    technique.shaderSettings = withDefaults(shaderParameters(technique.search, *technique.surface));
+    technique.harnessSettings = withDefaults(harnessParameters(technique.search, *technique.surface));
     return technique;
 }
 
-std::vector<std::string> knownSettings(const TechniqueRequest& request) {
-    return settingNames(findPieces(request));
+Technique resolveTechnique(const TechniqueRequest& request, const Settings& shared) {
+    ManifestCache manifests;
+    Technique technique = composeTechnique(request, manifests);
+    technique.set(request.settings, shared);
+    return technique;
 }
 
-std::string techniqueName(const TechniqueRequest& request, const Settings& shared) {
-    return resolveTechnique(request, shared).name;
-}
-
-std::string displayName(const TechniqueRequest& request, const Settings& settings) {
-    try {
-        return techniqueName(request, settings);
-    } catch (const InputError&) {
-        return request.surface == "flat" ? request.search : request.search + "@" + request.surface;
-    }
+Technique resolveTechnique(const std::string& text, const Settings& shared) {
+    return resolveTechnique(parseTechnique(text), shared);
 }
 
 } // namespace plumbline

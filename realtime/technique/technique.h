@@ -2,8 +2,7 @@
 // value.
 #pragma once
 
-#include "realtime/technique/curvature_set.h"
-#include "realtime/technique/manifest.h"
+#include "realtime/technique/manifest_cache.h"
 #include "realtime/technique/technique_request.h"
 
 #include <optional>
@@ -12,6 +11,10 @@
 
 namespace plumbline {
 
+/// Which quadrics of the proxy's vertices (scenes/surface/quadric_fit.h) are given as the curvature of a bent
+/// base. TwoTerms: C = 0.
+enum class CurvatureSet { RingTwoTerms, RingThreeTerms, LimitTwoTerms, LimitThreeTerms };
+
 struct Technique {
     struct Setting {
         Parameter parameter;
@@ -19,10 +22,20 @@ struct Technique {
     };
 
     Manifest search;
-    std::optional<Manifest> surface;      // none for micro_triangles
+    std::optional<Manifest> surface;      // none for micro-triangles
     std::vector<Setting> shaderSettings;  // of search and surface: become constants of the shader
     std::vector<Setting> harnessSettings; // those README.md lists, as far as they apply
-    std::string name;                     // as in every result
+
+    /// As in every result: SEARCH[@SURFACE][:key=value,…] with the parameters that differ from their default.
+    std::string name() const;
+    /// Resolves to this technique again, with nothing shared.
+    TechniqueRequest request() const;
+
+    /// Names of all settings, sorted.
+    std::vector<std::string> settingNames() const;
+    /// `own` wins over `shared`, whose unknown keys are ignored. Throws InputError: an unknown key of `own`,
+    /// a value that isn't allowed, two baked maps that are read in the same way.
+    void set(const Settings& own, const Settings& shared);
 
     const Setting* harness(const std::string& settingName) const;
     /// Text of a harness setting; empty if it doesn't apply.
@@ -44,15 +57,14 @@ struct Technique {
     std::string glslConstants() const;
 };
 
-/// Throws InputError: unknown technique or surface, a surface it doesn't compose with, manifest, setting.
-/// Keys of `shared` that the technique doesn't know are ignored.
-Technique resolveTechnique(const TechniqueRequest& request, const Settings& shared);
+/// Search and surface of a request with every parameter at its default. Throws InputError: unknown technique
+/// or surface, a surface it doesn't run on, a manifest, names or shadows of the two that don't fit together.
+Technique composeTechnique(const TechniqueRequest& request, ManifestCache& manifests);
 
-/// Names of the settings a technique takes: its own, its surface's and the harness's.
-std::vector<std::string> knownSettings(const TechniqueRequest& request);
-/// Name as results show it; for a technique whose manifest can't be read, as the user wrote it.
-std::string displayName(const TechniqueRequest& request, const Settings& settings);
-/// Name as results show it, without drawing.
-std::string techniqueName(const TechniqueRequest& request, const Settings& shared);
+/// The same with the request's settings and the `shared` ones it knows. Throws InputError as composeTechnique
+/// and Technique::set.
+Technique resolveTechnique(const TechniqueRequest& request, const Settings& shared = {});
+/// Of a text as parseTechnique takes it.
+Technique resolveTechnique(const std::string& text, const Settings& shared = {});
 
 } // namespace plumbline

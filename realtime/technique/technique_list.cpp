@@ -48,17 +48,9 @@ fs::path techniqueFolder(const std::string& search) {
     if (std::find(names.begin(), names.end(), search) != names.end()) return techniquesFolder() / search;
     if (fs::is_directory(search)) return search;
     const bool isPath = search.find('/') != std::string::npos;
-    throw InputError("technique", fmt::format("'{}' is {}", search, isPath ? "no folder" : "not known"),
-                     isPath ? "a folder with technique.toml" : listOf(names) + ", or a folder",
-                     didYouMean(search, names));
-}
-
-fs::path surfaceFolder(const std::string& surface) {
-    const std::vector<std::string> names = surfaceNames();
-    if (std::find(names.begin(), names.end(), surface) == names.end())
-        throw InputError("technique", fmt::format("no surface is called '{}'", surface), listOf(names),
-                         didYouMean(surface, names));
-    return surfacesFolder() / surface;
+    throw NoSuchTechnique("technique", fmt::format("'{}' is {}", search, isPath ? "no folder" : "not known"),
+                          isPath ? "a folder with technique.toml" : listOf(names) + ", or a folder",
+                          didYouMean(search, names));
 }
 
 std::vector<Manifest> listTechniques() {

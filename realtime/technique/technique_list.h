@@ -3,6 +3,7 @@
 #pragma once
 
 #include "realtime/technique/manifest.h"
+#include "scenes/core/error.h"
 
 #include <filesystem>
 #include <string>
@@ -15,10 +16,14 @@ std::filesystem::path surfacesFolder();
 std::vector<std::string> techniqueNames();
 std::vector<std::string> surfaceNames();
 
-/// Folder of a search: a name of the library, or a path. Throws InputError that lists the names.
+/// A name or folder that isn't there, or a surface the technique doesn't run on: an error of who asks, not of
+/// the technique.
+class NoSuchTechnique : public InputError {
+    using InputError::InputError;
+};
+
+/// Folder of a search: a name of the library, or a path. Throws NoSuchTechnique that lists the names.
 std::filesystem::path techniqueFolder(const std::string& search);
-/// Folder of a surface of the library. Throws InputError that lists the names.
-std::filesystem::path surfaceFolder(const std::string& surface);
 
 /// The manifests of all of them. Throws InputError for one that can't be read.
 std::vector<Manifest> listTechniques();

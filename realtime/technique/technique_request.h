@@ -10,9 +10,11 @@ namespace plumbline {
 /// Parameters by name, with the text of their value.
 using Settings = std::map<std::string, std::string>;
 
+inline constexpr const char* kFlatSurface = "flat";
+
 struct TechniqueRequest {
     std::string search; // name or path
-    std::string surface = "flat";
+    std::string surface = kFlatSurface;
     Settings settings; // of this technique alone
 };
 

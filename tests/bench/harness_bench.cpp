@@ -150,7 +150,7 @@ class Harness {
         };
         std::vector<Entry> entries;
         for (const std::string& text : texts) {
-            Technique technique = resolveTechnique(parseTechnique(text), {});
+            Technique technique = resolveTechnique(text);
             auto full = buildReliefProgram(technique, scene_.lights.size()),
                  bare = buildBareProgram(technique);
             entries.push_back({std::move(technique), std::move(full), std::move(bare), {}, {}});
@@ -243,8 +243,7 @@ void printSurfaces() try {
                 fmt::format("linear_binary@{}:linear_steps=64,shadow=none,filter={}", surface, filter));
         const std::vector<Harness::Times> times = harness.times(texts);
         for (size_t i = 0; i < surfaces.size(); ++i) {
-            const int count =
-                instructionCount(bareSources(resolveTechnique(parseTechnique(texts[i]), {})).fragment);
+            const int count = instructionCount(bareSources(resolveTechnique(texts[i])).fragment);
             fmt::print("{:<26}{:>10}{:>12.2f}{:>10.2f}{:>14}\n", surfaces[i], filter, times[i].fullMs,
                        times[i].bareMs, count > 0 ? std::to_string(count) : "-");
         }

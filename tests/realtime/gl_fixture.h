@@ -86,7 +86,7 @@ inline void expectNoNan(const Frame& frame) {
 /// Once, without timing.
 inline Frame draw(const Scene& scene, const std::string& technique) {
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
-    Frame frame = renderer.render(parseTechnique(technique), {}, nullptr).frame;
+    Frame frame = renderer.render(resolveTechnique(technique), nullptr).frame;
     expectNoNan(frame);
     return frame;
 }

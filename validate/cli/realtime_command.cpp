@@ -27,9 +27,9 @@ struct Arguments {
 
 int runRealtime(const Arguments& arguments) {
     const ThreadLimit limit(arguments.threads.threads);
-    const std::vector<std::string>& techniques = arguments.realtime.techniques;
-    if (techniques.size() != 1)
-        throw InputError("realtime", fmt::format("found {} techniques", techniques.size()),
+    const std::vector<std::string>& texts = arguments.realtime.techniques;
+    if (texts.size() != 1)
+        throw InputError("realtime", fmt::format("found {} techniques", texts.size()),
                          "exactly one --technique", "'plumbline validate' takes several");
     Progress progress;
     progress.step("reading the scene");
@@ -37,28 +37,27 @@ int runRealtime(const Arguments& arguments) {
     const Scene scene = readScene(sceneFile, arguments.scene.changes);
     printWarnings(scene.warnings);
     const auto settings = parseSettings(arguments.realtime.settings);
-    const auto requests = chosenTechniques(techniques, settings);
-    if (requests.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
-    const TechniqueRequest& request = requests[0];
-    checkSettings(settings, requests);
+    const auto techniques = chosenTechniques(texts, settings);
+    if (techniques.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
+    const ChosenTechnique& chosen = techniques[0];
     const WorkerOptions worker =
         workerOptions(sceneFile, scene, arguments.realtime, arguments.threads.threads);
     const std::filesystem::path file =
         arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
-                                  "frames" / (safeFileName(displayName(request, settings)) + ".exr"));
+                                  "frames" / (safeFileName(chosen.name) + ".exr"));
     requireWritableFile(file, scene.files);
 
     std::optional<ReferenceScene> reference;
-    if (drawsMicroTriangles(request)) {
+    if (chosen.isControl()) {
         progress.step("tessellating");
         ReferenceOptions options;
         options.microAttributes = true;
         reference.emplace(scene, options);
     }
     progress.step("drawing");
-    TechniqueDrawer drawer(scene, worker, requests);
+    TechniqueDrawer drawer(scene, worker, techniques);
     const TechniqueResult result =
-        drawer.draw(request, settings, reference ? &reference->microMeshes() : nullptr);
+        drawer.draw(chosen.resolved(), reference ? &reference->microMeshes() : nullptr);
     printWarnings(result.warnings);
     writeFrame(result.frame, file);
     fmt::print("{}\n{} on {} ({}): {:.2f} ms, median of {} ({})\n", file.string(), result.name,

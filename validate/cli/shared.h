@@ -5,11 +5,6 @@
 #include "scenes/maps/height_map.h"
 #include "validate/results/results.h"
 
-#ifdef PLUMBLINE_GL
-#include "realtime/gl/gl_options.h"
-#include "realtime/technique/technique.h"
-#endif
-
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -72,20 +67,5 @@ class Progress {
     bool terminal_;
     std::string step_;
 };
-
-#ifdef PLUMBLINE_GL
-/// The techniques named; with none named or with "all", every technique on each of its surfaces, the control
-/// technique first. Throws InputError for a text that isn't of the form, a name there is no technique of, one
-/// named twice.
-std::vector<TechniqueRequest> chosenTechniques(const std::vector<std::string>& texts,
-                                               const std::map<std::string, std::string>& settings);
-
-/// Throws InputError for a setting that none of the techniques takes.
-void checkSettings(const std::map<std::string, std::string>& settings,
-                   const std::vector<TechniqueRequest>& requests);
-
-/// False also where the manifest can't be read: drawing it will say why.
-bool drawsMicroTriangles(const TechniqueRequest& request);
-#endif
 
 } // namespace plumbline

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace plumbline {
 namespace {
@@ -117,14 +118,15 @@ json runCase(const json& request) {
     const Scene scene = readScene(sceneFile, request.at("changes").get<SceneChanges>());
     const auto names = request.at("techniques").get<std::vector<std::string>>();
     const auto settings = parseSettings(request.at("settings").get<std::vector<std::string>>());
-    const std::vector<TechniqueRequest> techniques = chosenTechniques(names, settings);
+    const std::vector<ChosenTechnique> techniques = chosenTechniques(names, settings);
 
     ReferenceArguments referenceArguments;
     referenceArguments.memory = request.at("memory").get<std::string>();
     if (const std::string errorPx = request.at("error_px"); !errorPx.empty())
         referenceArguments.errorPx = errorPx;
     ReferenceOptions options = referenceArguments.options();
-    options.microAttributes = std::any_of(techniques.begin(), techniques.end(), drawsMicroTriangles);
+    options.microAttributes =
+        std::any_of(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
     ReferenceScene reference(scene, options);
     const Frame truth = reference.render();
     const ReferenceSummary summary = summaryOf(reference.stats(), truth);
@@ -139,8 +141,7 @@ json runCase(const json& request) {
     std::vector<Trial> trials;
     json result{{"techniques", json::array()}, {"pairs", json::array()}, {"fit", fitOf(scene)}};
     for (size_t i = 0; i < techniques.size(); ++i) {
-        Trial& trial =
-            trials.emplace_back(tryTechnique(techniques[i], settings, drawer, &reference.microMeshes()));
+        Trial& trial = trials.emplace_back(tryTechnique(techniques[i], drawer, &reference.microMeshes()));
         if (!trial.outcome.error) compareTrial(trial, truth, scene);
         if (trial.exitCode == kExitMachine) result["again"] = true;
         json results = resultsOf(scene, summary, {trial.outcome});

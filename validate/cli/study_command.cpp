@@ -9,6 +9,7 @@
 
 #ifdef PLUMBLINE_GL
 #include "validate/cli/case_pool.h"
+#include "validate/cli/chosen_techniques.h"
 #endif
 
 #include <CLI/CLI.hpp>
@@ -65,10 +66,8 @@ void checkTechniques(const Study& study) {
         std::vector<std::string> names;
         for (const StudyTechnique& technique : grid.techniques)
             names.push_back(technique.name);
-        const std::vector<TechniqueRequest> techniques = chosenTechniques(names, settings);
-        checkSettings(settings, techniques);
-        for (const TechniqueRequest& technique : techniques)
-            (void)techniqueName(technique, settings); // throws for a value it doesn't take
+        for (const ChosenTechnique& chosen : chosenTechniques(names, settings))
+            (void)chosen.resolved(); // throws for a value it doesn't take
     }
 }
 

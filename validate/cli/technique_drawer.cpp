@@ -1,8 +1,7 @@
 #include "validate/cli/technique_drawer.h"
 
-#include "validate/cli/shared.h"
-
 #include <algorithm>
+#include <functional>
 
 namespace plumbline {
 
@@ -19,19 +18,18 @@ WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene&
 }
 
 TechniqueDrawer::TechniqueDrawer(const Scene& scene, const WorkerOptions& worker,
-                                 const std::vector<TechniqueRequest>& requests) {
-    const auto controls = std::count_if(requests.begin(), requests.end(), drawsMicroTriangles);
+                                 const std::vector<ChosenTechnique>& techniques) {
+    const auto controls =
+        std::count_if(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
     // Both start at the same time.
-    if (controls < std::ssize(requests)) worker_ = std::make_unique<TechniqueWorker>(worker);
+    if (controls < std::ssize(techniques)) worker_ = std::make_unique<TechniqueWorker>(worker);
     if (controls > 0) control_ = std::make_unique<RealtimeRenderer>(scene, worker.gl);
     if (worker_) worker_->waitUntilReady();
 }
 
-TechniqueResult TechniqueDrawer::draw(const TechniqueRequest& request,
-                                      const std::map<std::string, std::string>& settings,
-                                      const std::vector<MicroMesh>* microMeshes) {
-    if (drawsMicroTriangles(request)) return control_->render(request, settings, microMeshes);
-    return worker_->render(request, settings);
+TechniqueResult TechniqueDrawer::draw(const Technique& technique, const std::vector<MicroMesh>* microMeshes) {
+    return technique.drawsMicroTriangles() ? control_->render(technique, microMeshes)
+                                           : worker_->render(technique);
 }
 
 } // namespace plumbline

@@ -3,6 +3,7 @@
 #pragma once
 
 #ifdef PLUMBLINE_GL
+#include "validate/cli/chosen_techniques.h"
 #include "validate/cli/realtime_arguments.h"
 #include "validate/worker/technique_worker.h"
 
@@ -14,14 +15,13 @@ WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene&
 
 class TechniqueDrawer {
   public:
-    /// Starts OpenGL where `requests` will need it. Throws MachineError where there is none. The scene must
+    /// Starts OpenGL where `techniques` will need it. Throws MachineError where there is none. The scene must
     /// outlive this.
     TechniqueDrawer(const Scene& scene, const WorkerOptions& worker,
-                    const std::vector<TechniqueRequest>& requests);
+                    const std::vector<ChosenTechnique>& techniques);
 
-    /// As RealtimeRenderer::render and TechniqueWorker::render.
-    TechniqueResult draw(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
-                         const std::vector<MicroMesh>* microMeshes);
+    /// One of them, as RealtimeRenderer::render and TechniqueWorker::render.
+    TechniqueResult draw(const Technique& technique, const std::vector<MicroMesh>* microMeshes);
 
   private:
     std::unique_ptr<TechniqueWorker> worker_;

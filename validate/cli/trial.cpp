@@ -1,6 +1,5 @@
 #include "validate/cli/trial.h"
 
-#include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "validate/compare/frame_metadata.h"
 
@@ -12,12 +11,24 @@
 namespace plumbline {
 namespace {
 
-std::vector<std::string> limitsOf(const TechniqueRequest& request) {
-    try {
-        return readTechniqueManifest(techniqueFolder(request.search)).limits;
-    } catch (const InputError&) {
-        return {};
-    }
+void draw(const Technique& technique, TechniqueDrawer& drawer, const std::vector<MicroMesh>* microMeshes,
+          Trial& trial) {
+    TechniqueResult result = drawer.draw(technique, microMeshes);
+    trial.outcome.parameters = std::move(result.parameters);
+    trial.outcome.backend = std::move(result.backend);
+    trial.outcome.renderer = std::move(result.renderer);
+    trial.outcome.cost.msMedian = result.msMedian;
+    trial.outcome.msRuns = result.msRuns;
+    trial.outcome.timer = std::move(result.timer);
+    trial.outcome.cost.bakeMs = result.bakeMs;
+    trial.outcome.cost.bakeBytes = static_cast<double>(result.bakeBytes);
+    trial.warnings = std::move(result.warnings);
+    trial.frame = std::move(result.frame);
+}
+
+void fail(Trial& trial, const std::string& error, int exitCode) {
+    trial.outcome.error = error;
+    trial.exitCode = exitCode;
 }
 
 /// Covered pixels with a value that isn't finite: a technique could hide its errors there.
@@ -36,31 +47,18 @@ size_t brokenPixels(const Frame& frame) {
 
 } // namespace
 
-Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
-                   TechniqueDrawer& drawer, const std::vector<MicroMesh>* microMeshes) {
+Trial tryTechnique(const ChosenTechnique& chosen, TechniqueDrawer& drawer,
+                   const std::vector<MicroMesh>* microMeshes) {
     Trial trial;
-    trial.outcome.name = displayName(request, settings);
-    trial.outcome.control = drawsMicroTriangles(request);
-    trial.outcome.limits = limitsOf(request);
+    trial.outcome.name = chosen.name;
+    trial.outcome.control = chosen.isControl();
+    if (chosen.search) trial.outcome.limits = chosen.search->limits;
     try {
-        TechniqueResult result =
-            drawer.draw(request, settings, trial.outcome.control ? microMeshes : nullptr);
-        trial.outcome.parameters = result.parameters;
-        trial.outcome.backend = result.backend;
-        trial.outcome.renderer = result.renderer;
-        trial.outcome.cost.msMedian = result.msMedian;
-        trial.outcome.msRuns = result.msRuns;
-        trial.outcome.timer = result.timer;
-        trial.warnings = result.warnings;
-        trial.outcome.cost.bakeMs = result.bakeMs;
-        trial.outcome.cost.bakeBytes = static_cast<double>(result.bakeBytes);
-        trial.frame = std::move(result.frame);
+        draw(chosen.resolved(), drawer, microMeshes, trial);
     } catch (const InputError& error) {
-        trial.outcome.error = error.what();
-        trial.exitCode = kExitBadInput;
+        fail(trial, error.what(), kExitBadInput);
     } catch (const MachineError& error) {
-        trial.outcome.error = error.what();
-        trial.exitCode = kExitMachine;
+        fail(trial, error.what(), kExitMachine);
     }
     return trial;
 }

@@ -16,10 +16,10 @@ struct Trial {
     int exitCode = kExitDone;
 };
 
-/// Draws it. What InputError or MachineError says becomes the outcome's error. `microMeshes`: of the
+/// Draws it. What keeps it from being resolved or drawn becomes the outcome's error. `microMeshes`: of the
 /// reference, for the control technique; may be null if that isn't asked for.
-Trial tryTechnique(const TechniqueRequest& request, const std::map<std::string, std::string>& settings,
-                   TechniqueDrawer& drawer, const std::vector<MicroMesh>* microMeshes);
+Trial tryTechnique(const ChosenTechnique& chosen, TechniqueDrawer& drawer,
+                   const std::vector<MicroMesh>* microMeshes);
 
 /// Holds a frame that was drawn against the reference, and warns of pixels that hold no numbers.
 void compareTrial(Trial& trial, const Frame& reference, const Scene& scene);

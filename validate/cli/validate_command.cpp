@@ -21,6 +21,7 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -162,21 +163,20 @@ int runValidate(const Arguments& arguments) {
     const auto requirements = readRequirements(arguments.requirements.require, scene.requirements);
     checkNames(requirements, scene);
     const auto settings = parseSettings(arguments.realtime.settings);
-    const auto requests = chosenTechniques(arguments.realtime.techniques, settings);
-    checkSettings(settings, requests);
+    const auto techniques = chosenTechniques(arguments.realtime.techniques, settings);
     const BaseChoice base = parseBase(arguments.reference.base, true);
     ReferenceOptions options = arguments.reference.options();
-    for (const TechniqueRequest& request : requests)
-        options.microAttributes |= drawsMicroTriangles(request);
+    options.microAttributes =
+        std::any_of(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
     WorkerOptions worker = workerOptions(sceneFile, scene, arguments.realtime, arguments.threads.threads);
     worker.gl.timingBudgetMs =
-        std::min(worker.gl.timingBudgetMs, kTimingBudgetMs / static_cast<double>(requests.size()));
+        std::min(worker.gl.timingBudgetMs, kTimingBudgetMs / static_cast<double>(techniques.size()));
     OutputFolder output(arguments.output, scene);
 
     // The reference comes before GL starts, so that its peak memory is its own.
     const References references = drawReferences(scene, options, base, progress);
     progress.step("starting OpenGL");
-    TechniqueDrawer drawer(scene, worker, requests);
+    TechniqueDrawer drawer(scene, worker, techniques);
     progress.say(certificateLine(references.summary.certificate));
     if (references.proxyFrame)
         progress.say(certificateLine(references.proxySummary.certificate, " of the reference on the proxy"));
@@ -193,11 +193,11 @@ int runValidate(const Arguments& arguments) {
     int exitCode = kExitDone;
     bool requirementsReached = true;
     std::set<std::string> warned;
-    for (const TechniqueRequest& request : requests) {
-        progress.step(fmt::format("{} of {}: {}", results.techniques.size() + 1, requests.size(),
-                                  displayName(request, settings)));
-        Trial trial = tryTechnique(request, settings, drawer,
-                                   references.scene ? &references.scene->microMeshes() : nullptr);
+    for (const ChosenTechnique& chosen : techniques) {
+        progress.step(
+            fmt::format("{} of {}: {}", results.techniques.size() + 1, techniques.size(), chosen.name));
+        Trial trial =
+            tryTechnique(chosen, drawer, references.scene ? &references.scene->microMeshes() : nullptr);
         if (!trial.outcome.error) judge(trial, references, scene, output, report);
         if (!trial.outcome.control) requirementsReached &= holdRequirements(requirements, trial.outcome);
         for (const std::string& warning : trial.warnings)
@@ -205,7 +205,7 @@ int runValidate(const Arguments& arguments) {
         if (exitCode == kExitDone) exitCode = trial.exitCode;
         results.techniques.push_back(std::move(trial.outcome));
         // Whole after every technique: a run that is stopped leaves what was finished.
-        output.write(results, report, results.techniques.size() == requests.size());
+        output.write(results, report, results.techniques.size() == techniques.size());
     }
     fmt::print("{}\n{}", toTable(results), reportLine(output.report / "index.html"));
     return exitCode == kExitDone && !requirementsReached ? kExitThreshold : exitCode;

@@ -20,10 +20,10 @@ Scene readSameScene(const WorkerSetup& setup) {
     return scene;
 }
 
-void drawTechnique(const MessageSocket& socket, RealtimeRenderer& renderer, const DrawRequest& request) {
+void drawTechnique(const MessageSocket& socket, RealtimeRenderer& renderer, const TechniqueRequest& request) {
     const auto tellPhase = [&](std::string_view phase) { socket.send(phaseReply(phase)); };
     try {
-        sendResult(socket, renderer.render(request.technique, request.settings, nullptr, tellPhase));
+        sendResult(socket, renderer.render(resolveTechnique(request), nullptr, tellPhase));
     } catch (const InputError& error) {
         socket.send(errorReply(error)); // the others go on
     }
@@ -38,7 +38,7 @@ void drawTechniques(const MessageSocket& socket) {
     RealtimeRenderer renderer(scene, setup.gl, std::move(context));
     socket.send(phaseReply(kPhaseReady));
     for (;;)
-        drawTechnique(socket, renderer, drawRequest(socket.receive()));
+        drawTechnique(socket, renderer, techniqueRequest(socket.receive()));
 }
 
 } // namespace

@@ -1,6 +1,5 @@
 #include "validate/worker/technique_worker.h"
 
-#include "realtime/technique/technique.h"
 #include "scenes/core/error.h"
 #include "validate/worker/child_process.h"
 #include "validate/worker/worker_descriptor.h"
@@ -107,17 +106,16 @@ void TechniqueWorker::waitUntilReady() {
     }
 }
 
-TechniqueResult TechniqueWorker::render(const TechniqueRequest& request,
-                                        const std::map<std::string, std::string>& settings) {
+TechniqueResult TechniqueWorker::render(const Technique& technique) {
     waitUntilReady();
     bool drawing = false;
     try {
-        connection_->socket.send(toJson(DrawRequest{request, settings}));
-        return awaitResult(displayName(request, settings), drawing);
+        connection_->socket.send(toJson(technique.request()));
+        return awaitResult(technique.name(), drawing);
     } catch (const InputError&) {
         throw; // the technique's own fault
     } catch (const ConnectionLost&) {
-        const MachineError error = endedWhile(displayName(request, settings), drawing, connection_->process);
+        const MachineError error = endedWhile(technique.name(), drawing, connection_->process);
         connection_.reset();
         throw error;
     } catch (...) {

@@ -38,11 +38,10 @@ class TechniqueWorker {
     /// throw.
     void waitUntilReady();
 
-    /// As RealtimeRenderer::render, to the byte. Throws what that throws; InputError if compiling and drawing
-    /// take longer than the limit; MachineError if the process ends. Time spent on maps before that, or
-    /// stopped by Ctrl-Z, doesn't count.
-    TechniqueResult render(const TechniqueRequest& request,
-                           const std::map<std::string, std::string>& settings);
+    /// As RealtimeRenderer::render, to the byte. The process resolves the technique's request in its turn.
+    /// Throws what that throws; InputError if compiling and drawing take longer than the limit; MachineError
+    /// if the process ends. Time spent on maps before that, or stopped by Ctrl-Z, doesn't count.
+    TechniqueResult render(const Technique& technique);
 
   private:
     struct Connection;

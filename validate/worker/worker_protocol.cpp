@@ -66,20 +66,12 @@ WorkerSetup workerSetup(const json& value) {
     return setup;
 }
 
-json toJson(const DrawRequest& request) {
-    return {{"search", request.technique.search},
-            {"surface", request.technique.surface},
-            {"own_settings", request.technique.settings},
-            {"settings", request.settings}};
+json toJson(const TechniqueRequest& request) {
+    return {{"search", request.search}, {"surface", request.surface}, {"settings", request.settings}};
 }
 
-DrawRequest drawRequest(const json& value) {
-    DrawRequest request;
-    request.technique.search = value.at("search");
-    request.technique.surface = value.at("surface");
-    request.technique.settings = value.at("own_settings");
-    request.settings = value.at("settings");
-    return request;
+TechniqueRequest techniqueRequest(const json& value) {
+    return {value.at("search"), value.at("surface"), value.at("settings")};
 }
 
 json toJson(const TechniqueResult& result) {

@@ -1,6 +1,6 @@
 // What a run and the process that draws its techniques tell each other, as values for MessageSocket.
 //
-//   run     -> drawing process: WorkerSetup, then a DrawRequest a technique
+//   run     -> drawing process: WorkerSetup, then a TechniqueRequest a technique
 //   drawing process -> run:     phases as it comes to them, kPhaseReady first; for each request a result or
 //   an error
 //
@@ -27,12 +27,8 @@ struct WorkerSetup {
 nlohmann::json toJson(const WorkerSetup& setup);
 WorkerSetup workerSetup(const nlohmann::json& value);
 
-struct DrawRequest {
-    TechniqueRequest technique;
-    std::map<std::string, std::string> settings; // shared by all techniques
-};
-nlohmann::json toJson(const DrawRequest& request);
-DrawRequest drawRequest(const nlohmann::json& value);
+nlohmann::json toJson(const TechniqueRequest& request);
+TechniqueRequest techniqueRequest(const nlohmann::json& value);
 
 /// All but the frame's planes; reading gives planes of the right size, not yet filled.
 nlohmann::json toJson(const TechniqueResult& result);

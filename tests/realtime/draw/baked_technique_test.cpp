@@ -183,10 +183,10 @@ TEST(SphereTracing, FindsTheFirstHitInTheVoxelsField) {
 }
 
 TEST(SphereTracing, OnACurvedBaseIsRefusedWithTheReason) {
-    EXPECT_THAT(
-        messageOf<InputError>([] { (void)techniqueName(parseTechnique("sphere_tracing@quadric"), {}); }),
-        HasSubstr("doesn't compose with surface 'quadric': distances in the field are those of a relief on a "
-                  "flat base"));
+    EXPECT_THAT(messageOf<InputError>([] { (void)resolveTechnique("sphere_tracing@quadric"); }),
+                HasSubstr("has no surface 'quadric': the search needs flat_base (a flat base, as a relief on "
+                          "a bent one has "
+                          "other distances)"));
 }
 
 TEST(BakedTechniques, CastTheShadowsOfExactCells) {

@@ -25,7 +25,7 @@ MicroMesh gridMesh(int columns, int rows, const std::vector<float>& heights) {
 
 Frame drawMicro(const Scene& scene, const std::vector<MicroMesh>& meshes) {
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
-    return renderer.render(parseTechnique("micro_triangles"), {}, &meshes).frame;
+    return renderer.render(resolveTechnique("micro_triangles"), &meshes).frame;
 }
 
 Scene squareScene(const Vec3& cameraPosition) {
@@ -110,13 +110,13 @@ TEST(MicroTriangles, WithoutMeshesOrAttributesItIsAnInputError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = squareScene({0, 5, 0});
     RealtimeRenderer renderer(scene, {});
-    const TechniqueRequest request = parseTechnique("micro_triangles");
-    EXPECT_THROW(renderer.render(request, {}, nullptr), InputError);
+    const Technique technique = resolveTechnique("micro_triangles");
+    EXPECT_THROW(renderer.render(technique, nullptr), InputError);
     std::vector<MicroMesh> meshes{gridMesh(2, 2, {0, 0, 0, 0})};
     meshes[0].st.clear();
-    EXPECT_THROW(renderer.render(request, {}, &meshes), InputError);
+    EXPECT_THROW(renderer.render(technique, &meshes), InputError);
     meshes.clear();
-    EXPECT_THROW(renderer.render(request, {}, &meshes), InputError);
+    EXPECT_THROW(renderer.render(technique, &meshes), InputError);
 }
 
 } // namespace

@@ -185,7 +185,7 @@ TEST(QuadricFrame, IsGivenTheCoefficientsAsked) {
     const Scene scene = sceneOf(object, orthographicCamera({0, 0, 5}, {0, 1, 0}, 0.2, 32));
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}); // one for all: each draw is given its own
     const auto middle = [&](const char* technique, const char* channel) {
-        const Frame frame = renderer.render(parseTechnique(technique), {}, nullptr).frame;
+        const Frame frame = renderer.render(resolveTechnique(technique), nullptr).frame;
         return double(frame.channel(channel)[pixelAt(frame, 16, 16)]);
     };
     for (const char* full :

@@ -92,7 +92,7 @@ double trueDepth(const std::string& surface, const Case& at, double tau) {
 /// GLSL of a surface; `texel` n of a case's column: curvature and tangentCosine; (s, t, d) per world unit;
 /// scales and depth.
 ShaderSource surfaceSource(const std::string& surface, const std::string& evaluate) {
-    const Technique technique = resolveTechnique(parseTechnique("linear_binary@" + surface), {});
+    const Technique technique = resolveTechnique("linear_binary@" + surface);
     const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
     ShaderSource source;
     source.addText("(settings)", "const bool kHardwareFilter = false;\nuniform sampler2D uCases;");

@@ -367,7 +367,7 @@ TEST(ShadowMap, EverySearchComposesWithItOnEverySurface) {
         for (const std::string& surface : surfacesFor(info, listSurfaces())) {
             const std::string name = info.name + "@" + surface + ":shadow=map,shadow_bias=0.5";
             SCOPED_TRACE(name);
-            const Frame frame = renderer.render(parseTechnique(name), {}, nullptr).frame;
+            const Frame frame = renderer.render(resolveTechnique(name), nullptr).frame;
             const size_t decided = expectShadows(frame, "sun", 1, [](const Vec3& p) {
                 if (p.x > 0.5) return Expected::Lit;
                 return std::abs(p.x + 0.65) < 0.15 && std::abs(p.z) < 0.25 ? Expected::Shadow
@@ -440,7 +440,7 @@ TEST(ShadowMap, ItsSamplerHasAUnitOfItsOwnInEveryProgram) {
         expectUnit(*buildPlainProgram(1, reads), reads, "plain");
         for (const char* search : {"linear_binary", "cone_step", "max_mipmap"}) {
             const std::string name = std::string(search) + (reads ? ":shadow=map" : "");
-            expectUnit(*buildReliefProgram(resolveTechnique(parseTechnique(name), {}), 1), reads, name);
+            expectUnit(*buildReliefProgram(resolveTechnique(name), 1), reads, name);
         }
     }
 }
@@ -455,7 +455,7 @@ TEST(ShadowMap, MoreLayersThanOpenGlHasAreAFaultOfTheMachine) {
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     Scene scene;
     scene.lights.assign(static_cast<size_t>(most) + 1, directionalLight("sun", {0, 1, 0}));
-    const Technique technique = resolveTechnique(parseTechnique(kMap + ",shadow_map_size=16"), {});
+    const Technique technique = resolveTechnique(kMap + ",shadow_map_size=16");
     try {
         ShadowMaps(technique, scene, Bounds{}, Vec3(0), *context);
         ADD_FAILURE() << most + 1 << " layers were had";

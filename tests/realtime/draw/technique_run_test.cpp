@@ -71,7 +71,7 @@ TEST_F(UserTechnique, TheTemplateRunsOnceItIsCopied) {
     std::filesystem::copy(original, folder_->path() / "mine");
     std::filesystem::rename(folder_->path() / "mine/_template.glsl", folder_->path() / "mine/mine.glsl");
     EXPECT_EQ(message(), "");
-    EXPECT_EQ(techniqueName(parseTechnique(path() + ":reach=0.5"), {}), "mine:reach=0.5");
+    EXPECT_EQ(resolveTechnique(path() + ":reach=0.5").name(), "mine:reach=0.5");
 }
 
 TEST_F(UserTechnique, CompileErrorsNameTheAuthorsFileAndLine) {
@@ -140,10 +140,10 @@ TEST_F(UserTechnique, TheRendererStaysUsableAfterOneFailed) {
     write("ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
     const Scene scene = bumpyScene();
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
-    const Frame before = renderer.render(parseTechnique("linear_binary"), {}, nullptr).frame;
-    EXPECT_THROW(renderer.render(parseTechnique(path()), {}, nullptr), InputError);
-    EXPECT_THROW(renderer.render(parseTechnique("micro_triangles"), {}, nullptr), InputError);
-    EXPECT_TRUE(sameBytes(before, renderer.render(parseTechnique("linear_binary"), {}, nullptr).frame));
+    const Frame before = renderer.render(resolveTechnique("linear_binary"), nullptr).frame;
+    EXPECT_THROW(renderer.render(resolveTechnique(path()), nullptr), InputError);
+    EXPECT_THROW(renderer.render(resolveTechnique("micro_triangles"), nullptr), InputError);
+    EXPECT_TRUE(sameBytes(before, renderer.render(resolveTechnique("linear_binary"), nullptr).frame));
 }
 
 // --- results
@@ -153,8 +153,8 @@ TEST(TechniqueResult, SaysWhatWasDrawnAndHowLongItTook) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = bumpyScene();
     RealtimeRenderer renderer(scene, {});
-    const TechniqueResult result = renderer.render(parseTechnique("linear_binary:linear_steps=20"),
-                                                   {{"binary_steps", "4"}, {"cones", "1"}}, nullptr);
+    const TechniqueResult result = renderer.render(
+        resolveTechnique("linear_binary:linear_steps=20", {{"binary_steps", "4"}, {"cones", "1"}}), nullptr);
     EXPECT_EQ(result.name, "linear_binary:binary_steps=4,linear_steps=20");
     const std::map<std::string, std::string> expected{
         {"binary_steps", "4"},   {"depth_correction", "true"}, {"early_exit", "true"},
@@ -187,8 +187,8 @@ TEST(TechniqueResult, EglAndOsmesaGiveTheSameBytesOnTheSameRasteriser) {
     const Scene scene = bumpyScene();
     RealtimeRenderer egl(scene, {GlBackend::Egl, -1, 0}), osmesa(scene, {GlBackend::Osmesa, -1, 0});
     for (const char* technique : {"linear_binary", "linear_binary@quadric", "normal_mapping"}) {
-        const TechniqueResult a = egl.render(parseTechnique(technique), {}, nullptr);
-        const TechniqueResult b = osmesa.render(parseTechnique(technique), {}, nullptr);
+        const TechniqueResult a = egl.render(resolveTechnique(technique), nullptr);
+        const TechniqueResult b = osmesa.render(resolveTechnique(technique), nullptr);
         if (a.renderer != b.renderer) {
             GTEST_SKIP() << a.renderer << " and " << b.renderer << " are different rasterisers";
         }

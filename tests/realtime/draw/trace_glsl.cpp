@@ -16,7 +16,7 @@ namespace {
 constexpr size_t kMostRaysAtOnce = 4096; // a row of a texture
 
 ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
-    const Technique technique = resolveTechnique(parseTechnique(name), {});
+    const Technique technique = resolveTechnique(name);
     const std::filesystem::path folder = dataFolder() / "realtime";
     ShaderSource source;
     source.addText("(settings)", fmt::format("const bool kHardwareFilter = {};", technique.hardwareFilter()));

@@ -54,8 +54,8 @@ TEST(TechniqueText, AnyTextEitherParsesOrIsAnInputError) {
     });
 }
 
-std::string nameOf(const std::string& text, const std::map<std::string, std::string>& shared = {}) {
-    return techniqueName(parseTechnique(text), shared);
+std::string nameOf(const std::string& text, const Settings& shared = {}) {
+    return resolveTechnique(text, shared).name();
 }
 
 TEST(TechniqueName, ParametersThatDifferFromTheDefaultSortedByName) {
@@ -117,15 +117,15 @@ TEST(TechniqueList, ShadowsListedByTechniqueAndSurfaceAreThoseThatCanBeAsked) {
 }
 
 TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
-    EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
+    EXPECT_THAT(resolveTechnique("linear_binary").settingNames(),
                 ElementsAre("binary_steps", "depth_correction", "early_exit", "filter", "linear_steps",
                             "shadow", "shadow_bias", "shadow_map_bias", "shadow_map_size", "steps",
                             "tolerance", "triangle_bounds"));
-    EXPECT_THAT(knownSettings(parseTechnique("linear_binary@quadric")),
+    EXPECT_THAT(resolveTechnique("linear_binary@quadric").settingNames(),
                 ElementsAre("binary_steps", "coefficients", "depth_correction", "early_exit", "filter",
                             "linear_steps", "shadow", "shadow_bias", "shadow_map_bias", "shadow_map_size",
                             "steps", "tolerance", "triangle_bounds"));
-    EXPECT_TRUE(knownSettings(parseTechnique("micro_triangles")).empty());
+    EXPECT_TRUE(resolveTechnique("micro_triangles").settingNames().empty());
 }
 
 TEST(Settings, ShadowsAreWhatSearchAndSurfaceAllowAndAMap) {
@@ -153,7 +153,7 @@ TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
     EXPECT_THAT(message("linear_binary@quadric:shadow=relief"), HasSubstr("expected none"));
     EXPECT_THAT(message("linear_binery"), HasSubstr("did you mean 'linear_binary'?"));
     EXPECT_THAT(message("linear_binary@quadrik"), HasSubstr("did you mean 'quadric'?"));
-    EXPECT_THAT(message("micro_triangles@quadric"), HasSubstr("composes with no surface"));
+    EXPECT_THAT(message("micro_triangles@quadric"), HasSubstr("has no surface 'quadric'; expected flat"));
     EXPECT_THAT(message("./no/such/folder"), HasSubstr("no folder"));
 }
 
@@ -271,11 +271,13 @@ std::string compositionMessage(const std::string& needs, const std::string& surf
 }
 
 TEST(Composition, ASurfaceThatLacksANeedIsRefusedWithTheReason) {
-    EXPECT_EQ(compositionMessage("'bounded_descent', 'linear_st'", "quadric_nearest"),
-              "technique: 'mine' doesn't compose with surface 'quadric_nearest': the search needs linear_st "
-              "(texture coordinates that are linear along the ray) and bounded_descent (a bound on the ray's "
-              "descent), which the surface doesn't offer; expected @flat, quadric or quadric_full");
-    EXPECT_THAT(compositionMessage("'flat_base'", "quadric"), EndsWith("expected @flat"));
+    EXPECT_THAT(
+        compositionMessage("'bounded_descent', 'linear_st'", "quadric_nearest"),
+        EndsWith(
+            "/mine' has no surface 'quadric_nearest': the search needs linear_st (texture coordinates that "
+            "are linear along the ray) and bounded_descent (a bound on the ray's descent), which the "
+            "surface doesn't offer; expected flat, quadric or quadric_full"));
+    EXPECT_THAT(compositionMessage("'flat_base'", "quadric"), EndsWith("expected flat"));
     EXPECT_EQ(compositionMessage("'bounded_descent', 'linear_st'", "quadric_full"), "");
     for (const std::string& surface : surfaceNames())
         EXPECT_EQ(compositionMessage("", surface), "") << surface;
@@ -331,15 +333,13 @@ TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
 }
 
 TEST(Settings, CoefficientsChooseTheQuadricsOfTheVertices) {
-    const auto set = [](const char* technique) {
-        return resolveTechnique(parseTechnique(technique), {}).curvatureSet();
-    };
+    const auto set = [](const char* technique) { return resolveTechnique(technique).curvatureSet(); };
     EXPECT_EQ(set("linear_binary@quadric"), CurvatureSet::RingTwoTerms);
     EXPECT_EQ(set("linear_binary@quadric:coefficients=limit"), CurvatureSet::LimitTwoTerms);
     EXPECT_EQ(set("linear_binary@quadric_full"), CurvatureSet::RingThreeTerms);
     EXPECT_EQ(set("linear_binary@quadric_full:coefficients=limit"), CurvatureSet::LimitThreeTerms);
     EXPECT_EQ(nameOf("linear_binary@quadric:coefficients=limit"), "linear_binary@quadric:coefficients=limit");
-    EXPECT_THAT(knownSettings(parseTechnique("linear_binary")),
+    EXPECT_THAT(resolveTechnique("linear_binary").settingNames(),
                 Not(Contains("coefficients"))); // nothing bent
 }
 
@@ -350,8 +350,7 @@ TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {
     folder.write("mine/technique.toml", with("['height']", "['height', 'which']") + choice);
     folder.write("mine/mine.glsl", std::string(kShader) + "int x() { return which; }\n");
     const auto kinds = [&](const char* settings) {
-        return resolveTechnique(parseTechnique((folder.path() / "mine").string() + settings), {})
-            .bakedKinds();
+        return resolveTechnique((folder.path() / "mine").string() + settings).bakedKinds();
     };
     EXPECT_THAT(kinds(""), ElementsAre("normal"));
     EXPECT_THAT(kinds(":which=max_mipmap"), ElementsAre("max_mipmap"));
@@ -407,12 +406,11 @@ TEST(Constants, AreGlslOfTheirType) {
                      "[[parameter]]\nname='c'\ntype='choice'\ndefault='y'\nchoices=['x','y']\nunit=''\n"
                      "meaning='m'\n");
     folder.write("mine/mine.glsl", "f b c traceRelief");
-    const Technique technique =
-        resolveTechnique(parseTechnique((folder.path() / "mine").string() + ":f=1e-30"), {});
+    const Technique technique = resolveTechnique((folder.path() / "mine").string() + ":f=1e-30");
     EXPECT_EQ(technique.glslConstants(), "const float f = 1.000000000e-30;\n"
                                          "const bool b = true;\n"
                                          "const int c = 1;\nconst int c_x = 0;\nconst int c_y = 1;\n");
-    EXPECT_EQ(technique.name, "mine:f=1e-30");
+    EXPECT_EQ(technique.name(), "mine:f=1e-30");
     EXPECT_EQ(technique.parameters().at("c"), "y");
 }
 

@@ -56,12 +56,11 @@ TEST_F(TechniqueWorkerTest, ResultsAreThoseOfDrawingHere) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     TechniqueWorker worker(options()); // one process for all of them
     RealtimeRenderer renderer(scene_, options().gl);
-    const std::map<std::string, std::string> settings{{"linear_steps", "7"}};
+    const Settings settings{{"linear_steps", "7"}};
     for (const char* text : {"linear_binary", "linear_binary@quadric:binary_steps=2", "normal_mapping"}) {
         SCOPED_TRACE(text);
-        const TechniqueRequest request = parseTechnique(text);
-        const TechniqueResult here = renderer.render(request, settings, nullptr),
-                              there = worker.render(request, settings);
+        const Technique technique = resolveTechnique(text, settings);
+        const TechniqueResult here = renderer.render(technique, nullptr), there = worker.render(technique);
         expectEqualFrames(here.frame, there.frame);
         EXPECT_EQ(here.name, there.name);
         EXPECT_EQ(here.parameters, there.parameters);
@@ -76,14 +75,18 @@ TEST_F(TechniqueWorkerTest, ErrorsAreThoseOfDrawingHere) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     TechniqueWorker worker(options());
     RealtimeRenderer renderer(scene_, options().gl);
-    for (const char* text :
-         {"linear_binary:linear_steps=0", "linear_binary:stepps=3", "nowhere", "micro_triangles"}) {
-        const TechniqueRequest request = parseTechnique(text);
-        const std::string here = messageOf([&] { renderer.render(request, {}, nullptr); });
+    std::filesystem::create_directory(folder_ / "mine");
+    test::writeFile(folder_ / "mine/technique.toml",
+                    "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
+    test::writeFile(folder_ / "mine/mine.glsl",
+                    "ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
+    for (const std::string& text : {(folder_ / "mine").string(), std::string("micro_triangles")}) {
+        const Technique technique = resolveTechnique(text);
+        const std::string here = messageOf([&] { renderer.render(technique, nullptr); });
         EXPECT_NE(here, "no error");
-        EXPECT_EQ(messageOf([&] { worker.render(request, {}); }), here);
+        EXPECT_EQ(messageOf([&] { worker.render(technique); }), here);
     }
-    EXPECT_GT(coveredPixels(worker.render(parseTechnique("linear_binary"), {}).frame),
+    EXPECT_GT(coveredPixels(worker.render(resolveTechnique("linear_binary")).frame),
               1000u); // it still draws
 }
 
@@ -93,18 +96,18 @@ TEST_F(TechniqueWorkerTest, AMachineWithoutTheDeviceIsToldOfAsHere) {
     const std::string here = messageOf([&] { RealtimeRenderer(scene_, gl); });
     EXPECT_THAT(here, HasSubstr("99"));
     EXPECT_EQ(messageOf([&] { worker.waitUntilReady(); }), here);
-    EXPECT_EQ(messageOf([&] { worker.render(parseTechnique("linear_binary"), {}); }), here); // started anew
+    EXPECT_EQ(messageOf([&] { worker.render(resolveTechnique("linear_binary")); }), here); // started anew
 }
 
 TEST_F(TechniqueWorkerTest, AProcessThatEndsBetweenTwoTechniquesIsReplacedWithoutAWord) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     TechniqueWorker worker(options());
-    const Frame first = worker.render(parseTechnique("linear_binary"), {}).frame;
+    const Frame first = worker.render(resolveTechnique("linear_binary")).frame;
     const std::vector<pid_t> children = test::childrenOf(getpid());
     ASSERT_EQ(children.size(), 1u);
     ASSERT_EQ(test::sendSignal(children[0], SIGKILL), 0);
     ASSERT_TRUE(test::waitUntil([&] { return test::isGone(children[0]); }, 10));
-    expectEqualFrames(first, worker.render(parseTechnique("linear_binary"), {}).frame);
+    expectEqualFrames(first, worker.render(resolveTechnique("linear_binary")).frame);
 }
 
 TEST_F(TechniqueWorkerTest, NoProcessIsLeftBehind) {
@@ -149,7 +152,7 @@ class ScriptedWorkerTest : public TechniqueWorkerTest {
         TechniqueWorker worker(scripted);
         std::vector<std::string> messages(2);
         for (std::string& message : messages)
-            message = messageOf([&] { worker.render(parseTechnique("linear_binary"), {}); });
+            message = messageOf([&] { worker.render(resolveTechnique("linear_binary")); });
         return messages;
     }
 };

@@ -62,12 +62,11 @@ TEST(WorkerProtocol, SetupsAndRequestsArriveAsTheyWere) {
     EXPECT_EQ(setup.gl.device, 3);
     EXPECT_EQ(setup.gl.timingBudgetMs, 0.1);
 
-    const DrawRequest request = drawRequest(passOn(toJson(
-        DrawRequest{{"./" + kLatin1, "quadric", {{"steps", "3"}}}, {{"shadow", "none"}, {"empty", ""}}})));
-    EXPECT_EQ(request.technique.search, "./" + kLatin1);
-    EXPECT_EQ(request.technique.surface, "quadric");
-    EXPECT_EQ(request.technique.settings, (std::map<std::string, std::string>{{"steps", "3"}}));
-    EXPECT_EQ(request.settings, (std::map<std::string, std::string>{{"shadow", "none"}, {"empty", ""}}));
+    const TechniqueRequest request = techniqueRequest(
+        passOn(toJson(TechniqueRequest{"./" + kLatin1, "quadric", {{"steps", "3"}, {"empty", ""}}})));
+    EXPECT_EQ(request.search, "./" + kLatin1);
+    EXPECT_EQ(request.surface, "quadric");
+    EXPECT_EQ(request.settings, (Settings{{"steps", "3"}, {"empty", ""}}));
 }
 
 TEST(WorkerProtocol, ResultsArriveAsTheyWere) {
