@@ -177,7 +177,7 @@ int runBake(const Arguments& arguments) {
     return kExitDone;
 }
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.add_option("MAP", arguments->map, "A picture, or SCENE#NAME: a height map of a scene")
         ->required();

@@ -14,13 +14,13 @@ namespace plumbline {
 /// Does what a command line asks for and returns an exit code (exit_codes.h). Throws InputError or
 /// MachineError, which main.cpp turns into one line on stderr. Prints results to stdout, progress to stderr
 /// when that is a terminal.
-using Run = std::function<int()>;
+using CommandRun = std::function<int()>;
 
 struct Command {
     const char* name;
     const char* summary; // one line; empty: for the program itself, --help doesn't list it
     /// Adds its options to `command`. The result owns what they are read into and is called after that.
-    Run (*addOptions)(CLI::App& command);
+    CommandRun (*addOptions)(CLI::App& command);
 };
 
 /// Every command, in the order of --help.

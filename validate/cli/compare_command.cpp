@@ -147,7 +147,7 @@ int runCompare(const Arguments& arguments) {
     return exitCode;
 }
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.add_option("REFERENCE", arguments->reference, "The true frame, EXR")->required();
     command.add_option("TEST", arguments->test, "The frame to judge, EXR")->required();

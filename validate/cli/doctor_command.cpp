@@ -143,7 +143,7 @@ int runDoctor() {
 } // namespace
 
 Command doctorCommand() {
-    return {"doctor", "Say what this machine can do", [](CLI::App&) { return Run(runDoctor); }};
+    return {"doctor", "Say what this machine can do", [](CLI::App&) { return CommandRun(runDoctor); }};
 }
 
 } // namespace plumbline

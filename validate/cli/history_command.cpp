@@ -139,7 +139,7 @@ int runHistory(const Arguments& arguments) {
     return regression ? kExitThreshold : kExitDone;
 }
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.add_option("FILE", arguments->file, "The history, a line a run; made if it isn't there")
         ->required();

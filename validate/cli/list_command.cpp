@@ -94,7 +94,7 @@ int runList(const std::string& what) {
     return kExitDone;
 }
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto what = std::make_shared<std::string>();
     command.add_option("WHAT", *what, "scenes, techniques, surfaces, metrics or bakes")->required();
     return [what] { return runList(*what); };

@@ -16,7 +16,7 @@
 namespace plumbline {
 namespace {
 
-using RunOfCommand = std::pair<const CLI::App*, Run>;
+using RunOfCommand = std::pair<const CLI::App*, CommandRun>;
 
 std::vector<RunOfCommand> addCommands(CLI::App& app) {
     std::vector<RunOfCommand> runs;

@@ -76,7 +76,7 @@ int runNew(const Arguments& arguments) {
     return kExitDone;
 }
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.add_option("--mesh", arguments->mesh, "A mesh with texture coordinates")
         ->required()

@@ -97,7 +97,7 @@ int runReference(const Arguments& arguments) {
     return kExitDone;
 }
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     arguments->scene.addTo(command);
     command.add_option("-o", arguments->output, "The frame's file")->type_name("FILE.exr");

@@ -24,7 +24,7 @@ int runStudyCase(const Arguments&) {
 }
 #endif
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.add_option("PARENT", arguments->parent, "");
     command.add_option("--threads", arguments->threads.threads, "");

@@ -224,7 +224,7 @@ void addCommonOptions(CLI::App& command, Arguments& study) {
     command.add_flag("--yes", study.yes, "Also with more than 2000 cases");
 }
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.require_subcommand(1);
     CLI::App* run = command.add_subcommand("run", "Work out every case that isn't known yet");

@@ -220,7 +220,7 @@ int runValidate(const Arguments&) {
 
 #endif
 
-Run addOptions(CLI::App& command) {
+CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     arguments->scene.addOptionalTo(command);
     command.add_option("-o", arguments->output, "Folder of the results (default: plumbline-out/SCENE)")
