@@ -8,7 +8,7 @@
 #include "tests/bench/process_bench.h"
 #include "tests/bench/report_bench.h"
 #include "tests/bench/stage_bench.h"
-#include "tests/bench/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -118,11 +118,11 @@ void printTechniques(const std::filesystem::path& resultsFile) {
 void printProcesses() {
     const TemporaryFolder folder;
     const std::string program = PLUMBLINE_PROGRAM;
-    const std::string frame = (folder.path / "frame.exr").string(),
-                      output = (folder.path / "validate").string();
+    const std::string frame = (folder.path() / "frame.exr").string(),
+                      output = (folder.path() / "validate").string();
     fmt::print("\nwhole processes\n");
     const auto reference = [&](const ReferenceRun& run, int runs) {
-        const std::string file = writeTorus(folder.path, run.around);
+        const std::string file = writeTorus(folder.path(), run.around);
         return runProcess(
             {program, "reference", file, "-o", frame, "--rate", std::to_string(run.rate), "--memory", "4G"},
             runs);
@@ -141,7 +141,7 @@ void printProcesses() {
         if (printProcess(fmt::format("validate {}, all techniques", scene), validate,
                          fmt::format("{} s", kValidateSecondsAim)) &&
             std::string(scene) == "stone_torus")
-            printTechniques(folder.path / "validate" / "results.json");
+            printTechniques(folder.path() / "validate" / "results.json");
     }
 }
 

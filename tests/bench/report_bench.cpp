@@ -2,7 +2,7 @@
 
 #include "scenes/frame/frame_exr.h"
 #include "tests/bench/process_bench.h"
-#include "tests/bench/temporary_folder.h"
+#include "tests/temporary_folder.h"
 #include "validate/compare/frame_metadata.h"
 #include "validate/report/report.h"
 #include "validate/results/output_files.h"
@@ -83,24 +83,24 @@ double megabytesOf(const std::filesystem::path& folder) {
 void printReport() {
     const TemporaryFolder folder;
     std::vector<std::string> command{PLUMBLINE_PROGRAM, "validate", "stone_torus", "-o",
-                                     folder.path.string()};
+                                     folder.path().string()};
     for (const char* name : kTechniques)
         command.insert(command.end(), {"--technique", name});
     if (runProcess(command, 1).exitCode != 0) {
         fmt::print("report: 'validate stone_torus' failed\n");
         return;
     }
-    const Frame reference = readFrame(folder.path / "frames" / "reference.exr");
-    const std::vector<Judged> techniques = judge(folder.path / "frames", reference);
+    const Frame reference = readFrame(folder.path() / "frames" / "reference.exr");
+    const std::vector<Judged> techniques = judge(folder.path() / "frames", reference);
     std::vector<double> seconds;
     for (int run = 0; run <= kRuns; ++run) { // the first warms up
-        const double taken = secondsToWrite(folder.path / "again", reference, techniques);
+        const double taken = secondsToWrite(folder.path() / "again", reference, techniques);
         if (run > 0) seconds.push_back(taken);
     }
     std::sort(seconds.begin(), seconds.end());
     fmt::print("\n{:<44}{:>8.2f} s   ({} runs, median; aim {} s)\n", "report of 16 techniques, stone_torus",
                seconds[seconds.size() / 2], kRuns, kSecondsAim);
-    fmt::print("{:<44}{:>8.1f} MB  (aim {} MB)\n", "its folder", megabytesOf(folder.path / "again"),
+    fmt::print("{:<44}{:>8.1f} MB  (aim {} MB)\n", "its folder", megabytesOf(folder.path() / "again"),
                kMegabytesAim);
 }
 

@@ -15,7 +15,6 @@ using ::testing::HasSubstr;
 class BlenderFrame : public EndToEnd {
   protected:
     void SetUp() override {
-        EndToEnd::SetUp();
         if (std::system("command -v blender > /dev/null") != 0)
             GTEST_SKIP() << "no blender on this machine (Debian: apt install blender python3-numpy)";
     }

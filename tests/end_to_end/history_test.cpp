@@ -15,7 +15,6 @@ using ::testing::Not;
 class History : public EndToEnd {
   protected:
     void SetUp() override {
-        EndToEnd::SetUp();
         Results worse = sampleResults(), better = sampleResults();
         setFigure(worse.techniques[0].comparison.pooled, "depth.rmse", 0.75);
         setFigure(better.techniques[0].comparison.pooled, "depth.rmse", 0.25);

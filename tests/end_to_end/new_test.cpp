@@ -21,7 +21,6 @@ const char* const kSheet =
 class New : public EndToEnd {
   protected:
     void SetUp() override {
-        EndToEnd::SetUp();
         writeFile(folder_ / "sheet.obj", kSheet);
         // A height map that needs no OpenImageIO and no shared data.
         Frame map(16, 16);

@@ -194,20 +194,6 @@ Outcome runProgram(const std::vector<std::string>& arguments, const fs::path& wo
     return finish(startProgram(arguments, workingFolder, environment));
 }
 
-std::string readFile(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    EXPECT_TRUE(stream) << file;
-    std::ostringstream text;
-    text << stream.rdbuf();
-    return text.str();
-}
-
-void writeFile(const fs::path& file, const std::string& text) {
-    std::ofstream stream(file, std::ios::binary);
-    stream << text;
-    EXPECT_TRUE(stream.flush()) << file;
-}
-
 std::vector<std::string> filesBelow(const fs::path& folder) {
     std::vector<std::string> files;
     if (!fs::is_directory(folder)) return files;
@@ -237,18 +223,6 @@ void expectRefusal(const Outcome& outcome, int exitCode, const std::string& part
 void expectOnlyTheCertificate(const std::string& err) {
     EXPECT_TRUE(err.starts_with("certificate: ")) << err;
     EXPECT_EQ(std::count(err.begin(), err.end(), '\n'), 1) << err;
-}
-
-void EndToEnd::SetUp() {
-    const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string name = std::string(test->test_suite_name()) + "_" + test->name();
-    std::replace(name.begin(), name.end(), '/', '_');
-    folder_ = fs::temp_directory_path() / ("plumbline_" + name + "_" + std::to_string(getpid()));
-    fs::create_directories(folder_);
-}
-
-void EndToEnd::TearDown() {
-    fs::remove_all(folder_);
 }
 
 fs::path EndToEnd::writeSmallScene() const {

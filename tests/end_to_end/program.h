@@ -1,6 +1,9 @@
 // Runs the built program the way a person would: arguments in; exit code, stdout and stderr out.
 #pragma once
 
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -45,18 +48,15 @@ Outcome finish(const Running& running);
 Outcome runProgram(const std::vector<std::string>& arguments, const std::filesystem::path& workingFolder,
                    const std::map<std::string, std::string>& environment = {});
 
-std::string readFile(const std::filesystem::path& file);
-void writeFile(const std::filesystem::path& file, const std::string& text);
-
 /// Every regular file below a folder, as relative paths, sorted.
 std::vector<std::string> filesBelow(const std::filesystem::path& folder);
 
 /// A folder of its own for each test, removed after it.
 class EndToEnd : public ::testing::Test {
-  protected:
-    void SetUp() override;
-    void TearDown() override;
+  private:
+    TemporaryFolder temporary_;
 
+  protected:
     Outcome run(const std::vector<std::string>& arguments,
                 const std::map<std::string, std::string>& environment = {}) const {
         return runProgram(arguments, folder_, environment);
@@ -64,7 +64,7 @@ class EndToEnd : public ::testing::Test {
     /// Writes small.toml: a torus with a relief and one without, 96 x 72 pixels, one light.
     std::filesystem::path writeSmallScene() const;
 
-    std::filesystem::path folder_;
+    const std::filesystem::path folder_ = temporary_.path();
 };
 
 /// A scene's text with one line replaced; fails the test if `line` isn't in it exactly once.

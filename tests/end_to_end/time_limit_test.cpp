@@ -38,7 +38,6 @@ const std::string kStopped =
 class TimeLimit : public EndToEnd {
   protected:
     void SetUp() override {
-        EndToEnd::SetUp();
         writeSmallScene();
         fs::create_directories(folder_ / "endless");
         writeFile(folder_ / "endless" / "technique.toml",
@@ -50,7 +49,6 @@ class TimeLimit : public EndToEnd {
         if (drawing_ > 0 && !isGone(drawing_))
             sendSignal(drawing_, SIGKILL); // a test failed: it would go on for ever
         if (!running_.captured.empty()) fs::remove_all(running_.captured);
-        EndToEnd::TearDown();
     }
 
     static std::vector<std::string> validate(const std::vector<std::string>& techniques,

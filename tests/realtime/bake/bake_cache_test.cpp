@@ -1,8 +1,10 @@
 // The cache of baked maps: what its files are named after, and that nothing but what was written ever comes
 // out of one.
 #include "realtime/bake/bake_cache.h"
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/realtime/bake/awkward_maps.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/temporary_folder.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -122,7 +124,7 @@ TEST_F(BakeCache, TheKeyIsBlindToWhatMakesNoDifference) {
 /// Makes a map, changes its file, and expects it to be made anew and the file to be whole again.
 void expectMadeAnew(const HeightMap& map, const BakeRequest& asked, const std::string& damaged) {
     const BakeOutcome first = bakeCached(map, asked);
-    writeBytes(first.file, damaged);
+    writeFile(first.file, damaged);
     const BakeOutcome second = bakeCached(map, asked);
     EXPECT_FALSE(second.fromCache);
     EXPECT_THAT(second.warning, HasSubstr("damaged"));
@@ -136,7 +138,7 @@ void expectMadeAnew(const HeightMap& map, const BakeRequest& asked, const std::s
 TEST_F(BakeCache, DamagedFilesAreMadeAnew) {
     const HeightMap map = noiseMap(6, 5, 3);
     const BakeRequest asked = request("max_mipmap");
-    const std::string good = readBytes(bakeCached(map, asked).file);
+    const std::string good = readFile(bakeCached(map, asked).file);
     expectMadeAnew(map, asked, "");
     expectMadeAnew(map, asked, "not a baked map at all");
     expectMadeAnew(map, asked, std::string(100000, '\xff'));
@@ -145,19 +147,19 @@ TEST_F(BakeCache, DamagedFilesAreMadeAnew) {
     expectMadeAnew(map, asked, good + '\0');
     expectMadeAnew(map, asked, good + good);
     // Whole, but of another map of the same size.
-    expectMadeAnew(map, asked, readBytes(bakeCached(noiseMap(6, 5, 4), asked).file));
+    expectMadeAnew(map, asked, readFile(bakeCached(noiseMap(6, 5, 4), asked).file));
 }
 
 TEST_F(BakeCache, EveryFlippedBitIsSeen) {
     const HeightMap map = noiseMap(1, 1, 5);
     const BakeRequest asked = request("normal");
     const BakeOutcome made = bakeCached(map, asked);
-    const std::string good = readBytes(made.file);
+    const std::string good = readFile(made.file);
     for (size_t byte = 0; byte < good.size(); ++byte)
         for (int bit = 0; bit < 8; ++bit) {
             std::string flipped = good;
             flipped[byte] = static_cast<char>(flipped[byte] ^ (1 << bit));
-            writeBytes(made.file, flipped);
+            writeFile(made.file, flipped);
             ASSERT_FALSE(bakeCached(map, asked).fromCache) << "byte " << byte << ", bit " << bit;
         }
 }
@@ -166,7 +168,7 @@ TEST_F(BakeCache, EveryFlippedBitIsSeen) {
 TEST_F(BakeCache, AHeaderThatClaimsTooMuchIsRefusedBeforeMemoryIsTaken) {
     const HeightMap map = noiseMap(4, 4, 5);
     const BakeRequest asked = request("max_mipmap");
-    const std::string good = readBytes(bakeCached(map, asked).file);
+    const std::string good = readFile(bakeCached(map, asked).file);
     for (size_t number = 0; number < 5; ++number)
         for (const uint32_t claimed : {0u, 5u, 1024u, 1u << 20, 0x7fffffffu, 0xffffffffu}) {
             std::string lying = good;
@@ -202,7 +204,7 @@ TEST_F(BakeCache, TheFolderComesFromTheVariables) {
 TEST_F(BakeCache, WithoutAFolderMapsAreMadeAllTheSame) {
     const HeightMap map = noiseMap(4, 3, 1);
     const BakeRequest asked = request("normal");
-    writeBytes(folder_ / "file", "in the way");
+    writeFile(folder_ / "file", "in the way");
     const std::string blocked = (folder_ / "file").string() + "/cache";
     variables_.set("PLUMBLINE_CACHE", blocked);
     for (int n = 0; n < 2; ++n) {

@@ -2,8 +2,9 @@
 #include "realtime/bake/bake.h"
 #include "realtime/bake/baked_map_picture.h"
 #include "scenes/image/exr_file.h"
+#include "tests/files.h"
 #include "tests/realtime/bake/awkward_maps.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/temporary_folder.h"
 
 #include <gmock/gmock.h>
 
@@ -69,9 +70,9 @@ TEST_F(BakedMapPicture, EveryVoxelOfAFieldIsInIt) {
 TEST_F(BakedMapPicture, EqualMapsGiveEqualBytes) {
     const BakedMap map = bakeMap(noiseMap(40, 30, 2), {.kind = "normal", .scale = {}, .slices = 1});
     written(map);
-    const std::string first = readBytes(folder_ / "a.exr");
+    const std::string first = readFile(folder_ / "a.exr");
     written(map);
-    EXPECT_EQ(readBytes(folder_ / "a.exr"), first);
+    EXPECT_EQ(readFile(folder_ / "a.exr"), first);
 }
 
 } // namespace

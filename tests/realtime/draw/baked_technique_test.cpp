@@ -1,8 +1,10 @@
 // Searches in baked maps against exact_cells, the perfect search on the same base.
 #include "realtime/technique/technique.h"
 #include "scenes/maps/generate_map.h"
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/realtime/gl_fixture.h"
-#include "tests/realtime/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -239,19 +241,19 @@ TEST(SlopeParallax, IsExactOnARampAtAnyScaleAndTile) {
 TEST(BakedInput, OneTheShaderNeverReadsIsAnError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const TemporaryFolder folder;
-    folder.write("mine/technique.toml",
-                 "title = 'Mine'\ncitation = 'me'\ninputs = ['height', 'cone_step']\nlimits = []\n"
-                 "needs = []\n");
-    folder.write("mine/mine.glsl",
-                 "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
+    writeFile(folder / "mine/technique.toml",
+              "title = 'Mine'\ncitation = 'me'\ninputs = ['height', 'cone_step']\nlimits = []\n"
+              "needs = []\n");
+    writeFile(folder / "mine/mine.glsl",
+              "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
     const std::string path = (folder.path() / "mine").string();
     EXPECT_THAT(messageOf<InputError>([&] { draw(sceneOf(kViews[0]), path); }),
                 HasSubstr("technique.toml: asks for input 'cone_step', which the shader never reads"));
     // Without asking for it there is no such function, and the compiler says so in the author's line.
-    folder.write("mine/technique.toml",
-                 "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
-    folder.write("mine/mine.glsl",
-                 "\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, coneOfCell(ray.st).r); }\n");
+    writeFile(folder / "mine/technique.toml",
+              "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
+    writeFile(folder / "mine/mine.glsl",
+              "\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, coneOfCell(ray.st).r); }\n");
     EXPECT_THAT(messageOf<InputError>([&] { draw(sceneOf(kViews[0]), path); }), HasSubstr("mine.glsl:2: "));
 }
 

@@ -2,8 +2,10 @@
 #include "realtime/technique/technique.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/data_folder.h"
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/realtime/gl_fixture.h"
-#include "tests/realtime/temporary_folder.h"
+#include "tests/temporary_folder.h"
 
 #include <cmath>
 #include <cstring>
@@ -45,9 +47,9 @@ class UserTechnique : public testing::Test {
         folder_ = std::make_unique<TemporaryFolder>();
     }
     void write(const std::string& shader) {
-        folder_->write("mine/technique.toml",
-                       "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
-        folder_->write("mine/mine.glsl", shader);
+        writeFile(*folder_ / "mine/technique.toml",
+                  "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
+        writeFile(*folder_ / "mine/mine.glsl", shader);
     }
     std::string path() const { return (folder_->path() / "mine").string(); }
     /// Message of drawing it; empty if it works.
@@ -112,9 +114,9 @@ TEST_F(UserTechnique, AUniformOfItsOwnIsAnError) {
 TEST_F(UserTechnique, ABakedMapItNeverReadsIsAnError) {
     const auto writeShader = [&](const std::string& shader) {
         write(shader);
-        folder_->write("mine/technique.toml",
-                       "title = 'Mine'\ncitation = 'me'\ninputs = ['normal']\nlimits = []\n"
-                       "needs = []\n");
+        writeFile(*folder_ / "mine/technique.toml",
+                  "title = 'Mine'\ncitation = 'me'\ninputs = ['normal']\nlimits = []\n"
+                  "needs = []\n");
     };
     writeShader("// normalAndDepth\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0); }\n");
     EXPECT_EQ(message(),

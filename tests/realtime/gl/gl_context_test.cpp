@@ -1,7 +1,7 @@
 // Contexts of both backends in one process.
 #include "realtime/gl/gl_probe.h"
+#include "tests/errors.h"
 #include "tests/realtime/gl_fixture.h"
-#include "tests/realtime/temporary_folder.h"
 
 #include <glad/gl.h>
 
@@ -79,10 +79,9 @@ TEST(GlContext, WhatIsNotThereIsAMachineErrorThatSaysWhatWasTried) {
     EXPECT_THROW(createGlContext({GlBackend::Osmesa, 0}), InputError);
 }
 
-TEST(GlContext, WithoutAnyDriverEveryWayInIsListed) {
+TEST(GlContextWithoutAnyDriver, EveryWayInIsListed) {
     // Mesa's loader is told to look for drivers where there are none: every EGL context fails. GLVND reads
-    // its variable when it is first used, so this must be a process that hasn't drawn yet: CTest runs each
-    // test in one of its own.
+    // its variable when it is first used, so this must be a process that hasn't drawn yet: a suite of its own.
     const ScopedVariable noVendor("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null");
     const std::string message = messageOf<MachineError>([] { createGlContext({GlBackend::Egl, -1}); });
     if (message.empty()) {

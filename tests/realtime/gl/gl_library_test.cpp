@@ -1,6 +1,6 @@
 // Libraries of the GL stack that aren't there, or aren't what they are taken for.
 #include "realtime/gl/gl_library.h"
-#include "scenes/core/error.h"
+#include "tests/errors.h"
 
 #include <array>
 #include <gmock/gmock.h>
@@ -13,20 +13,11 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-template <class Action>
-std::string machineErrorOf(const Action& action) {
-    try {
-        action();
-    } catch (const MachineError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(GlLibrary, SaysWhatIsMissingAndHowToGetIt) {
     const auto open = [] { GlLibrary("egl", std::array{"libNone.so.1", "libNone.so.2"}, "install none"); };
-    EXPECT_THAT(machineErrorOf(open), AllOf(StartsWith("egl: libNone.so.1: "), HasSubstr("libNone.so.2: "),
-                                            EndsWith("; install none")));
+    EXPECT_THAT(
+        messageOf<MachineError>(open),
+        AllOf(StartsWith("egl: libNone.so.1: "), HasSubstr("libNone.so.2: "), EndsWith("; install none")));
 }
 
 TEST(GlLibrary, OpensTheFirstThereIsAndFindsItsFunctions) {
@@ -36,7 +27,8 @@ TEST(GlLibrary, OpensTheFirstThereIsAndFindsItsFunctions) {
     ASSERT_NE(cosine, nullptr);
     EXPECT_EQ(cosine(0), 1);
     void (*none)() = nullptr;
-    EXPECT_EQ(machineErrorOf([&] { library.find("eglNone", none); }), "egl: libm.so.6 has no eglNone");
+    EXPECT_EQ(messageOf<MachineError>([&] { library.find("eglNone", none); }),
+              "egl: libm.so.6 has no eglNone");
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #include "realtime/gl/gl_program.h"
 #include "realtime/gl/shader_log.h"
 #include "scenes/core/error.h"
-#include "tests/realtime/temporary_folder.h"
+#include "tests/errors.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,9 @@
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
-#include "tests/realtime/temporary_folder.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -179,8 +181,8 @@ constexpr const char* kShader =
 /// Message for a manifest in the folder "mine"; empty if it is good.
 std::string manifestMessage(const std::string& toml, const std::string& shader = kShader) {
     const TemporaryFolder folder;
-    folder.write("mine/technique.toml", toml);
-    folder.write("mine/mine.glsl", shader);
+    writeFile(folder / "mine/technique.toml", toml);
+    writeFile(folder / "mine/mine.glsl", shader);
     const std::string message = messageOf<InputError>([&] { nameOf((folder.path() / "mine").string()); });
     const size_t at = message.find("technique.toml");
     return at == std::string::npos ? message : message.substr(at);
@@ -265,8 +267,8 @@ TEST(Manifest, MistakesInParametersAreNamedWithTheirLine) {
 /// Message of the user's technique with these needs on a surface; empty if they compose.
 std::string compositionMessage(const std::string& needs, const std::string& surface) {
     const TemporaryFolder folder;
-    folder.write("mine/technique.toml", with("needs = []", "needs = [" + needs + "]"));
-    folder.write("mine/mine.glsl", kShader);
+    writeFile(folder / "mine/technique.toml", with("needs = []", "needs = [" + needs + "]"));
+    writeFile(folder / "mine/mine.glsl", kShader);
     return messageOf<InputError>([&] { nameOf((folder.path() / "mine").string() + "@" + surface); });
 }
 
@@ -310,10 +312,10 @@ TEST(Composition, SurfacesThatOfferABoundDefineIt) {
 TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
     const auto message = [](const std::string& inputs, const std::string& rest) {
         const TemporaryFolder folder;
-        folder.write("bent/surface.toml",
-                     "title = 'Bent'\ncitation = 'me'\nshadows = ['none']\nlimits = []\noffers = []\n" +
-                         inputs + rest);
-        folder.write("bent/bent.glsl", "// nothing");
+        writeFile(folder / "bent/surface.toml",
+                  "title = 'Bent'\ncitation = 'me'\nshadows = ['none']\nlimits = []\noffers = []\n" + inputs +
+                      rest);
+        writeFile(folder / "bent/bent.glsl", "// nothing");
         return messageOf<InputError>([&] {
             const Manifest manifest = readSurfaceManifest(folder.path() / "bent");
             EXPECT_TRUE(manifest.isBent());
@@ -347,8 +349,8 @@ TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {
     const std::string choice = "[[parameter]]\nname = 'which'\ntype = 'choice'\ndefault = 'normal'\n"
                                "choices = ['normal', 'max_mipmap']\nunit = ''\nmeaning = 'm'\n";
     const TemporaryFolder folder;
-    folder.write("mine/technique.toml", with("['height']", "['height', 'which']") + choice);
-    folder.write("mine/mine.glsl", std::string(kShader) + "int x() { return which; }\n");
+    writeFile(folder / "mine/technique.toml", with("['height']", "['height', 'which']") + choice);
+    writeFile(folder / "mine/mine.glsl", std::string(kShader) + "int x() { return which; }\n");
     const auto kinds = [&](const char* settings) {
         return resolveTechnique((folder.path() / "mine").string() + settings).bakedKinds();
     };
@@ -393,19 +395,19 @@ TEST(Manifest, MissingFilesAreNamed) {
               path + ": has no technique.toml; expected technique.toml and mine.glsl; "
                      "realtime/techniques/_template/ is "
                      "one to copy");
-    folder.write("mine/technique.toml", kGood);
+    writeFile(folder / "mine/technique.toml", kGood);
     EXPECT_EQ(messageOf<InputError>([&] { nameOf(path); }), path + "/mine.glsl: no such file");
 }
 
 TEST(Constants, AreGlslOfTheirType) {
     const TemporaryFolder folder;
-    folder.write("mine/technique.toml",
-                 std::string(kGood) +
-                     "[[parameter]]\nname='f'\ntype='float'\ndefault=3\nrange=[0,9]\nunit=''\nmeaning='m'\n"
-                     "[[parameter]]\nname='b'\ntype='bool'\ndefault=true\nunit=''\nmeaning='m'\n"
-                     "[[parameter]]\nname='c'\ntype='choice'\ndefault='y'\nchoices=['x','y']\nunit=''\n"
-                     "meaning='m'\n");
-    folder.write("mine/mine.glsl", "f b c traceRelief");
+    writeFile(folder / "mine/technique.toml",
+              std::string(kGood) +
+                  "[[parameter]]\nname='f'\ntype='float'\ndefault=3\nrange=[0,9]\nunit=''\nmeaning='m'\n"
+                  "[[parameter]]\nname='b'\ntype='bool'\ndefault=true\nunit=''\nmeaning='m'\n"
+                  "[[parameter]]\nname='c'\ntype='choice'\ndefault='y'\nchoices=['x','y']\nunit=''\n"
+                  "meaning='m'\n");
+    writeFile(folder / "mine/mine.glsl", "f b c traceRelief");
     const Technique technique = resolveTechnique((folder.path() / "mine").string() + ":f=1e-30");
     EXPECT_EQ(technique.glslConstants(), "const float f = 1.000000000e-30;\n"
                                          "const bool b = true;\n"

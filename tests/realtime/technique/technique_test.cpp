@@ -1,6 +1,7 @@
 // From names to techniques, without OpenGL.
 #include "realtime/technique/technique.h"
-#include "tests/realtime/temporary_folder.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +22,9 @@ TEST(TechniqueRequest, OfATechniqueResolvesToItAgain) {
 TEST(ManifestCache, ReadsEachManifestOnce) {
     const TemporaryFolder folder;
     const std::string mine = (folder.path() / "mine").string();
-    folder.write("mine/technique.toml",
-                 "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
-    folder.write("mine/mine.glsl", "ReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
+    writeFile(folder / "mine/technique.toml",
+              "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
+    writeFile(folder / "mine/mine.glsl", "ReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
     ManifestCache manifests;
     EXPECT_EQ(&manifests.surface("flat"), &manifests.surface("flat"));
     const Manifest& read = manifests.search(mine);

@@ -3,9 +3,11 @@
 #include "reference/export/mesh_numbers.h"
 #include "reference/reference.h"
 #include "scenes/mesh/shapes/shapes.h"
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/reference/tessellate/micro_mesh_checks.h"
 #include "tests/reference/test_scenes.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/temporary_folder.h"
 
 #include <algorithm>
 #include <csignal>
@@ -151,7 +153,7 @@ TEST_F(MeshFile, HasTheTracedTrianglesBitForBit) {
             traced.push_back(triangle);
     for (const char* name : {"a.ply", "a.obj"}) {
         const MeshFileSize size = write(name);
-        const std::string bytes = readBytes(folder_ / name);
+        const std::string bytes = readFile(folder_ / name);
         const FileMesh mesh = std::string(name) == "a.ply" ? readPly(bytes) : readObj(bytes);
         EXPECT_EQ(size.bytes, bytes.size());
         EXPECT_EQ(size.vertices, mesh.vertices.size());
@@ -165,7 +167,7 @@ TEST_F(MeshFile, HasTheTracedTrianglesBitForBit) {
 
 TEST_F(MeshFile, HasEachVertexOnceAndNormalsAndStThatFit) {
     write("a.ply");
-    const FileMesh mesh = readPly(readBytes(folder_ / "a.ply"));
+    const FileMesh mesh = readPly(readFile(folder_ / "a.ply"));
     const std::set<std::array<float, 8>> different(mesh.vertices.begin(), mesh.vertices.end());
     EXPECT_EQ(different.size(), mesh.vertices.size());
     // V = 8 * 4 * 32^2 on the torus, and again where uvs jump: 8 * 32 along one circle and 4 * 32 + 1 along
@@ -197,14 +199,14 @@ TEST_F(MeshFile, HasEachVertexOnceAndNormalsAndStThatFit) {
 TEST_F(MeshFile, EqualScenesGiveEqualBytes) {
     write("a.ply");
     write("b.ply");
-    EXPECT_EQ(readBytes(folder_ / "a.ply"), readBytes(folder_ / "b.ply"));
+    EXPECT_EQ(readFile(folder_ / "a.ply"), readFile(folder_ / "b.ply"));
 }
 
 TEST_F(MeshFile, NamesStayOnOneLine) {
     write("a.ply");
-    EXPECT_THAT(readBytes(folder_ / "a.ply"), HasSubstr("comment object_id 1: torus of two lines\n"));
+    EXPECT_THAT(readFile(folder_ / "a.ply"), HasSubstr("comment object_id 1: torus of two lines\n"));
     write("a.obj");
-    EXPECT_THAT(readBytes(folder_ / "a.obj"), HasSubstr("\no torus of two lines\n"));
+    EXPECT_THAT(readFile(folder_ / "a.obj"), HasSubstr("\no torus of two lines\n"));
 }
 
 TEST_F(MeshFile, PlacesThatCanNotBeWritten) {
@@ -214,7 +216,7 @@ TEST_F(MeshFile, PlacesThatCanNotBeWritten) {
 }
 
 TEST_F(MeshFile, AFullDiskLeavesTheOldFile) {
-    writeBytes(folder_ / "a.ply", "old");
+    writeFile(folder_ / "a.ply", "old");
     rlimit old{};
     getrlimit(RLIMIT_FSIZE, &old);
     std::signal(SIGXFSZ, SIG_IGN);
@@ -224,7 +226,7 @@ TEST_F(MeshFile, AFullDiskLeavesTheOldFile) {
     const std::string error = inputErrorOf([&] { write("a.ply"); });
     setrlimit(RLIMIT_FSIZE, &old);
     EXPECT_THAT(error, HasSubstr("a.ply: can't be written: File too large"));
-    EXPECT_EQ(readBytes(folder_ / "a.ply"), "old");
+    EXPECT_EQ(readFile(folder_ / "a.ply"), "old");
     EXPECT_EQ(folder_.fileCount(), 1u);
 }
 

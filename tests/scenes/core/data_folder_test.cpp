@@ -1,5 +1,5 @@
 #include "scenes/core/data_folder.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/temporary_folder.h"
 
 #include <gmock/gmock.h>
 

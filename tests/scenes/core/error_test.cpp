@@ -1,6 +1,8 @@
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -45,14 +47,14 @@ TEST(ReplaceFile, FailureLeavesTheOldFileAndNothingElse) {
     replaceFile(folder / "a.txt", "old");
     EXPECT_THROW(replaceFile(folder / "a.txt",
                              [](const std::filesystem::path& temporary) {
-                                 writeBytes(temporary, "half");
+                                 writeFile(temporary, "half");
                                  throw std::runtime_error("stop");
                              }),
                  std::runtime_error);
-    EXPECT_EQ(readBytes(folder / "a.txt"), "old");
+    EXPECT_EQ(readFile(folder / "a.txt"), "old");
     EXPECT_EQ(folder.fileCount(), 1u);
     replaceFile(folder / "a.txt", "new");
-    EXPECT_EQ(readBytes(folder / "a.txt"), "new");
+    EXPECT_EQ(readFile(folder / "a.txt"), "new");
     EXPECT_EQ(folder.fileCount(), 1u);
 }
 

@@ -3,6 +3,8 @@
 #include "scenes/mesh/obj_file.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/displaced_surface.h"
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/scenes/scene_file/scene_file_fixture.h"
 
 #include <fmt/format.h>
@@ -85,7 +87,7 @@ DraftWishes withTile(const Vec2& tile) {
 class Drafts : public SceneFile {
   protected:
     Scene draftAndRead(const ControlMesh& mesh, const DraftWishes& wishes = {}) {
-        writeBytes(folder_ / "my mesh.obj", objText(mesh));
+        writeFile(folder_ / "my mesh.obj", objText(mesh));
         const SceneDraft draft = draftScene(readObj(folder_ / "my mesh.obj"), halfDeep(), wishes);
         return read(sceneText(draft, "my mesh.obj", "maps/stone.png", halfDeep(), true));
     }
@@ -238,7 +240,7 @@ TEST_F(Drafts, NamesOfFilesComeThroughWhateverTheyHold) {
          {"a \"quoted\" one", "back\\slash", "two\nlines", "#]=[", "tab\tdel\x7f bell\a",
           "caf\xc3\xa9 \xf0\x9f\x90\x84", "'''", "", "<script>"}) {
         SCOPED_TRACE(name);
-        writeBytes(folder_ / (name + ".obj"), kQuad);
+        writeFile(folder_ / (name + ".obj"), kQuad);
         const Scene scene = read(sceneText(draft, name + ".obj", "maps/stone.png", map, true));
         EXPECT_EQ(scene.objects[0].mesh.name, (folder_ / (name + ".obj")).string());
     }

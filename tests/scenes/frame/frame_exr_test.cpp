@@ -1,5 +1,7 @@
 #include "scenes/frame/frame_exr.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <rapidcheck/gtest.h>
 
@@ -66,10 +68,10 @@ TEST(FrameExr, EqualFramesGiveEqualBytesWithAnyNumberOfThreads) {
     for (const int threads : {0, 1, 4}) {
         Imf::setGlobalThreadCount(threads);
         writeFrame(noisyFrame(), folder / "b.exr");
-        EXPECT_EQ(readBytes(folder / "a.exr"), readBytes(folder / "b.exr")) << threads << " threads";
+        EXPECT_EQ(readFile(folder / "a.exr"), readFile(folder / "b.exr")) << threads << " threads";
     }
     // No date or other attribute of the moment.
-    EXPECT_EQ(readBytes(folder / "a.exr").find("apDate"), std::string::npos);
+    EXPECT_EQ(readFile(folder / "a.exr").find("apDate"), std::string::npos);
 }
 
 TEST(FrameExr, RowZeroIsTheTopRowOfTheFile) {
@@ -94,10 +96,10 @@ TEST(FrameExr, TruncatedAnywhereIsRefused) {
     frame.add("Z")[7] = 1;
     frame.add("A")[7] = 1;
     writeFrame(frame, folder / "whole.exr");
-    const std::string whole = readBytes(folder / "whole.exr");
+    const std::string whole = readFile(folder / "whole.exr");
     ASSERT_GT(whole.size(), 400u);
     for (size_t length = 0; length < whole.size(); ++length) {
-        writeBytes(folder / "cut.exr", whole.substr(0, length));
+        writeFile(folder / "cut.exr", whole.substr(0, length));
         EXPECT_THROW(readFrame(folder / "cut.exr"), InputError)
             << length << " of " << whole.size() << " bytes";
     }
@@ -108,13 +110,13 @@ TEST(FrameExr, DamagedAnywhereIsReadOrRefused) {
     Frame frame(20, 20);
     frame.add("Z")[7] = 1;
     writeFrame(frame, folder / "whole.exr");
-    const std::string whole = readBytes(folder / "whole.exr");
+    const std::string whole = readFile(folder / "whole.exr");
     std::mt19937 random(3);
     int refused = 0;
     for (size_t i = 0; i < whole.size(); ++i) {
         std::string damaged = whole;
         damaged[i] = static_cast<char>(random());
-        writeBytes(folder / "damaged.exr", damaged);
+        writeFile(folder / "damaged.exr", damaged);
         refused += !worksOrIsRefused([&] { readFrame(folder / "damaged.exr"); });
     }
     EXPECT_GT(refused, 100); // most of a small file is header and tables
@@ -124,7 +126,7 @@ TEST(FrameExr, WhatIsNoFrameFile) {
     const TemporaryFolder folder;
     EXPECT_THAT(inputErrorOf([&] { readFrame(folder / "none.exr"); }), HasSubstr("no such file"));
     EXPECT_THAT(inputErrorOf([&] { readFrame(folder.path()); }), HasSubstr("is a folder"));
-    writeBytes(folder / "text.exr", "not an image at all");
+    writeFile(folder / "text.exr", "not an image at all");
     EXPECT_THAT(inputErrorOf([&] { readFrame(folder / "text.exr"); }), HasSubstr("is not an OpenEXR file"));
 }
 
@@ -143,7 +145,7 @@ TEST(FrameExr, PlacesThatCanNotBeWritten) {
 
 TEST(FrameExr, FullDiskLeavesTheOldFile) {
     const TemporaryFolder folder;
-    writeBytes(folder / "a.exr", "old");
+    writeFile(folder / "a.exr", "old");
     rlimit old{};
     getrlimit(RLIMIT_FSIZE, &old);
     std::signal(SIGXFSZ, SIG_IGN);
@@ -152,7 +154,7 @@ TEST(FrameExr, FullDiskLeavesTheOldFile) {
     setrlimit(RLIMIT_FSIZE, &small);
     EXPECT_THROW(writeFrame(noisyFrame(), folder / "a.exr"), InputError);
     setrlimit(RLIMIT_FSIZE, &old);
-    EXPECT_EQ(readBytes(folder / "a.exr"), "old");
+    EXPECT_EQ(readFile(folder / "a.exr"), "old");
     EXPECT_EQ(folder.fileCount(), 1u);
 }
 
@@ -227,9 +229,9 @@ TEST(FrameExr, ReadsTiles) {
                 file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
         }
         expectForeignPixels(readFrame(folder / "a.exr"), 40, 25);
-        const std::string whole = readBytes(folder / "a.exr");
+        const std::string whole = readFile(folder / "a.exr");
         for (size_t length = 0; length < whole.size(); length += 37) {
-            writeBytes(folder / "cut.exr", whole.substr(0, length));
+            writeFile(folder / "cut.exr", whole.substr(0, length));
             // Coarser levels follow the finest: a file that lacks only some of those has all that is read.
             const bool read =
                 worksOrIsRefused([&] { expectForeignPixels(readFrame(folder / "cut.exr"), 40, 25); });
@@ -279,9 +281,9 @@ TEST(FrameExr, AbsurdSizesAreRefusedBeforeMemoryIsTaken) {
     Frame frame(4, 4);
     frame.add("Z");
     writeFrame(frame, folder / "a.exr");
-    const std::string bytes = readBytes(folder / "a.exr");
+    const std::string bytes = readFile(folder / "a.exr");
     const auto messageFor = [&](int32_t right, int32_t bottom) {
-        writeBytes(folder / "b.exr", withWindow(bytes, right, bottom));
+        writeFile(folder / "b.exr", withWindow(bytes, right, bottom));
         return inputErrorOf([&] { readFrame(folder / "b.exr"); });
     };
     EXPECT_THAT(messageFor(999999999, 9), HasSubstr("is 1000000000 x 10 pixels large"));

@@ -1,5 +1,5 @@
 #include "scenes/frame/frame.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
 
 #include <cmath>
 #include <gmock/gmock.h>

@@ -2,7 +2,9 @@
 // environment maps, stereo pictures, and headers that claim what can't be. Each is read or refused with a
 // reason.
 #include "scenes/image/exr_file.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <ImfChannelList.h>
 #include <ImfDeepFrameBuffer.h>
@@ -102,9 +104,9 @@ TEST(ExrVariants, PartsOfOneSizeAreOneFrame) {
 TEST(ExrVariants, PartsCutOffAnywhereAreRefused) {
     const TemporaryFolder folder;
     writeParts(folder / "a.exr", {{"beauty", "R", 1}, {"depth", "Z", 2}});
-    const std::string whole = readBytes(folder / "a.exr");
+    const std::string whole = readFile(folder / "a.exr");
     for (size_t length = 0; length < whole.size(); ++length) {
-        writeBytes(folder / "cut.exr", whole.substr(0, length));
+        writeFile(folder / "cut.exr", whole.substr(0, length));
         EXPECT_THROW(readAll(folder / "cut.exr"), InputError) << length << " of " << whole.size() << " bytes";
     }
 }
@@ -202,11 +204,11 @@ std::string withAttribute(std::string bytes, int32_t size) {
 TEST(ExrVariants, AHeaderOfGigabytesIsRefusedWithoutTakingTheMemory) {
     const TemporaryFolder folder;
     writeChanged(folder / "a.exr", [](Imf::Header&) {});
-    const std::string bytes = readBytes(folder / "a.exr");
+    const std::string bytes = readFile(folder / "a.exr");
     for (const int32_t size : {2147483647, 17 << 20}) {
         // A file that really is so long, without taking room on the disk: the claim can't be told by the
         // size.
-        writeBytes(folder / "b.exr", withAttribute(bytes, size));
+        writeFile(folder / "b.exr", withAttribute(bytes, size));
         std::filesystem::resize_file(folder / "b.exr", uint64_t(4) << 30);
         rusage before{}, after{};
         getrusage(RUSAGE_SELF, &before);
@@ -214,7 +216,7 @@ TEST(ExrVariants, AHeaderOfGigabytesIsRefusedWithoutTakingTheMemory) {
         getrusage(RUSAGE_SELF, &after);
         EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 8 << 10) << "kilobytes";
     }
-    writeBytes(folder / "b.exr", withAttribute(bytes, -1));
+    writeFile(folder / "b.exr", withAttribute(bytes, -1));
     EXPECT_THAT(errorOf(folder / "b.exr"), HasSubstr("damaged header: attribute 'aaa'"));
 }
 
@@ -234,12 +236,12 @@ TEST(ExrVariants, MoreTilesThanTheFileCanListAreRefused) {
         output.setFrameBuffer(buffer);
         output.writeTile(0, 0);
     }
-    std::string bytes = readBytes(folder / "a.exr");
+    std::string bytes = readFile(folder / "a.exr");
     const size_t value = bytes.find(std::string("tiles\0tiledesc\0", 15)) + 15 + 4;
     const uint32_t one = 1;
     std::memcpy(&bytes[value], &one, 4);
     std::memcpy(&bytes[value + 4], &one, 4);
-    writeBytes(folder / "b.exr", bytes);
+    writeFile(folder / "b.exr", bytes);
     EXPECT_EQ(readAll(folder / "a.exr").width, 4096);
     EXPECT_THAT(errorOf(folder / "b.exr"), HasSubstr("is truncated"));
 }
@@ -247,13 +249,13 @@ TEST(ExrVariants, MoreTilesThanTheFileCanListAreRefused) {
 TEST(ExrVariants, DamagedPartsAreReadOrRefused) {
     const TemporaryFolder folder;
     writeParts(folder / "a.exr", {{"beauty", "R", 1}, {"depth", "Z", 2}});
-    const std::string whole = readBytes(folder / "a.exr");
+    const std::string whole = readFile(folder / "a.exr");
     std::mt19937 random(5);
     int refused = 0;
     for (size_t at = 0; at < whole.size(); ++at) {
         std::string damaged = whole;
         damaged[at] = static_cast<char>(random());
-        writeBytes(folder / "damaged.exr", damaged);
+        writeFile(folder / "damaged.exr", damaged);
         refused += !worksOrIsRefused([&] { readAll(folder / "damaged.exr"); });
     }
     EXPECT_GT(refused, 100); // most of a small file is header and tables

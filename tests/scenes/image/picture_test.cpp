@@ -2,7 +2,9 @@
 #include "scenes/frame/frame_exr.h"
 #include "scenes/image/image_file.h"
 #include "scenes/maps/map_file.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -155,9 +157,9 @@ TEST(Picture, WhatIsNoPicture) {
     const TemporaryFolder folder;
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "none.png"); }), HasSubstr("no such file"));
     EXPECT_THAT(inputErrorOf([&] { readImage(folder.path()); }), HasSubstr("is not a file"));
-    writeBytes(folder / "empty.png", "");
+    writeFile(folder / "empty.png", "");
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "empty.png"); }), HasSubstr("is empty"));
-    writeBytes(folder / "text.png", "This is no picture, whatever its name says.");
+    writeFile(folder / "text.png", "This is no picture, whatever its name says.");
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "text.png"); }), HasSubstr("is not a picture"));
     writePicture(folder / "deep.tif", 1, 1, 1, std::vector<uint32_t>{7}, OIIO::TypeDesc::UINT32);
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "deep.tif"); }), HasSubstr("stores uint"));
@@ -193,10 +195,10 @@ TEST(Picture, TruncatedIsRefused) {
     const TemporaryFolder folder;
     for (const char* name : {"a.png", "a.jpg", "a.tif", "a.hdr", "a.exr"}) {
         writeNoise(folder / name);
-        const std::string whole = readBytes(folder / name);
+        const std::string whole = readFile(folder / name);
         const std::filesystem::path cut = folder / ("cut" + std::filesystem::path(name).extension().string());
         for (size_t percent = 0; percent < 100; percent += 3) {
-            writeBytes(cut, whole.substr(0, whole.size() * percent / 100));
+            writeFile(cut, whole.substr(0, whole.size() * percent / 100));
             const std::string message = inputErrorOf([&] { readImage(cut); });
             // Found by us, before a library prints its own line about it; of the first bytes alone nobody can
             // tell.
@@ -206,7 +208,7 @@ TEST(Picture, TruncatedIsRefused) {
         }
         // The last bytes may be padding or a trailer that isn't needed, but nothing may crash.
         for (size_t missing = 1; missing < 40; ++missing) {
-            writeBytes(cut, whole.substr(0, whole.size() - missing));
+            writeFile(cut, whole.substr(0, whole.size() - missing));
             worksOrIsRefused([&] { readImage(cut); });
         }
     }
@@ -217,13 +219,13 @@ TEST(Picture, DamagedIsReadOrRefused) {
     std::mt19937 random(13);
     for (const char* name : {"a.png", "a.jpg", "a.tif", "a.hdr", "a.exr"}) {
         writeNoise(folder / name);
-        const std::string whole = readBytes(folder / name);
+        const std::string whole = readFile(folder / name);
         for (int i = 0; i < 60; ++i) {
             std::string damaged = whole;
             for (int k = 0; k < 4; ++k) // mostly in the header
                 damaged[random() % (k < 3 ? std::min<size_t>(200, damaged.size()) : damaged.size())] =
                     static_cast<char>(random());
-            writeBytes(folder / name, damaged);
+            writeFile(folder / name, damaged);
             worksOrIsRefused([&] { readImage(folder / name); });
         }
     }
@@ -232,7 +234,7 @@ TEST(Picture, DamagedIsReadOrRefused) {
 TEST(Picture, AnAbsurdSizeIsRefused) {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", 1, 1, 1, std::vector<uint8_t>{0}, OIIO::TypeDesc::UINT8);
-    std::string bytes = readBytes(folder / "a.png");
+    std::string bytes = readFile(folder / "a.png");
     // IHDR: width and height, big-endian, at bytes 16 and 20, then 5 more bytes and a CRC-32 of all from
     // byte 12.
     const uint32_t side = 60000;
@@ -247,7 +249,7 @@ TEST(Picture, AnAbsurdSizeIsRefused) {
     }
     for (size_t k = 0; k < 4; ++k)
         bytes[29 + k] = static_cast<char>(~crc >> (24 - 8 * k));
-    writeBytes(folder / "b.png", bytes);
+    writeFile(folder / "b.png", bytes);
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "b.png"); }), HasSubstr("60000 x 60000"));
 }
 
@@ -256,7 +258,7 @@ TEST(WritePng, RoundTripAndEqualBytes) {
     const std::vector<uint8_t> rgb = noise(5 * 3 * 3);
     writePng(folder / "a.png", 5, 3, rgb);
     writePng(folder / "b.png", 5, 3, rgb);
-    EXPECT_EQ(readBytes(folder / "a.png"), readBytes(folder / "b.png"));
+    EXPECT_EQ(readFile(folder / "a.png"), readFile(folder / "b.png"));
     const Image image = readImage(folder / "a.png");
     for (size_t i = 0; i < rgb.size(); ++i)
         ASSERT_EQ(image.values[i], static_cast<float>(rgb[i] / 255.0));

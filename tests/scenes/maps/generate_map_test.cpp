@@ -1,8 +1,8 @@
 // The generated height maps: seamless, full range, the same for a seed, formulas where there are any, every
 // error.
-#include "scenes/core/error.h"
 #include "scenes/maps/generate_map.h"
 #include "scenes/maps/map_texels.h"
+#include "tests/errors.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -172,23 +172,18 @@ RC_GTEST_PROP(SineOfTurns, IsTheSine, (const int numerator)) {
     RC_ASSERT(std::abs(sineOfTurns(turns) - std::sin(2 * kPi * (turns - std::floor(turns)))) < 1e-13);
 }
 
-std::string messageOf(const std::string& kind, int size) {
-    try {
-        generate(kind, size);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
+std::string refusal(const std::string& kind, int size) {
+    return inputErrorOf([&] { generate(kind, size); });
 }
 
 TEST(GeneratedMapErrors, NameTheChoices) {
     const std::string kinds = "cobbles, bricks, pyramids, pins, fins, waves, ramp or noise";
-    EXPECT_EQ(messageOf("brick", 64),
+    EXPECT_EQ(refusal("brick", 64),
               "generate: kind 'brick' is unknown; expected " + kinds + "; did you mean 'bricks'?");
-    EXPECT_EQ(messageOf("", 64), "generate: kind '' is unknown; expected " + kinds);
-    EXPECT_EQ(messageOf("noise", 0), "generate 'noise': size = 0; expected a whole number from 1 to 16384");
-    EXPECT_EQ(messageOf("noise", -7), "generate 'noise': size = -7; expected a whole number from 1 to 16384");
-    EXPECT_EQ(messageOf("noise", 16385),
+    EXPECT_EQ(refusal("", 64), "generate: kind '' is unknown; expected " + kinds);
+    EXPECT_EQ(refusal("noise", 0), "generate 'noise': size = 0; expected a whole number from 1 to 16384");
+    EXPECT_EQ(refusal("noise", -7), "generate 'noise': size = -7; expected a whole number from 1 to 16384");
+    EXPECT_EQ(refusal("noise", 16385),
               "generate 'noise': size = 16385; expected a whole number from 1 to 16384");
 }
 

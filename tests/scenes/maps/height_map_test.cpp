@@ -1,5 +1,5 @@
 #include "scenes/maps/height_map.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

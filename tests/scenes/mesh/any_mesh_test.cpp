@@ -3,7 +3,7 @@
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/seams.h"
 #include "scenes/surface/shared_samples.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
 #include "tests/scenes/mesh/test_meshes.h"
 
 #include <fmt/format.h>

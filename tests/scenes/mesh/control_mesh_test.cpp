@@ -1,6 +1,6 @@
 #include "scenes/mesh/control_mesh.h"
 #include "scenes/scene/scene.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #include "scenes/mesh/mesh_defects.h"
 #include "scenes/surface/base_surface.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
 #include "tests/scenes/mesh/test_meshes.h"
 
 #include <gmock/gmock.h>

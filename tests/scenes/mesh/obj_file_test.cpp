@@ -1,5 +1,7 @@
 #include "scenes/mesh/obj_file.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
@@ -16,7 +18,7 @@ using testing::HasSubstr;
 
 ControlMesh readText(const std::string& text) {
     const TemporaryFolder folder;
-    writeBytes(folder / "a.obj", text);
+    writeFile(folder / "a.obj", text);
     return readObj(folder / "a.obj");
 }
 

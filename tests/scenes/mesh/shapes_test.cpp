@@ -1,8 +1,8 @@
 // The built-in shapes: what their limit surfaces must be, in closed form; topology; every error.
-#include "scenes/core/error.h"
 #include "scenes/mesh/shapes/limit_points.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/base_surface.h"
+#include "tests/errors.h"
 #include "tests/scenes/mesh/mesh_checks.h"
 
 #include <gtest/gtest.h>
@@ -354,57 +354,47 @@ TEST(Teapot, LimitsAtVerticesLieOnTheBezierPatches) {
 
 // ------------------------------------------------------------------------------------------------- errors
 
-template <typename Make>
-std::string messageOf(Make make) {
-    try {
-        make();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "no error";
-}
-
 TEST(ShapeErrors, SayWhichShapeAndParameter) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(messageOf([] { makePlane(0, 1, 1, 1); }),
+    EXPECT_EQ(inputErrorOf([] { makePlane(0, 1, 1, 1); }),
               "shape 'plane': width = 0; expected a positive, finite number");
-    EXPECT_EQ(messageOf([&] { makePlane(1, nan, 1, 1); }),
+    EXPECT_EQ(inputErrorOf([&] { makePlane(1, nan, 1, 1); }),
               "shape 'plane': depth = nan; expected a positive, finite number");
-    EXPECT_EQ(messageOf([] { makePlane(1, 1, 0, 1); }),
+    EXPECT_EQ(inputErrorOf([] { makePlane(1, 1, 0, 1); }),
               "shape 'plane': segments[0] = 0; expected a whole number from 1 to 4096");
-    EXPECT_EQ(messageOf([] { makePlane(1, 1, 1, 4097); }),
+    EXPECT_EQ(inputErrorOf([] { makePlane(1, 1, 1, 4097); }),
               "shape 'plane': segments[1] = 4097; expected a whole number from 1 to 4096");
     EXPECT_EQ(
-        messageOf([] { makePlane(1, 1, 4096, 4096); }),
+        inputErrorOf([] { makePlane(1, 1, 4096, 4096); }),
         "shape 'plane': 16777216 faces; expected at most 262144; a control mesh is coarse; the reference "
         "subdivides it as far as the relief needs");
-    EXPECT_EQ(messageOf([&] { makeQuadric(nan, 0, 1, 1); }),
+    EXPECT_EQ(inputErrorOf([&] { makeQuadric(nan, 0, 1, 1); }),
               "shape 'quadric': a = nan; expected a finite number");
-    EXPECT_EQ(messageOf([] { makeQuadric(0, kInfinity, 1, 1); }),
+    EXPECT_EQ(inputErrorOf([] { makeQuadric(0, kInfinity, 1, 1); }),
               "shape 'quadric': b = inf; expected a finite number");
-    EXPECT_EQ(messageOf([] { makeQuadric(0, 0, -1, 1); }),
+    EXPECT_EQ(inputErrorOf([] { makeQuadric(0, 0, -1, 1); }),
               "shape 'quadric': half_size = -1; expected a positive, finite number");
-    EXPECT_EQ(messageOf([] { makeQuadric(0, 0, 1, 4095); }),
+    EXPECT_EQ(inputErrorOf([] { makeQuadric(0, 0, 1, 4095); }),
               "shape 'quadric': segments = 4095; expected a whole number from 1 to 4094");
-    EXPECT_EQ(messageOf([] { makeSphere(-2, 1); }),
+    EXPECT_EQ(inputErrorOf([] { makeSphere(-2, 1); }),
               "shape 'sphere': radius = -2; expected a positive, finite number");
-    EXPECT_EQ(messageOf([] { makeSphere(1, 0); }),
+    EXPECT_EQ(inputErrorOf([] { makeSphere(1, 0); }),
               "shape 'sphere': segments = 0; expected a whole number from 1 to 4096");
-    EXPECT_EQ(messageOf([] { makeCylinder(1, 1, 2, 1); }),
+    EXPECT_EQ(inputErrorOf([] { makeCylinder(1, 1, 2, 1); }),
               "shape 'cylinder': segments[0] = 2; expected a whole number from 3 to 4096");
-    EXPECT_EQ(messageOf([] { makeCylinder(1, 0, 8, 1); }),
+    EXPECT_EQ(inputErrorOf([] { makeCylinder(1, 0, 8, 1); }),
               "shape 'cylinder': height = 0; expected a positive, finite number");
-    EXPECT_EQ(messageOf([] { makeTorus(1, 1, 8, 8); }),
+    EXPECT_EQ(inputErrorOf([] { makeTorus(1, 1, 8, 8); }),
               "shape 'torus': minor = 1; expected less than major = 1");
-    EXPECT_EQ(messageOf([] { makeTorus(1, 0.4, 2, 8); }),
+    EXPECT_EQ(inputErrorOf([] { makeTorus(1, 0.4, 2, 8); }),
               "shape 'torus': segments[0] = 2; expected a whole number from 3 to 4096");
-    EXPECT_EQ(messageOf([] { makeTorus(1, 0.4, 8, 2); }),
+    EXPECT_EQ(inputErrorOf([] { makeTorus(1, 0.4, 8, 2); }),
               "shape 'torus': segments[1] = 2; expected a whole number from 3 to 4096");
-    EXPECT_EQ(messageOf([] {
+    EXPECT_EQ(inputErrorOf([] {
                   makeBox({1, 0, 1}, 1);
               }),
               "shape 'box': size[1] = 0; expected a positive, finite number");
-    EXPECT_EQ(messageOf([] { makeTeapot(65); }),
+    EXPECT_EQ(inputErrorOf([] { makeTeapot(65); }),
               "shape 'teapot': segments = 65; expected a whole number from 2 to 64");
 }
 

@@ -1,4 +1,6 @@
 // Scenes read with other values in some fields, and cameras by their orbit.
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/scenes/scene_file/scene_file_fixture.h"
 
 #include <gmock/gmock.h>
@@ -9,7 +11,7 @@ namespace {
 class ChangedScene : public SceneFile {
   protected:
     Scene readChanged(const SceneChanges& changes) {
-        writeBytes(folder_ / "scene.toml", kWholeScene);
+        writeFile(folder_ / "scene.toml", kWholeScene);
         return readScene(folder_ / "scene.toml", changes);
     }
     std::string messageOfChange(const std::string& change) {

@@ -1,5 +1,6 @@
 // Creases, seams and warnings in scene files.
 #include "scenes/surface/displaced_surface.h"
+#include "tests/files.h"
 #include "tests/scenes/scene_file/scene_file_fixture.h"
 
 #include <algorithm>
@@ -33,8 +34,8 @@ TEST_F(SceneFile, CreasesArrive) {
 }
 
 TEST_F(SceneFile, CreasesOfTheSceneFileStandBesideThoseOfTheMesh) {
-    writeBytes(folder_ / "quad.obj",
-               std::string(kQuad) + "t crease 4/3/0 0 1 2 3 1 2 3\nt corner 1/1/0 0 1\n");
+    writeFile(folder_ / "quad.obj",
+              std::string(kQuad) + "t crease 4/3/0 0 1 2 3 1 2 3\nt corner 1/1/0 0 1\n");
     const SubdivisionTags tags =
         read(with("scheme = \"none\"", "creases = [{ edges = [3, 2], sharpness = 7 }, { vertex = 1, "
                                        "sharpness = 8 }, { vertex = 2, sharpness = 9 }]"))
@@ -89,7 +90,7 @@ TEST_F(SceneFile, SeamsAreWeldedUnlessLeftOpen) {
 
 TEST_F(SceneFile, WarningsNameTheObject) {
     EXPECT_TRUE(read(kWholeScene).warnings.empty());
-    writeBytes(folder_ / "quad.obj", std::string(kQuad) + "v 9 9 9\nt facevaryingpropagatecorners 1/0/0 1\n");
+    writeFile(folder_ / "quad.obj", std::string(kQuad) + "v 9 9 9\nt facevaryingpropagatecorners 1/0/0 1\n");
     const std::vector<std::string> warnings = read(kWholeScene).warnings;
     ASSERT_EQ(warnings.size(), 2u);
     EXPECT_THAT(warnings[0], testing::StartsWith("quad: "));

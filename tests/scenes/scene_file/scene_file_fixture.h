@@ -3,7 +3,9 @@
 
 #include "scenes/image/image_file.h"
 #include "scenes/scene_file/scene_file.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 
 #include <string>
 
@@ -66,11 +68,11 @@ class SceneFile : public testing::Test {
     SceneFile() {
         std::filesystem::create_directory(folder_ / "maps");
         writePng(folder_ / "maps/stone.png", 2, 1, {0, 0, 0, 51, 51, 51});
-        writeBytes(folder_ / "quad.obj", kQuad);
+        writeFile(folder_ / "quad.obj", kQuad);
     }
 
     Scene read(const std::string& text) {
-        writeBytes(folder_ / "scene.toml", text);
+        writeFile(folder_ / "scene.toml", text);
         return readScene(folder_ / "scene.toml");
     }
 

@@ -1,4 +1,6 @@
 #include "scenes/frame/scene_metadata.h"
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/scenes/scene_file/scene_file_fixture.h"
 
 #include <fmt/format.h>
@@ -254,7 +256,7 @@ TEST_F(SceneFile, WhatIsNoSceneFile) {
 }
 
 TEST_F(SceneFile, ReliefAndColourMapNeedUvs) {
-    writeBytes(folder_ / "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
+    writeFile(folder_ / "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("object.relief: "));
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("quad.obj has no uvs; expected"));
     const std::string withoutRelief = with("relief = { map = \"stone\", depth = 0.08, offset = 0.01, tile = "
@@ -262,13 +264,13 @@ TEST_F(SceneFile, ReliefAndColourMapNeedUvs) {
                                            "");
     EXPECT_THAT(messageFor(withoutRelief), HasSubstr("object.color_map: "));
     EXPECT_NO_THROW(read(with("color_map = \"maps/stone.png\"\n", "", withoutRelief)));
-    writeBytes(folder_ / "quad.obj", std::string(kQuad) + "f 1 2 3\n");
+    writeFile(folder_ / "quad.obj", std::string(kQuad) + "f 1 2 3\n");
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("has no uvs: the face in line 10 has no uv indices"));
 }
 
 TEST_F(SceneFile, PartialNormalsMatterUnderSchemeNoneAlone) {
-    writeBytes(folder_ / "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
-                                     "f 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\n");
+    writeFile(folder_ / "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
+                                    "f 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\n");
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("the face in line 8 has no normal indices"));
     EXPECT_NO_THROW(read(with("scheme = \"none\"", "scheme = \"catmull-clark\"")));
 }
@@ -286,7 +288,7 @@ TEST_F(SceneFile, HashFollowsEveryByteThatMatters) {
     writePng(folder_ / "maps/stone.png", 2, 1, {0, 0, 0, 52, 52, 52});
     const std::string otherMap = read(kWholeScene).hash;
     EXPECT_NE(otherMap, hash);
-    writeBytes(folder_ / "quad.obj", std::string(kQuad) + "# a comment\n");
+    writeFile(folder_ / "quad.obj", std::string(kQuad) + "# a comment\n");
     EXPECT_NE(read(kWholeScene).hash, otherMap);
 }
 

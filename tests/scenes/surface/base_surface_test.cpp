@@ -3,6 +3,7 @@
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/shared_samples.h"
+#include "tests/scenes/mesh/test_meshes.h"
 
 #include <gtest/gtest.h>
 
@@ -67,13 +68,7 @@ TEST(BaseSurface, CubeCornerGoesToTheLimitOfHalstead1993) {
     // 5)), e its edge neighbours, f the far corners of its quads. Cube of +-1, corner (1,1,1): sum(e) =
     // (1,1,1), sum(f) =
     // (-1,-1,-1), so (9 + 4 - 1) / 24 = 1/2. The normal is the diagonal by symmetry.
-    ControlMesh mesh;
-    mesh.name = "cube";
-    for (int k = 0; k < 8; ++k)
-        mesh.points.push_back(Vec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1));
-    mesh.faceSizes.assign(6, 4);
-    mesh.faceVertices = {0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
-    const BaseSurface surface(mesh, Scheme::CatmullClark);
+    const BaseSurface surface(cubeMesh(), Scheme::CatmullClark);
     BaseSurface::Evaluator evaluator(surface);
     evaluator.setPatch(1); // 4 5 7 6: its corner 2, at (1,1), is vertex 7
     const BasePoint corner = evaluator.point(1, 1);

@@ -1,5 +1,5 @@
 #include "scenes/toml/toml_table.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
 
 #include <gmock/gmock.h>
 

@@ -4,7 +4,8 @@
 //   the near plane) pbrt-v4, src/pbrt/film.cpp, GBufferFilm (camera space by default; zeros on a miss)
 #include "scenes/image/exr_file.h"
 #include "scenes/scene/camera.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/temporary_folder.h"
 #include "validate/compare/foreign_frame.h"
 
 #include <algorithm>

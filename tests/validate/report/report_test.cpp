@@ -1,4 +1,4 @@
-#include "tests/scenes/core/test_files.h"
+#include "tests/temporary_folder.h"
 #include "tests/validate/results/sample_results.h"
 #include "validate/report/pictures.h"
 #include "validate/report/report.h"

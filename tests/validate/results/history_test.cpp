@@ -1,5 +1,5 @@
 // The history of a shader: records there and back, and what counts as worse.
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
 #include "tests/validate/results/sample_results.h"
 #include "validate/results/history_moves.h"
 

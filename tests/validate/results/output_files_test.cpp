@@ -1,10 +1,10 @@
 #include "scenes/core/error.h"
+#include "tests/temporary_folder.h"
 #include "validate/results/output_files.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <unistd.h>
 
 namespace plumbline {
 namespace {
@@ -13,12 +13,8 @@ namespace fs = std::filesystem;
 
 class OutputFiles : public ::testing::Test {
   protected:
-    void SetUp() override {
-        folder_ = fs::temp_directory_path() / ("plumbline_output_" + std::to_string(::getpid()));
-        fs::create_directories(folder_);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-    fs::path folder_;
+    TemporaryFolder temporary_;
+    const fs::path folder_ = temporary_.path();
 };
 
 TEST_F(OutputFiles, FoldersAreCreatedWithTheirParentsAndLeftEmpty) {

@@ -1,6 +1,8 @@
 // Studies: the file, the cases it stands for, the rows they become.
 #include "scenes/core/data_folder.h"
-#include "tests/scenes/core/test_files.h"
+#include "tests/errors.h"
+#include "tests/files.h"
+#include "tests/temporary_folder.h"
 #include "validate/study/study_plot.h"
 #include "validate/study/study_report.h"
 
@@ -62,7 +64,7 @@ where = { size = [10, 100] }
 class StudyFile : public testing::Test {
   protected:
     Study read(const std::string& text) {
-        writeBytes(folder_ / "mine.toml", text);
+        writeFile(folder_ / "mine.toml", text);
         return readStudy(folder_ / "mine.toml");
     }
     /// The message without the file's folder.
@@ -216,20 +218,20 @@ TEST_F(StudyFile, CasesAreNamedByWhatDecidesTheirResults) {
 }
 
 TEST_F(StudyFile, FilesThatValuesNameCountWithWhatTheyHold) {
-    writeBytes(
+    writeFile(
         folder_ / "scene.toml",
         "purpose = \"x\"\n[camera]\nposition = [0, 0, 3]\n[[object]]\nname = \"torus\"\nmesh = \"a.obj\"\n");
-    writeBytes(folder_ / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    writeFile(folder_ / "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     std::string text = kStudy;
     for (const auto& [from, to] :
          {std::pair<std::string, std::string>{"\"small_torus\"", "\"scene.toml\""},
           {"scene_set = [\"camera.width=64\"]", "scene_set = [\"object.torus.mesh='b.obj'\"]"}})
         text.replace(text.find(from), from.size(), to);
     const Study study = read(text);
-    writeBytes(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
+    writeFile(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 2 0\nf 1 2 3\n");
     const std::string before = cases(study)[0].id;
     EXPECT_EQ(cases(study)[0].id, before);
-    writeBytes(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\n");
+    writeFile(folder_ / "b.obj", "v 0 0 0\nv 1 0 0\nv 0 3 0\nf 1 2 3\n");
     EXPECT_NE(cases(study)[0].id, before);
 }
 
@@ -328,14 +330,14 @@ TEST_F(StudyFile, TheReportEscapesWhatItShows) {
     std::vector<StudyRow> rows = sampleRows(cases(study));
     rows.push_back(rowsOf(cases(study)[0], {{"error", "<script>"}})[0]);
     writeStudyReport(study, rows, 7, 2, folder_ / "report");
-    const std::string page = readBytes(folder_ / "report/index.html");
+    const std::string page = readFile(folder_ / "report/index.html");
     EXPECT_THAT(page, HasSubstr("A &lt;study&gt;"));
     EXPECT_THAT(page, HasSubstr("1 × &lt;script&gt;"));
     EXPECT_THAT(page, HasSubstr("2 cases have no results yet"));
     EXPECT_THAT(page, HasSubstr("<th scope=\"row\">B</th><td>0.3125</td><td>0.6875</td>"));
-    EXPECT_THAT(readBytes(folder_ / "report/tables.md"),
+    EXPECT_THAT(readFile(folder_ / "report/tables.md"),
                 HasSubstr("| technique \\ depth | 0.02 | 0.5 |\n|---|--:|--:|\n| A | 0.25 | 0.625 |\n"));
-    EXPECT_THAT(readBytes(folder_ / "report/p.svg"), HasSubstr("</svg>"));
+    EXPECT_THAT(readFile(folder_ / "report/p.svg"), HasSubstr("</svg>"));
 }
 
 TEST_F(StudyFile, AFolderIsOneStudys) {
@@ -346,7 +348,7 @@ TEST_F(StudyFile, AFolderIsOneStudys) {
     folder.store(all[0], outcome(0.5, 0.5));
     folder.store(all[1], {{"error", "gone soon"}, {"again", true}});
     folder.store(all[2], {{"error", "wrong"}});
-    writeBytes(folder_ / "out" / "cases" / (all[3].id + ".json"), "{\"error\": nul"); // half a file
+    writeFile(folder_ / "out" / "cases" / (all[3].id + ".json"), "{\"error\": nul"); // half a file
     EXPECT_TRUE(folder.outcomeOf(all[0]));
     EXPECT_FALSE(folder.outcomeOf(all[1]));
     EXPECT_TRUE(folder.outcomeOf(all[2]));
@@ -354,7 +356,7 @@ TEST_F(StudyFile, AFolderIsOneStudys) {
          {"{\"error\": nul", "", "[]", "{\"error\": 3}", "{\"error\": null}",
           "{\"error\": null, \"techniques\": [3], \"pairs\": []}",
           "{\"error\": null, \"techniques\": [{\"name\": \"q\", \"result\": null}], \"pairs\": []}"}) {
-        writeBytes(folder_ / "out" / "cases" / (all[3].id + ".json"), damaged);
+        writeFile(folder_ / "out" / "cases" / (all[3].id + ".json"), damaged);
         EXPECT_FALSE(folder.outcomeOf(all[3])) << damaged;
     }
 

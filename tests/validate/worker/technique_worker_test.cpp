@@ -1,6 +1,7 @@
 // A technique drawn in a process of its own is the technique drawn here: frames, results, errors.
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
+#include "tests/files.h"
 #include "tests/realtime/gl_fixture.h"
 #include "validate/worker/technique_worker.h"
 
@@ -15,10 +16,7 @@ using ::testing::HasSubstr;
 
 class TechniqueWorkerTest : public test::EndToEnd {
   protected:
-    void SetUp() override {
-        EndToEnd::SetUp();
-        scene_ = readScene(writeSmallScene());
-    }
+    void SetUp() override { scene_ = readScene(writeSmallScene()); }
     WorkerOptions options(const GlOptions& gl = {GlBackend::Auto, -1, 0}) const {
         WorkerOptions result;
         result.sceneFile = folder_ / "small.toml";
@@ -144,7 +142,7 @@ class ScriptedWorkerTest : public TechniqueWorkerTest {
         std::string text = "#!/bin/sh\n";
         for (const std::string& line : script)
             text += line + "\n";
-        test::writeFile(folder_ / "script", text);
+        writeFile(folder_ / "script", text);
         std::filesystem::permissions(folder_ / "script", std::filesystem::perms::owner_all);
         WorkerOptions scripted = options();
         scripted.program = folder_ / "script";

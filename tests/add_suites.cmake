@@ -1,0 +1,23 @@
+# Read by CTest before it runs anything. A suite of a program is one test of CTest's: its tests share a process, and with
+# it what takes long to load, OpenGL's driver (0.1 s) and OpenImageIO (0.2 s).
+function(add_suites program labels)
+    get_filename_component(name ${program} NAME)
+    # Mesa leaks a little and unloads its driver, so no suppression can name it: leaks are looked for without GL.
+    set(environment "")
+    if("gl" IN_LIST labels)
+        set(environment "ASAN_OPTIONS=detect_leaks=0")
+    endif()
+    set(suites NOT_BUILT.)
+    if(EXISTS ${program})
+        execute_process(COMMAND ${program} --gtest_list_tests OUTPUT_VARIABLE listing COMMAND_ERROR_IS_FATAL ANY)
+        string(REGEX MATCHALL "(^|\n)[^ \n]+\\." suites "${listing}")
+    endif()
+    foreach(suite IN LISTS suites)
+        string(STRIP "${suite}" suite)
+        string(REGEX REPLACE "\\.$" "" test "${name}.${suite}")
+        add_test(${test} ${program} --gtest_filter=${suite}*)
+        # 77: main.cpp says that tests were skipped.
+        set_tests_properties(${test} PROPERTIES LABELS "${labels}" TIMEOUT 600 SKIP_RETURN_CODE 77
+            ENVIRONMENT "${environment}")
+    endforeach()
+endfunction()
