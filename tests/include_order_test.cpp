@@ -89,7 +89,7 @@ std::vector<std::string> offencesIn(const std::filesystem::path& root, const std
     return offences;
 }
 
-TEST(IncludeOrder, HoldsInEveryFile) {
+TEST(IncludeOrder, EveryFile_IncludesOnlyFoldersBelow) {
     const std::filesystem::path root = PLUMBLINE_SOURCE_DIR;
     std::vector<std::string> offences;
     size_t files = 0;
@@ -111,7 +111,7 @@ bool covers(std::string_view name, const Folder& row) {
     return isWithin(row.name, name) || folderOf(name) == &row;
 }
 
-TEST(IncludeOrder, TableNamesOnlyFoldersAbove) {
+TEST(IncludeOrder, Table_NamesOnlyEarlierFolders) {
     for (size_t row = 0; row < folders().size(); ++row)
         for (const std::string_view name : folders()[row].mayInclude)
             for (size_t below = row; below < folders().size(); ++below)

@@ -1,6 +1,7 @@
 // main() of every test program.
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
 
 /// Nothing failed, but something was skipped: its output says what and why. CTest reports it as skipped.
 constexpr int kSkipped = 77;

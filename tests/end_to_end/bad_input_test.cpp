@@ -48,12 +48,12 @@ class BadInput : public EndToEnd {
     }
 };
 
-TEST_F(BadInput, TheSceneTheseTestsDamageIsGoodItself) {
+TEST_F(BadInput, UndamagedScene_Works) {
     const std::string scene = writeSmallScene();
     EXPECT_EQ(run({"reference", scene, "--rate", "4", "-o", "out/frame.exr"}).exitCode, 0);
 }
 
-TEST_F(BadInput, Scenes) {
+TEST_F(BadInput, BadScenes_AreRefused) {
     expectRefused(run({"reference", "missing.toml"}), "missing.toml");
     expectRefused(run({"reference", "."}), "");
     expectRefused(run({"reference", "stone_toruss"}), "did you mean 'stone_torus'?");
@@ -75,7 +75,7 @@ TEST_F(BadInput, Scenes) {
     expectLineRefused("map = \"stone\"", "map = \"wood\"", "wood");
 }
 
-TEST_F(BadInput, AbsurdSizes) {
+TEST_F(BadInput, HugeSizes_AreRefused) {
     for (const char* width : {"1000000000", "1e9", "0", "-5", "9223372036854775807"})
         expectLineRefused("width = 96", "width = " + std::string(width), "width");
     expectLineRefused("size = 32", "size = 1000000000", "size");
@@ -85,7 +85,7 @@ TEST_F(BadInput, AbsurdSizes) {
 
 constexpr const char* kSquare = "v 0 0 0\nv 1 0 0\nv 1 0 -1\nv 0 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 
-TEST_F(BadInput, Meshes) {
+TEST_F(BadInput, BadMeshes_AreRefused) {
     const std::string square = kSquare;
     expectLineRefused("shape = { kind = \"torus\", major = 1.0, minor = 0.4, segments = [12, 6] }",
                       "mesh = \"missing.obj\"", "missing.obj");
@@ -104,7 +104,7 @@ TEST_F(BadInput, Meshes) {
                       "mesh.obj");
 }
 
-TEST_F(BadInput, Images) {
+TEST_F(BadInput, BadImages_AreRefused) {
     expectImageRefused("missing.png", "missing.png");
     writeFile(folder_ / "text.png", "this is no picture\n");
     expectImageRefused("text.png", "text.png");
@@ -122,7 +122,7 @@ TEST_F(BadInput, Images) {
     expectImageRefused("nan.exr", "nan.exr");
 }
 
-TEST_F(BadInput, Frames) {
+TEST_F(BadInput, BadFrames_AreRefused) {
     Frame good = emptyFrame(8, 8);
     paintRectangle(good, 1, 1, 5, 5);
     writeFrame(good, folder_ / "good.exr");
@@ -160,7 +160,7 @@ TEST_F(BadInput, Frames) {
 }
 
 // Permission bits don't stop root, a regular file in the way stops everybody.
-TEST_F(BadInput, OutputsThatCannotBeWritten) {
+TEST_F(BadInput, UnwritableOutput_IsRefused) {
     const std::string scene = writeSmallScene();
     Frame frame = emptyFrame(2, 2);
     paintPixel(frame, 0, 0, 1, 2);

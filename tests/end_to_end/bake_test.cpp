@@ -57,7 +57,7 @@ std::vector<std::string> withScale(std::vector<std::string> arguments) {
 
 // Heights 1, 3/4, 1/2, 1/4 a row: depths 0, 1/4, 1/2, 3/4 along s. The bounds of the four patches, the last
 // one back to the first under repeat.
-TEST_F(Bake, APictureByHand) {
+TEST_F(Bake, KnownImage_EqualsHandComputed) {
     writeGrey("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
     const Outcome made =
         bake({"ramp.exr", "--kind", "max_mipmap", "--stores", "height", "-o", "pictures/bounds.exr"});
@@ -91,7 +91,7 @@ TEST_F(Bake, APictureByHand) {
 
 // Depths 0, 1/4, 1/2, 3/4 along s fall by 1 a map width: by 0.5 world units on 2, so the normal is (1/4, 0,
 // 1). The same along t, on 3 world units: (0, 1/6, 1).
-TEST_F(Bake, TheScaleArrives) {
+TEST_F(Bake, Scale_TakesEffect) {
     const auto slope = [&](const std::string& map, const std::string& channel) {
         EXPECT_EQ(bake(withScale({map, "--kind", "normal", "--stores", "depth", "-o", "n.exr"})).exitCode, 0);
         const ExrPlanes picture = readExr(folder_ / "n.exr", [](const auto& names) { return names; });
@@ -105,7 +105,7 @@ TEST_F(Bake, TheScaleArrives) {
     EXPECT_FLOAT_EQ(slope("along_t.exr", "n.Y"), 1.0f / 6);
 }
 
-TEST_F(Bake, AMapOfASceneComesFromTheCacheTheSecondTime) {
+TEST_F(Bake, SecondBake_ComesFromCache) {
     writeSmallScene();
     for (const char* kind : {"normal", "distance_field"}) {
         const auto arguments = withScale({"small.toml#stone", "--kind", kind});
@@ -121,7 +121,7 @@ TEST_F(Bake, AMapOfASceneComesFromTheCacheTheSecondTime) {
     EXPECT_THAT(bake(withScale({"stone_torus#stone", "--kind", "normal"})).out, HasSubstr("256 x 256"));
 }
 
-TEST_F(Bake, PicturesHaveTheSameBytesFromTheCacheAndOnOneThread) {
+TEST_F(Bake, CacheAndOneThread_GiveEqualBytes) {
     writeSmallScene();
     const auto picture = [&](const std::string& file, const std::string& threads) {
         EXPECT_EQ(bake(withScale({"small.toml#stone", "--kind", "distance_field", "--slices", "9", "-o", file,
@@ -139,7 +139,7 @@ TEST_F(Bake, PicturesHaveTheSameBytesFromTheCacheAndOnOneThread) {
 }
 
 // Both may make the map; one file is left, whole, whoever renamed last.
-TEST_F(Bake, TwoProcessesAtOnceShareTheCache) {
+TEST_F(Bake, TwoProcesses_ShareCache) {
     const std::string scene = writeSmallScene();
     for (const char* folder : {"a", "b"})
         std::filesystem::create_directories(folder_ / folder);
@@ -161,7 +161,7 @@ TEST_F(Bake, TwoProcessesAtOnceShareTheCache) {
     }
 }
 
-TEST_F(Bake, ADamagedFileIsMadeAnew) {
+TEST_F(Bake, DamagedFile_IsRemade) {
     writeGrey("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
     const std::vector<std::string> arguments{"ramp.exr", "--kind", "max_mipmap", "--stores", "height"};
     ASSERT_EQ(bake(arguments).exitCode, 0);
@@ -182,7 +182,7 @@ TEST_F(Bake, ADamagedFileIsMadeAnew) {
     }
 }
 
-TEST_F(Bake, WithoutACacheItStillBakes) {
+TEST_F(Bake, NoCache_StillBakes) {
     writeGrey("grey.exr", 2, 1, {0.5f, 0.25f});
     writeFile(folder_ / "file", "in the way");
     const std::vector<std::string> arguments{"bake",     "grey.exr", "--kind", "max_mipmap",
@@ -199,7 +199,7 @@ TEST_F(Bake, WithoutACacheItStillBakes) {
     EXPECT_THAT(nowhere.err, HasSubstr("none of PLUMBLINE_CACHE, XDG_CACHE_HOME and HOME is set"));
 }
 
-TEST_F(Bake, OneTexelAndAConstant) {
+TEST_F(Bake, OneTexelAndConstant_Bake) {
     writeGrey("one.exr", 1, 1, {0.5f});
     writeGrey("flat.exr", 7, 3, std::vector<float>(21, 1.0f));
     for (const char* map : {"one.exr", "flat.exr"})
@@ -216,7 +216,7 @@ TEST_F(Bake, OneTexelAndAConstant) {
         }
 }
 
-TEST_F(Bake, BadMaps) {
+TEST_F(Bake, BadMaps_AreRefused) {
     const auto stores = [](const std::string& map) {
         return std::vector<std::string>{map, "--kind", "max_mipmap", "--stores", "depth"};
     };
@@ -241,7 +241,7 @@ TEST_F(Bake, BadMaps) {
     expectRefused({"high.exr", "--kind", "max_mipmap"}, "--stores: is missing");
 }
 
-TEST_F(Bake, BadOptions) {
+TEST_F(Bake, BadOptions_AreRefused) {
     writeGrey("a.exr", 1, 1, {0.5f});
     const auto with = [](const std::string& kind, std::vector<std::string> more) {
         more.insert(more.begin(), {"a.exr", "--stores", "depth", "--kind", kind});
@@ -267,7 +267,7 @@ TEST_F(Bake, BadOptions) {
     expectRefused({"a.exr", "--kind", "max_mipmap", "--stores", "heights"}, "did you mean 'height'?");
 }
 
-TEST_F(Bake, OutputsThatCannotBeWritten) {
+TEST_F(Bake, UnwritableOutput_IsRefused) {
     writeGrey("a.exr", 1, 1, {0.5f});
     const auto into = [](const std::string& file) {
         return std::vector<std::string>{"a.exr", "--stores", "depth", "--kind", "max_mipmap", "-o", file};
@@ -278,7 +278,7 @@ TEST_F(Bake, OutputsThatCannotBeWritten) {
     expectRefused(into("/dev/full"), "/dev/full");
 }
 
-TEST_F(Bake, WhatDoesNotFitIsTheMachinesFault) {
+TEST_F(Bake, TooMuchMemory_IsMachineError) {
     std::string scene = kSmallScene;
     scene = withLine(scene, "kind = \"cobbles\", size = 32", "kind = \"ramp\", size = 16384");
     scene = withLine(scene, "relief = { map = \"stone\", depth = 0.1, tile = [3, 2] }\n", "");
@@ -287,7 +287,7 @@ TEST_F(Bake, WhatDoesNotFitIsTheMachinesFault) {
                   "memory: a distance field of generated ramp, 16384 x 16384", 3);
 }
 
-TEST_F(Bake, KindsAreListed) {
+TEST_F(Bake, List_PrintsKinds) {
     const Outcome list = run({"list", "bakes"});
     EXPECT_EQ(list.exitCode, 0);
     for (const char* part : {"normal: ", "distance_field: ", "max_mipmap: ", "channels: ", "needs a scale"})

@@ -28,7 +28,7 @@ class BlenderFrame : public EndToEnd {
     }
 };
 
-TEST_F(BlenderFrame, OfTheExportedMeshCoversTheSamePixels) {
+TEST_F(BlenderFrame, ExportedMesh_CoversEqualPixels) {
     const Outcome reference = run({"reference", "stone_torus", "--rate", "64", "-o", "reference.exr",
                                    "--export-mesh", "mesh.ply", "--export-camera", "camera.json"});
     ASSERT_EQ(reference.exitCode, 0) << reference.err;
@@ -51,7 +51,7 @@ TEST_F(BlenderFrame, OfTheExportedMeshCoversTheSamePixels) {
     EXPECT_LT(figures["st"]["p95_texels"], 0.5);
 }
 
-TEST_F(BlenderFrame, TheScriptRefusesWhatIsNoMesh) {
+TEST_F(BlenderFrame, ScriptWithoutMesh_IsRefused) {
     writeFile(folder_ / "mesh.ply", "ply\nformat ascii 1.0\n");
     writeFile(folder_ / "camera.json", "{}");
     EXPECT_NE(runBlender("mesh.ply", "camera.json", "blender.exr"), 0);

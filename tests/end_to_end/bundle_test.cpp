@@ -14,7 +14,7 @@ using namespace test;
 
 using Bundle = EndToEnd;
 
-TEST_F(Bundle, NeedsNothingButTheRuntimeOfCAndCxx) {
+TEST_F(Bundle, BundledProgram_NeedsOnlyCAndCxxRuntime) {
     if (shell("patchelf --version").exitCode != 0) GTEST_SKIP() << "patchelf isn't there";
     const fs::path moved = installAndMove(folder_, {"bundle"}), libraries = moved / "lib/plumbline";
     std::vector<fs::path> loaded{moved / "bin/plumbline", libraries / "plumbline_images.so"};

@@ -47,7 +47,7 @@ class Circle : public EndToEnd {
     }
 };
 
-TEST_F(Circle, ExactCellsSeesWhatTheReferenceTracesUpToWhatItIsUnsureOf) {
+TEST_F(Circle, ExactCells_EqualsReferenceWhereCertain) {
     const std::filesystem::path file = writeScene();
     // A search without error needs no bias against shadowing itself but rounding's: 1e-4 of the relief.
     const std::string technique = "exact_cells:shadow_bias=0.0001";

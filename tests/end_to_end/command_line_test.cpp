@@ -16,7 +16,7 @@ using nlohmann::json;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-TEST_F(EndToEnd, UnknownCommandsAndOptions) {
+TEST_F(EndToEnd, UnknownCommandsAndOptions_HaveHint) {
     expectRefusal(run({"valdate"}), 2, "did you mean 'validate'?");
     expectRefusal(run({"xyzzy"}), 2, "there is no command 'xyzzy'; expected validate, reference");
     expectRefusal(run({"reference", "x", "--memry", "1G"}), 2, "did you mean '--memory'?");
@@ -34,7 +34,7 @@ TEST_F(EndToEnd, UnknownCommandsAndOptions) {
     expectRefusal(run({"list", "scenes", "extra"}), 2, "'extra' was not expected");
 }
 
-TEST_F(EndToEnd, OptionsOutOfRange) {
+TEST_F(EndToEnd, OptionsOutOfRange_AreRefused) {
     const std::string scene = writeSmallScene();
     for (const char* bad : {"0", "-1", "1e9", "two", ""})
         expectRefusal(run({"reference", scene, "--threads", bad}), 2, "--threads");
@@ -54,21 +54,21 @@ TEST_F(EndToEnd, OptionsOutOfRange) {
     EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
 }
 
-TEST_F(EndToEnd, NoArgumentsShowTheCommands) {
+TEST_F(EndToEnd, NoArguments_ShowCommands) {
     const Outcome bare = run({});
     EXPECT_EQ(bare.exitCode, 2);
     EXPECT_THAT(bare.err, HasSubstr("validate"));
     EXPECT_THAT(bare.out, IsEmpty());
 }
 
-TEST_F(EndToEnd, HelpAndVersionAreResults) {
+TEST_F(EndToEnd, HelpAndVersion_GoToStdout) {
     EXPECT_THAT(run({"--version"}).out, HasSubstr("plumbline "));
     const Outcome help = run({"validate", "--help"});
     EXPECT_EQ(help.exitCode, 0);
     EXPECT_THAT(help.out, HasSubstr("--technique"));
 }
 
-TEST_F(EndToEnd, ListsScenesAndMetrics) {
+TEST_F(EndToEnd, List_PrintsScenesAndMetrics) {
     const Outcome scenes = run({"list", "scenes"});
     EXPECT_EQ(scenes.exitCode, 0);
     EXPECT_THAT(scenes.out, HasSubstr("stone_torus"));
@@ -77,7 +77,7 @@ TEST_F(EndToEnd, ListsScenesAndMetrics) {
     EXPECT_THAT(run({"list", "surfaces"}).out, HasSubstr("\nquadric: "));
 }
 
-TEST_F(EndToEnd, ReferenceGivesEqualBytesTwiceAndOnOneOrTwoThreads) {
+TEST_F(EndToEnd, ReferenceOnAnyThreadCount_GivesEqualBytes) {
     const std::string scene = writeSmallScene();
     const std::vector<std::vector<std::string>> ways{{"-o", "a.exr"},
                                                      {"-o", "b.exr"},
@@ -96,7 +96,7 @@ TEST_F(EndToEnd, ReferenceGivesEqualBytesTwiceAndOnOneOrTwoThreads) {
     EXPECT_TRUE(bytes == readFile(folder_ / "two.exr"));
 }
 
-TEST_F(EndToEnd, ReferenceTakesABaseAndAnAim) {
+TEST_F(EndToEnd, ReferenceOptions_TakeEffect) {
     const std::string scene = writeSmallScene();
     for (const char* base : {"limit", "proxy"})
         for (const char* aim : {"1e-6", "0.5", "1000"}) {
@@ -107,14 +107,14 @@ TEST_F(EndToEnd, ReferenceTakesABaseAndAnAim) {
         }
 }
 
-TEST_F(EndToEnd, MemoryTooSmallForTheRateIsTheMachinesFault) {
+TEST_F(EndToEnd, TooLittleMemoryForRate_IsMachineError) {
     const std::string scene = writeSmallScene();
     expectRefusal(run({"reference", scene, "--rate", "1024", "--memory", "1M", "-o", "a.exr"}), 3,
                   "--memory");
     EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
 }
 
-TEST_F(EndToEnd, AFrameWithItself) {
+TEST_F(EndToEnd, FrameWithItself_HasNoError) {
     const std::string scene = writeSmallScene();
     ASSERT_EQ(run({"reference", scene, "--rate", "16", "-o", "a.exr"}).exitCode, 0);
     const Outcome compared = run({"compare", "a.exr", "a.exr", "--json"});
@@ -140,7 +140,7 @@ TEST_F(EndToEnd, AFrameWithItself) {
 //          p99 = max = 1/8; with a relief 1/2 deep that is 1/4 of it: above 1 % and 5 %, not above 25 %
 //   shadow: reference dark in 3 4 of the shared columns, test in 3 4 5: TP 20, FP 10, FN 0, TN 40:
 //          agreement 60/70, IoU 20/30, F1 40/50, BER = (10/50 + 0)/2 = 0.1
-TEST_F(EndToEnd, AFrameShiftedByOnePixel) {
+TEST_F(EndToEnd, FrameShiftedByOne_HasKnownIou) {
     Frame reference = emptyFrame(12, 12);
     for (int x = 2; x < 10; ++x) {
         paintRectangle(reference, x, 1, x + 1, 11, 1, 2.0f + static_cast<float>(x) / 8.0f);
@@ -178,7 +178,7 @@ TEST_F(EndToEnd, AFrameShiftedByOnePixel) {
 }
 
 // 9 of 12 pixels of a row: IoU 0.75.
-TEST_F(EndToEnd, RequirementsDecideTheExitCodeOfCompare) {
+TEST_F(EndToEnd, CompareRequirement_DecidesExitCode) {
     Frame reference = emptyFrame(20, 3), test = reference;
     paintRectangle(reference, 2, 1, 14, 2);
     paintRectangle(test, 2, 1, 11, 2);
@@ -206,7 +206,7 @@ TEST_F(EndToEnd, RequirementsDecideTheExitCodeOfCompare) {
     expectRefusal(compare({"--require", "shadow.sum.iou >= 1"}), 2, "did you mean 'sun'");
 }
 
-TEST_F(EndToEnd, CompareTellsWhereTwoHeadersDiffer) {
+TEST_F(EndToEnd, CompareOfDifferentHeaders_ListsDifferences) {
     const std::string view = "perspective position 0 0 3 target 0 0 0 up 0 1 0 fov_y_degrees 40 size 8 6";
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     const auto compared = [&] {
@@ -235,7 +235,7 @@ TEST_F(EndToEnd, CompareTellsWhereTwoHeadersDiffer) {
     expectRefusal(compared(), 2, "reference.exr: header field 'light.sun': 'bright' can't be read");
 }
 
-TEST_F(EndToEnd, CompareWritesNoReportWithoutAFolderForIt) {
+TEST_F(EndToEnd, CompareWithoutFolder_WritesNoReport) {
     writeFrame(emptyFrame(8, 6), folder_ / "a.exr");
     for (const char* option : {"--single-file", "--plain-report"})
         expectRefusal(run({"compare", "a.exr", "a.exr", option}), 2, "none is written; expected -o DIR");
@@ -243,7 +243,7 @@ TEST_F(EndToEnd, CompareWritesNoReportWithoutAFolderForIt) {
 
 // Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain:
 // 12/15 at best, and so is a pixel outside: 12/17 at worst.
-TEST_F(EndToEnd, AReferenceThatSaysHowSureItIs) {
+TEST_F(EndToEnd, UncertainReference_GivesIntervals) {
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     paintRectangle(reference, 2, 1, 6, 5);
     paintRectangle(test, 3, 1, 6, 5);
@@ -278,7 +278,7 @@ TEST_F(EndToEnd, AReferenceThatSaysHowSureItIs) {
                   "reference.exr: header field 'certificate.error_px_p99'");
 }
 
-TEST_F(EndToEnd, AForeignFrameWithCoverageAndDepthAlone) {
+TEST_F(EndToEnd, ImportedCoverageAndDepth_AreCompared) {
     Frame frame(2, 1);
     frame.add("A")[0] = 1;
     frame.add("Z")[0] = 2;

@@ -29,7 +29,7 @@ class Export : public EndToEnd {
     }
 };
 
-TEST_F(Export, MeshAndCameraBesideTheFrame) {
+TEST_F(Export, MeshAndCamera_AreWritten) {
     const Outcome outcome =
         runReference({"-o", "a.exr", "--export-mesh", "a.ply", "--export-camera", "a.json"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -39,7 +39,7 @@ TEST_F(Export, MeshAndCameraBesideTheFrame) {
     EXPECT_THAT(readFile(folder_ / "a.ply"), HasSubstr("comment object_id 2: floor\n"));
 }
 
-TEST_F(Export, BadNamesAreRefusedBeforeTheWork) {
+TEST_F(Export, BadNames_AreRefusedFirst) {
     expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.stl"}),
                   "a name that ends in .ply or .obj");
     expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.ply", "--export-camera", "./a.ply"}),
@@ -49,7 +49,7 @@ TEST_F(Export, BadNamesAreRefusedBeforeTheWork) {
 }
 
 /// The reference's own frame under Mitsuba's names, its depth along the rays: nothing may differ.
-TEST_F(Export, AFrameOfOtherNamesAndDistancesIsTheSame) {
+TEST_F(Export, RenamedDistances_CompareEqual) {
     ASSERT_EQ(runReference({"-o", "a.exr"}).exitCode, 0);
     const Frame frame = readFrame(folder_ / "a.exr");
     std::map<std::string, std::vector<float>> planes;

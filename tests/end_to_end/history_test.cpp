@@ -35,7 +35,7 @@ class History : public EndToEnd {
     }
 };
 
-TEST_F(History, ExitCodesFollowTheFigures) {
+TEST_F(History, Regression_DecidesExitCode) {
     const Outcome first = history({"base.json", "--label", "v1"});
     EXPECT_EQ(first.exitCode, 0) << first.err;
     EXPECT_EQ(first.out, "painted: v1\nnote: the first record of this scene\n");
@@ -53,7 +53,7 @@ TEST_F(History, ExitCodesFollowTheFigures) {
     EXPECT_EQ(lines(), 3);
 }
 
-TEST_F(History, ADryRunComparesAndKeepsNothing) {
+TEST_F(History, DryRun_WritesNothing) {
     EXPECT_EQ(history({"base.json"}).exitCode, 0);
     const std::string before = file();
     EXPECT_EQ(history({"worse.json", "--dry-run"}).exitCode, 1);
@@ -61,7 +61,7 @@ TEST_F(History, ADryRunComparesAndKeepsNothing) {
     EXPECT_EQ(file(), before);
 }
 
-TEST_F(History, TheLatestResultsAreKeptOnceAndARevertIsARun) {
+TEST_F(History, RepeatedResults_AreKeptOnce) {
     EXPECT_EQ(history({"base.json", "worse.json"}).exitCode, 1);
     EXPECT_EQ(history({"worse.json"}).exitCode, 1); // nothing new, and still worse
     EXPECT_EQ(lines(), 2);
@@ -72,7 +72,7 @@ TEST_F(History, TheLatestResultsAreKeptOnceAndARevertIsARun) {
     EXPECT_EQ(lines(), 3);
 }
 
-TEST_F(History, DamagedFilesStayAsTheyAre) {
+TEST_F(History, DamagedFile_IsUnchanged) {
     history({"base.json"});
     const std::string damaged = file() + "{\"schema\":1,\n";
     writeFile(folder_ / "h.jsonl", damaged);
@@ -82,7 +82,7 @@ TEST_F(History, DamagedFilesStayAsTheyAre) {
                   "base.json:1: is not valid JSON"); // swapped
 }
 
-TEST_F(History, BadInputLeavesTheFileAsItWas) {
+TEST_F(History, BadInput_LeavesFileUnchanged) {
     expectRefusal(history({}), 2, "h.jsonl: no such file");
     expectRefusal(history({"none.json"}), 2, "none.json: no such file");
     expectRefusal(history({"base.json", "none.json"}), 2, "none.json: no such file");
@@ -96,7 +96,7 @@ TEST_F(History, BadInputLeavesTheFileAsItWas) {
     EXPECT_EQ(lines(), 1);
 }
 
-TEST_F(History, ALastLineWithoutItsEndIsKept) {
+TEST_F(History, LastLineWithoutNewline_IsKept) {
     history({"base.json"});
     std::string text = file();
     text.pop_back();

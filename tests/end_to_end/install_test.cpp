@@ -14,7 +14,7 @@ using testing::Not;
 
 using Install = EndToEnd;
 
-TEST_F(Install, FindsItsDataAndItsModuleWhereverItIs) {
+TEST_F(Install, MovedPrefix_FindsDataAndModule) {
     const fs::path moved = installAndMove(folder_);
     fs::create_symlink(moved / "bin/plumbline", folder_ / "link");
     for (const fs::path& program : {moved / "bin/plumbline", folder_ / "link"}) {
@@ -28,7 +28,7 @@ TEST_F(Install, FindsItsDataAndItsModuleWhereverItIs) {
     }
 }
 
-TEST_F(Install, ReadsItsOwnFilesAndNoneOfTheSourceTree) {
+TEST_F(Install, Installed_ReadsNoSourceFiles) {
     const fs::path moved = installAndMove(folder_);
     const std::string program = (moved / "bin/plumbline").string();
     writeFile(moved / "share/plumbline/scenes/library/only_here.toml", kSmallScene);
@@ -41,7 +41,7 @@ TEST_F(Install, ReadsItsOwnFilesAndNoneOfTheSourceTree) {
                 testing::StartsWith((moved / "share/plumbline").string() + ": has no folder 'validate'"));
 }
 
-TEST_F(Install, DrawsAndWritesReports) {
+TEST_F(Install, Installed_DrawsAndWritesReports) {
     const std::string program = (installAndMove(folder_) / "bin/plumbline").string();
     const std::string scene = writeSmallScene().string(), frame = (folder_ / "frame.exr").string();
     const ShellOutcome reference = shell(program + " reference " + scene + " -o " + frame);
@@ -62,7 +62,7 @@ std::vector<std::string> filesWith(const fs::path& folder, const char* subfolder
     return found;
 }
 
-TEST_F(Install, HasAllThatIsReadAtRunTimeAndNoTests) {
+TEST_F(Install, Installed_HasRuntimeFilesOnly) {
     const fs::path moved = installAndMove(folder_), source = dataFolder();
     std::vector<std::string> files = filesWith(source, "scenes/library", {".toml"});
     for (const char* subfolder : {"realtime/shaders", "realtime/surfaces", "realtime/techniques",
@@ -77,7 +77,7 @@ TEST_F(Install, HasAllThatIsReadAtRunTimeAndNoTests) {
     EXPECT_EQ(filesBelow(moved / "lib"), std::vector<std::string>{"plumbline/plumbline_images.so"});
 }
 
-TEST_F(Install, StartsWithoutAnyLibraryOfOpenGl) {
+TEST_F(Install, NoOpenGlLibrary_StillStarts) {
     const ShellOutcome libraries = shell("ldd " PLUMBLINE_PROGRAM);
     ASSERT_EQ(libraries.exitCode, 0) << libraries.text;
     for (const char* library : {"libEGL", "libGL", "libOpenGL", "libOSMesa"})

@@ -13,7 +13,7 @@ class Interrupt : public EndToEnd {};
 // 67 million micro-triangles take several seconds; half a second in, it is tessellating. A second is what a
 // user is promised; a busy machine may need longer to clear a gigabyte away, and without the signal it would
 // go on for longer than this waits.
-TEST_F(Interrupt, TessellationEndsAtOnceAndLeavesNoFile) {
+TEST_F(Interrupt, DuringTessellation_EndsWithoutFile) {
     const Running running = startProgram(
         {"reference", "stone_torus", "--rate", "512", "--memory", "4G", "-o", "out/frame.exr"}, folder_);
     std::this_thread::sleep_for(std::chrono::milliseconds(500));

@@ -77,7 +77,7 @@ struct Tally {
 // Where a ray leaves the layer, d < 0, the shader gives up. Rightly: along a ray from above the apex the
 // height above the base is a quadratic in t that starts at a hair and falls; if it is back at 0 it opens
 // upwards and stays above, and nothing of the relief is above its base.
-TEST_P(MouseEye, ExactCellsOnAQuadricSeesWhatTheReferenceTraces) {
+TEST_P(MouseEye, ExactCellsOnQuadric_EqualsReference) {
     const Patch& patch = GetParam();
     const std::filesystem::path file = writeScene();
     const Outcome outcome =

@@ -60,7 +60,7 @@ class New : public EndToEnd {
     }
 };
 
-TEST_F(New, WritesASceneThatRuns) {
+TEST_F(New, MeshAndMap_GiveRunningScene) {
     const Outcome made = make();
     EXPECT_EQ(made.exitCode, 0) << made.err;
     EXPECT_EQ(made.out, "scene.toml\nnext: plumbline validate scene.toml\n");
@@ -70,7 +70,7 @@ TEST_F(New, WritesASceneThatRuns) {
     expectFramed("scene.toml", 80, 60);
 }
 
-TEST_F(New, FindsItsFilesFromAnotherFolder) {
+TEST_F(New, OutputInOtherFolder_FindsFiles) {
     EXPECT_EQ(run({"new", "--mesh", "sheet.obj", "--height", (folder_ / "waves.exr").string(), "-o",
                    "a/b/scene.toml"})
                   .exitCode,
@@ -81,14 +81,14 @@ TEST_F(New, FindsItsFilesFromAnotherFolder) {
     EXPECT_NO_THROW(readScene(folder_ / "a/b/scene.toml"));
 }
 
-TEST_F(New, FramesAnAnimal) {
+TEST_F(New, Spot_IsFramed) {
     const std::filesystem::path spot = std::filesystem::path(PLUMBLINE_SHARED_DATA) / "spot_control_mesh.obj";
     if (!std::filesystem::exists(spot)) GTEST_SKIP() << "no " << spot;
     EXPECT_EQ(run({"new", "--mesh", spot.string(), "--height", "waves.exr", "-o", "spot.toml"}).exitCode, 0);
     expectFramed("spot.toml", 60, 80);
 }
 
-TEST_F(New, KeepsAFileThatIsThere) {
+TEST_F(New, ExistingFile_IsKept) {
     writeFile(folder_ / "scene.toml", "mine");
     expectRefusal(make(), 2, "scene.toml: exists already; expected a new name; --force replaces it");
     EXPECT_EQ(readFile(folder_ / "scene.toml"), "mine");
@@ -96,7 +96,7 @@ TEST_F(New, KeepsAFileThatIsThere) {
     EXPECT_NO_THROW(readScene(folder_ / "scene.toml"));
 }
 
-TEST_F(New, RefusesWhatItCantUseAndLeavesNothing) {
+TEST_F(New, UnusableInput_IsRefusedWithoutFile) {
     expectRefusal(run({"new", "--mesh", "sheet.obj", "--height", "none.png", "-o", "x/s.toml"}), 2,
                   "none.png: no such file");
     expectRefusal(run({"new", "--mesh", "none.obj", "--height", "waves.exr", "-o", "x/s.toml"}), 2,
@@ -121,7 +121,7 @@ TEST_F(New, RefusesWhatItCantUseAndLeavesNothing) {
     EXPECT_THAT(filesBelow(folder_), ElementsAre("bare.obj", "sheet.obj", "waves.exr"));
 }
 
-TEST_F(New, TakesNamesOfAnyKind) {
+TEST_F(New, OddNames_AreAccepted) {
     const std::string name = "a \"b\" \\ c\n#[x]";
     writeFile(folder_ / (name + ".obj"), kSheet);
     EXPECT_EQ(run({"new", "--mesh", name + ".obj", "--height", "waves.exr", "-o", "scene.toml"}).exitCode, 0);
@@ -132,7 +132,7 @@ TEST_F(New, TakesNamesOfAnyKind) {
     EXPECT_FALSE(std::filesystem::exists(folder_ / "other.toml"));
 }
 
-TEST_F(New, TellsWhatIsOddAboutAMesh) {
+TEST_F(New, OddMesh_IsReported) {
     writeFile(folder_ / "sheet.obj", std::string(kSheet) + "v 5 5 5\n");
     const Outcome made = make();
     EXPECT_EQ(made.exitCode, 0);

@@ -64,7 +64,7 @@ size_t linesWith(const std::string& csv, const std::string& text) {
     return count;
 }
 
-TEST_F(StudyRun, WorksOutEachCaseOnceAndReportsThem) {
+TEST_F(StudyRun, FullRun_ComputesEachCaseOnce) {
     writeStudy("0.02, 0.05");
     const Outcome first = run({"study", "run", "tiny.toml", "-o", "out"});
     ASSERT_EQ(first.exitCode, 0) << first.err;
@@ -85,7 +85,7 @@ TEST_F(StudyRun, WorksOutEachCaseOnceAndReportsThem) {
     EXPECT_THAT(readFile(folder_ / "out/report/index.html"), HasSubstr("<th scope=\"row\">binary</th>"));
 }
 
-TEST_F(StudyRun, AFailingCaseIsRecordedAndTheOthersRunOn) {
+TEST_F(StudyRun, FailingCase_IsRecordedOthersRun) {
     writeStudy("0.02, -1, 0.05");
     const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(outcome.exitCode, 2);
@@ -101,7 +101,7 @@ TEST_F(StudyRun, AFailingCaseIsRecordedAndTheOthersRunOn) {
                 HasSubstr("0 worked out in 0 s, 3 known before, 1 failed"));
 }
 
-TEST_F(StudyRun, ATechniqueThatFailsCostsItsRowsAlone) {
+TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
     writeStudy("0.02, 0.05");
     std::filesystem::create_directory(folder_ / "mine");
     writeFile(folder_ / "mine/mine.glsl", "ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
@@ -126,7 +126,7 @@ TEST_F(StudyRun, ATechniqueThatFailsCostsItsRowsAlone) {
     EXPECT_THAT(mended.out, HasSubstr("2 cases: 2 worked out"));
 }
 
-TEST_F(StudyRun, KilledItGoesOnWhereItWas) {
+TEST_F(StudyRun, Killed_Resumes) {
     // Pictures that take about a second each.
     writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09", "4000");
     const Running running = startProgram({"study", "run", "tiny.toml", "-o", "out", "--jobs", "1"}, folder_);
@@ -144,7 +144,7 @@ TEST_F(StudyRun, KilledItGoesOnWhereItWas) {
     EXPECT_THAT(outcome.out, HasSubstr(std::to_string(known) + " known before, 0 failed"));
 }
 
-TEST_F(StudyRun, InterruptedItEndsAtOnce) {
+TEST_F(StudyRun, Interrupted_EndsAtOnce) {
     writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09", "4000");
     const Running running = startProgram({"study", "run", "tiny.toml", "-o", "out"}, folder_, {}, true);
     ASSERT_TRUE(waitUntil([&] { return caseFiles() >= 1; }, 60));
@@ -159,7 +159,7 @@ TEST_F(StudyRun, InterruptedItEndsAtOnce) {
     EXPECT_THAT(readFile(folder_ / "out/report/index.html"), HasSubstr("cases have no results yet"));
 }
 
-TEST_F(StudyRun, BadStudiesAreRefusedBeforeAnythingIsDone) {
+TEST_F(StudyRun, BadStudy_IsRefusedFirst) {
     const auto errorOf = [&](const std::vector<std::string>& arguments) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exitCode, 2);

@@ -91,7 +91,7 @@ class TimeLimit : public EndToEnd {
     pid_t drawing_ = -1;
 };
 
-TEST_F(TimeLimit, TheOthersGoOn) {
+TEST_F(TimeLimit, EndlessShader_LeavesOthersRunning) {
     const auto start = std::chrono::steady_clock::now();
     const Outcome made = run(validate({"./endless", "linear_binary"}, "2"));
     EXPECT_LT(std::chrono::steady_clock::now() - start,
@@ -105,7 +105,7 @@ TEST_F(TimeLimit, TheOthersGoOn) {
     EXPECT_FALSE(fs::exists(folder_ / "out/frames/endless.exr"));
 }
 
-TEST_F(TimeLimit, RealtimeSaysSoAndLeavesNoFile) {
+TEST_F(TimeLimit, EndlessShader_FailsWithoutFile) {
     const Outcome made =
         run({"realtime", "small.toml", "--technique", "./endless", "--time-limit", "2", "-o", "frame.exr"});
     EXPECT_EQ(made.exitCode, 2);
@@ -114,14 +114,14 @@ TEST_F(TimeLimit, RealtimeSaysSoAndLeavesNoFile) {
     EXPECT_FALSE(fs::exists(folder_ / "frame.exr"));
 }
 
-TEST_F(TimeLimit, AKilledProcessCostsOneTechnique) {
+TEST_F(TimeLimit, KilledWorker_CostsOneTechnique) {
     const pid_t drawing = startAndReachTheLoop();
     ASSERT_EQ(sendSignal(drawing, SIGKILL), 0);
     EXPECT_EQ(finish(running_).exitCode, 3);
     expectOnlyTheSecondFailed("endless: its process was killed (signal 9, SIGKILL); memory may have run out");
 }
 
-TEST_F(TimeLimit, ADriverThatCrashesCostsOneTechnique) {
+TEST_F(TimeLimit, CrashingDriver_CostsOneTechnique) {
     const pid_t drawing = startAndReachTheLoop();
     ASSERT_EQ(sendSignal(drawing, SIGSEGV), 0);
     const Outcome made = finish(running_);
@@ -129,14 +129,14 @@ TEST_F(TimeLimit, ADriverThatCrashesCostsOneTechnique) {
     expectOnlyTheSecondFailed("endless: the OpenGL driver ended the process (");
 }
 
-TEST_F(TimeLimit, TheDrawingProcessEndsWithItsParent) {
+TEST_F(TimeLimit, ParentsDeath_EndsWorker) {
     const pid_t drawing = startAndReachTheLoop();
     ASSERT_EQ(sendSignal(running_.process, SIGKILL), 0);
     EXPECT_EQ(finish(running_).signal, SIGKILL);
     EXPECT_TRUE(waitUntil([&] { return isGone(drawing); }, 2));
 }
 
-TEST_F(TimeLimit, CtrlCEndsBothAndKeepsWhatWasFinished) {
+TEST_F(TimeLimit, CtrlC_EndsBothAndKeepsFinished) {
     const pid_t drawing = startAndReachTheLoop();
     ASSERT_EQ(sendSignalToGroup(running_.process, SIGINT), 0);
     EXPECT_TRUE(waitUntil([&] { return isGone(running_.process) && isGone(drawing); }, 2));
@@ -150,7 +150,7 @@ TEST_F(TimeLimit, CtrlCEndsBothAndKeepsWhatWasFinished) {
 }
 
 // They come to the parent too: what the drawing process did by itself would be taken for a crash.
-TEST_F(TimeLimit, TheDrawingProcessLeavesSignalsToItsParent) {
+TEST_F(TimeLimit, Signals_AreLeftToParent) {
     const pid_t drawing = startAndReachTheLoop();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
         ASSERT_EQ(sendSignal(drawing, signal), 0);
@@ -161,7 +161,7 @@ TEST_F(TimeLimit, TheDrawingProcessLeavesSignalsToItsParent) {
 }
 
 // A process that is stopped has no chance to draw: its time doesn't run.
-TEST_F(TimeLimit, TimeStoppedByCtrlZDoesNotCount) {
+TEST_F(TimeLimit, CtrlZ_StopsTheClock) {
     startAndReachTheLoop("3");
     ASSERT_EQ(sendSignalToGroup(running_.process, SIGSTOP), 0);
     std::this_thread::sleep_for(std::chrono::seconds(4));
@@ -172,7 +172,7 @@ TEST_F(TimeLimit, TimeStoppedByCtrlZDoesNotCount) {
     expectOnlyTheSecondFailed("not finished after 3 s");
 }
 
-TEST_F(TimeLimit, ASceneThatChangedIsNotDrawnInTheOldOnesName) {
+TEST_F(TimeLimit, ChangedScene_IsRefused) {
     startAndReachTheLoop("2");
     writeFile(folder_ / "small.toml", withLine(kSmallScene, "depth = 0.1", "depth = 0.2"));
     EXPECT_EQ(finish(running_).exitCode, 2);
@@ -181,7 +181,7 @@ TEST_F(TimeLimit, ASceneThatChangedIsNotDrawnInTheOldOnesName) {
                 HasSubstr("small.toml: the scene changed during the run"));
 }
 
-TEST_F(TimeLimit, TheDrawingProcessPrintsNothingOnStdout) {
+TEST_F(TimeLimit, Worker_PrintsNothingOnStdout) {
     const fs::path fds = "/proc/" + std::to_string(startAndReachTheLoop()) + "/fd";
     const fs::path itsOut = fs::read_symlink(fds / "1"), itsErr = fs::read_symlink(fds / "2");
     EXPECT_EQ(itsErr, running_.captured / "err");
@@ -190,7 +190,7 @@ TEST_F(TimeLimit, TheDrawingProcessPrintsNothingOnStdout) {
     finish(running_);
 }
 
-TEST_F(TimeLimit, WarningsOfTheSceneAreSaidOnce) {
+TEST_F(TimeLimit, SceneWarnings_ArePrintedOnce) {
     writeFile(folder_ / "small.toml",
               withLine(kSmallScene, R"(shape = { kind = "plane", width = 6, depth = 6, segments = [2, 2] })",
                        "shape = { kind = \"box\" }\nscheme = \"none\"\n"
@@ -203,7 +203,7 @@ TEST_F(TimeLimit, WarningsOfTheSceneAreSaidOnce) {
     EXPECT_EQ(made.err.find(warning, first + 1), std::string::npos) << made.err;
 }
 
-TEST_F(EndToEnd, TheCommandTheProgramRunsItselfWithIsNoneForUsers) {
+TEST_F(EndToEnd, InternalCommand_IsRefusedForUsers) {
     for (const std::vector<std::string>& words :
          {std::vector<std::string>{"draw-worker"}, {"draw-worker", "1"}}) {
         const Outcome refused = run(words);

@@ -44,7 +44,7 @@ std::vector<std::string> words(const std::string& text) {
 
 class Tutorial : public EndToEnd {};
 
-TEST_F(Tutorial, TheReadmesFiveStepsMakeATechniqueThatRuns) {
+TEST_F(Tutorial, ReadmesFiveSteps_GiveRunningTechnique) {
     const std::vector<std::string> steps = readmeSteps();
     ASSERT_EQ(steps.size(), 5u);
 

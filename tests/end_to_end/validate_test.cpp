@@ -59,7 +59,7 @@ json withoutMeasurements(json results) {
     return results;
 }
 // A mistake of the scene's [require] is told with its line, before anything is drawn.
-TEST_F(Validate, RequirementsOfASceneAreReadFirst) {
+TEST_F(Validate, BadSceneRequirement_IsRefusedFirst) {
     for (const auto& [line, part] :
          {std::pair("\"silhouette.oiu\" = \">= 1\"", "did you mean 'silhouette.iou'"),
           {"\"silhouette.iou@tours\" = \">= 1\"", "did you mean 'torus'"},
@@ -74,7 +74,7 @@ TEST_F(Validate, RequirementsOfASceneAreReadFirst) {
 }
 
 // No technique is better than perfect, and each covers some of the torus.
-TEST_F(Validate, ARequirementThatIsNotReachedEndsInExitCode1) {
+TEST_F(Validate, MissedRequirement_ExitsWith1) {
     writeFile(folder_ / "small.toml",
               std::string(kSmallScene) + "\n[require]\n\"silhouette.iou\" = [\"> 0\", \"> 1\"]\n");
     const Outcome missed =
@@ -92,7 +92,7 @@ TEST_F(Validate, ARequirementThatIsNotReachedEndsInExitCode1) {
     EXPECT_EQ(failed.exitCode, 2) << failed.err;
 }
 
-TEST_F(Validate, ASceneReadWithOtherValuesIsTheSceneThatHasThem) {
+TEST_F(Validate, SceneSet_EqualsEditedScene) {
     // Also in the process that draws; the frames differ in their metadata alone.
     const std::string text = readFile(writeSmallScene());
     ASSERT_EQ(validate("changed", {"--technique", "linear", "--scene-set", "camera.width=64", "--scene-set",
@@ -111,7 +111,7 @@ TEST_F(Validate, ASceneReadWithOtherValuesIsTheSceneThatHasThem) {
     EXPECT_THAT(readFile(folder_ / "changed/report/index.html"), HasSubstr("changed: camera.width=64"));
 }
 
-TEST_F(Validate, AllTechniquesOfTheSmallScene) {
+TEST_F(Validate, AllTechniques_HaveResults) {
     writeSmallScene();
     const Outcome made = validate("out");
     ASSERT_EQ(made.exitCode, 0) << made.err;
@@ -146,7 +146,7 @@ void expectDepthWithinCertificate(const json& results) {
     EXPECT_LE(depth["p99"], 20 * reference["error_world_p99"].get<double>());
 }
 
-TEST_F(Validate, TheControlAgreesWithTheReference) {
+TEST_F(Validate, Control_AgreesWithReference) {
     writeFile(folder_ / "small.toml",
               withLine(withLine(kSmallScene, "width = 96", "width = 400"), "height = 72", "height = 300"));
     ASSERT_EQ(validate("out", {"--technique", "micro_triangles"}).exitCode, 0);
@@ -156,7 +156,7 @@ TEST_F(Validate, TheControlAgreesWithTheReference) {
     EXPECT_GT(technique["depth"]["domain_px"], 20000);
 }
 
-TEST_F(Validate, TwoRunsAndAnyThreadCountGiveEqualBytes) {
+TEST_F(Validate, AnyThreadCount_GivesEqualBytes) {
     writeSmallScene();
     ASSERT_EQ(validate("first").exitCode, 0);
     ASSERT_EQ(validate("second").exitCode, 0);
@@ -168,7 +168,7 @@ TEST_F(Validate, TwoRunsAndAnyThreadCountGiveEqualBytes) {
     }
 }
 
-TEST_F(Validate, EglAndOsmesaGiveEqualBytes) {
+TEST_F(Validate, EglAndOsmesa_GiveEqualBytes) {
     const std::string doctor = run({"doctor"}).out;
     if (doctor.find("ok   GL osmesa") == std::string::npos)
         GTEST_SKIP() << "no OSMesa here (Mesa removed it in 25.1)";
@@ -183,7 +183,7 @@ TEST_F(Validate, EglAndOsmesaGiveEqualBytes) {
     EXPECT_EQ(resultsOf("osmesa")["techniques"][0]["gl"]["backend"], "osmesa");
 }
 
-TEST_F(Validate, RealtimeWritesTheFrameThatValidateWrites) {
+TEST_F(Validate, Realtime_WritesValidatesFrame) {
     writeSmallScene();
     ASSERT_EQ(validate("out", {"--technique", "linear_binary"}).exitCode, 0);
     const Outcome drawn = run({"realtime", "small.toml", "--technique", "linear_binary", "-o", "alone.exr"});
@@ -191,7 +191,7 @@ TEST_F(Validate, RealtimeWritesTheFrameThatValidateWrites) {
     EXPECT_TRUE(readFile(folder_ / "alone.exr") == readFile(folder_ / "out/frames/linear_binary.exr"));
 }
 
-TEST_F(Validate, SettingsReachTheTechniqueAndItsName) {
+TEST_F(Validate, Settings_ReachTechniqueAndName) {
     writeSmallScene();
     ASSERT_EQ(validate("out", {"--technique", "linear_binary:linear_steps=33", "--technique",
                                "linear_binary@quadric", "--set", "binary_steps=3"})
@@ -206,7 +206,7 @@ TEST_F(Validate, SettingsReachTheTechniqueAndItsName) {
 
 // What `compare` says of the frames written is what the run says: of the gap, and of a technique against each
 // base.
-TEST_F(Validate, BothBases) {
+TEST_F(Validate, BothBases_HaveResults) {
     const Outcome made = run({"validate", "small_torus", "--base", "both", "--technique", "linear_binary",
                               "--plain-report", "-o", "out"});
     ASSERT_EQ(made.exitCode, 0) << made.err;
@@ -243,7 +243,7 @@ TEST_F(Validate, BothBases) {
 }
 
 // The control draws the triangles on the limit surface, though those on the proxy are made as well.
-TEST_F(Validate, TheControlKeepsToTheLimitSurface) {
+TEST_F(Validate, Control_UsesLimitSurface) {
     writeSmallScene();
     ASSERT_EQ(validate("out", {"--base", "both", "--technique", "micro_triangles"}).exitCode, 0);
     const json technique = resultsOf("out")["techniques"][0];
@@ -251,7 +251,7 @@ TEST_F(Validate, TheControlKeepsToTheLimitSurface) {
     expectDepthWithinCertificate(resultsOf("out"));
 }
 
-TEST_F(Validate, OneBaseHasNoGap) {
+TEST_F(Validate, OneBase_HasNoGap) {
     writeSmallScene();
     ASSERT_EQ(validate("out", {"--base", "proxy", "--technique", "linear_binary"}).exitCode, 0);
     const json results = resultsOf("out");
@@ -272,7 +272,7 @@ void expectRefused(const Outcome& outcome, int exitCode, const std::string& part
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
 }
 
-TEST_F(Validate, WrongNamesAreRefusedBeforeAnythingIsWritten) {
+TEST_F(Validate, WrongNames_AreRefusedFirst) {
     writeSmallScene();
     expectRefused(validate("out", {"--technique", "linear_binry"}), 2, "did you mean 'linear_binary'?");
     expectRefused(validate("out", {"--technique", "./nowhere"}), 2, "nowhere");
@@ -289,13 +289,13 @@ TEST_F(Validate, WrongNamesAreRefusedBeforeAnythingIsWritten) {
     EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
 }
 
-TEST_F(Validate, AMachineWithoutTheDeviceIsExitThree) {
+TEST_F(Validate, MissingDevice_ExitsWith3) {
     writeSmallScene();
     expectRefused(validate("out", {"--gl", "egl", "--device", "99"}), 3, "99");
     EXPECT_EQ(filesBelow(folder_), std::vector<std::string>{"small.toml"});
 }
 
-TEST_F(Validate, AnOutputFolderThatCannotBeWritten) {
+TEST_F(Validate, UnwritableFolder_IsRefused) {
     writeSmallScene();
     expectRefused(validate("small.toml/out"), 2, "small.toml");
     writeFile(folder_ / "blocked", "a file where a folder should be");
@@ -318,7 +318,7 @@ void expectOnlySecondFailed(const Outcome& outcome, const json& results, const s
     EXPECT_GT(results["techniques"][2]["silhouette"]["iou"], 0.5);
 }
 
-TEST_F(Validate, AShaderThatDoesNotCompile) {
+TEST_F(Validate, CompileError_IsRowWithMessage) {
     writeSmallScene();
     const fs::path mine = copyTechnique("mine");
     const std::string text = readFile(mine / "mine.glsl");
@@ -330,7 +330,7 @@ TEST_F(Validate, AShaderThatDoesNotCompile) {
     EXPECT_NE(readFile(folder_ / "out/report/index.html").find("mine.glsl:1"), std::string::npos);
 }
 
-TEST_F(Validate, AManifestThatCannotBeRead) {
+TEST_F(Validate, BadManifest_IsRowWithMessage) {
     writeSmallScene();
     const fs::path mine = copyTechnique("mine");
     const std::string manifest = readFile(mine / "technique.toml");
@@ -346,7 +346,7 @@ TEST_F(Validate, AManifestThatCannotBeRead) {
     }
 }
 
-TEST_F(Validate, ATechniqueOfOnesOwnFromAFolder) {
+TEST_F(Validate, TechniqueFromFolder_Runs) {
     writeSmallScene();
     copyTechnique("mine");
     const Outcome made = validate("out", {"--technique", "./mine", "--technique", "linear_binary"});
@@ -356,7 +356,7 @@ TEST_F(Validate, ATechniqueOfOnesOwnFromAFolder) {
     EXPECT_EQ(results["techniques"][0]["depth"], results["techniques"][1]["depth"]);
 }
 
-TEST_F(Validate, ResultsOfAnEarlierRunAreReplacedAsAWhole) {
+TEST_F(Validate, EarlierResults_AreReplaced) {
     writeSmallScene();
     ASSERT_EQ(validate("out", {"--technique", "linear_binary"}).exitCode, 0);
     ASSERT_EQ(validate("out", {"--technique", "normal_mapping"}).exitCode, 0);
@@ -366,7 +366,7 @@ TEST_F(Validate, ResultsOfAnEarlierRunAreReplacedAsAWhole) {
 }
 
 // spot (Keenan Crane, public domain): a real mesh with uvs of its own under a map that stores depth.
-TEST_F(Validate, SpotWithAToyBoxForASkin) {
+TEST_F(Validate, SpotWithToyBoxMap_Runs) {
     const fs::path data = PLUMBLINE_SHARED_DATA;
     if (!fs::exists(data / "spot_control_mesh.obj"))
         GTEST_SKIP() << "not there: " << data / "spot_control_mesh.obj";
@@ -399,7 +399,7 @@ relief = { map = "toy_box", depth = 0.05, tile = [4, 4] }
 }
 
 // A technique that answers nonsense where it would be wrong must not look better for it without a word.
-TEST_F(Validate, AnswersThatAreNoNumbersAreToldOf) {
+TEST_F(Validate, NanHits_AreReported) {
     writeSmallScene();
     fs::create_directories(folder_ / "nan");
     writeFile(folder_ / "nan/technique.toml",
@@ -416,7 +416,7 @@ TEST_F(Validate, AnswersThatAreNoNumbersAreToldOf) {
     EXPECT_THAT(resultsOf("out")["techniques"][0]["notes"].dump(), HasSubstr("no figure counts them"));
 }
 
-TEST_F(Validate, ARefusedSurfaceIsRefusedWithItsReason) {
+TEST_F(Validate, RefusedSurface_HasReason) {
     writeSmallScene();
     const Outcome outcome = validate("out", {"--technique", "sphere_tracing@quadric"});
     EXPECT_EQ(outcome.exitCode, 2);
@@ -424,7 +424,7 @@ TEST_F(Validate, ARefusedSurfaceIsRefusedWithItsReason) {
                 HasSubstr("'sphere_tracing' has no surface 'quadric': the search needs flat_base"));
 }
 
-TEST_F(Validate, AllHoldsVariantsOfASurfaceWithOneSearch) {
+TEST_F(Validate, All_HoldsVariantsWithOneSearch) {
     writeSmallScene();
     // What is in `all` already can't be named beside it: `linear` on the variant isn't, `linear_binary` on it
     // is.
@@ -436,7 +436,7 @@ TEST_F(Validate, AllHoldsVariantsOfASurfaceWithOneSearch) {
                 HasSubstr("'linear@quadric' is named twice"));
 }
 
-TEST_F(Validate, AResultNeverReplacesWhatIsRead) {
+TEST_F(Validate, OutputOverInput_IsRefused) {
     writeSmallScene();
     const std::string before = readFile(folder_ / "small.toml");
     for (const std::vector<std::string>& arguments :

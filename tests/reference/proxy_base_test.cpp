@@ -86,7 +86,7 @@ void expectPolygons(const Scene& scene, int rate, Vec3 ProxyHit::*normal) {
 // Without a relief the proxy is drawn as it is, with its interpolated normals. With one of d = 0 nothing is
 // carved, whatever the offset: the same triangles pushed out, and N, the normal of P itself, is theirs. Rates
 // don't matter, as a triangle cut into triangles is the same triangle.
-TEST(ProxyBase, WithoutDepthThePictureIsThePolygons) {
+TEST(ProxyBase, ZeroDepth_RendersPolygons) {
     for (const int rate : {1, 8}) {
         SCOPED_TRACE(rate);
         expectPolygons(sphereScene(0, 0.1), rate, &ProxyHit::facetNormal);
@@ -100,7 +100,7 @@ TEST(ProxyBase, WithoutDepthThePictureIsThePolygons) {
 // a hit at P, found where the normal is n, P + 0.1 n lies on a triangle of the proxy. P is on a
 // micro-triangle, below the surface by up to h^2 / 8 of its curvature: a side of the triangles is up to 1.2
 // long, h = 1.2 / 64, normals turn by up to 1.2 a unit: 0.1 * 1.2^2 * h^2 / 8 = 6e-6.
-TEST(ProxyBase, ConstantDepthLiesThatFarBelowTheTriangles) {
+TEST(ProxyBase, ConstantDepth_LiesBelowTriangles) {
     const Scene scene = sphereScene(0.5f, 0.1);
     const ProxyMesh proxy = buildProxyMesh(scene.objects[0]);
     const Frame frame = renderOn(scene, Base::Proxy, 64);
@@ -126,7 +126,7 @@ TEST(ProxyBase, ConstantDepthLiesThatFarBelowTheTriangles) {
 // Where the proxy is as fine as the micro-triangles both bases are one: at proxy_rate 64 chords of the
 // sphere's arcs (an eighth of a circle a control edge, 1.2 long at most) leave (1.2/64)^2 / 8 = 4.4e-5 along
 // each of two directions.
-TEST(ProxyBase, AFineProxyHasThePictureOfTheLimit) {
+TEST(ProxyBase, FineProxy_RendersLimit) {
     Scene scene = sphereScene(0.5f, 0.1);
     scene.objects[0].proxyRate = 64;
     const Frame limit = renderOn(scene, Base::Limit, 64), proxy = renderOn(scene, Base::Proxy, 1);

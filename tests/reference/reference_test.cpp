@@ -29,7 +29,7 @@ struct PixelReader {
 
 // The plane lies 5 below the camera; the square of side 2 covers the middle half of a picture 4 high: with 40
 // pixels of 0.1 the columns and rows 10 … 29.
-TEST(Reference, PlaneAtConstantDepth) {
+TEST(Reference, PlaneAtConstantDepth_HasExactDepth) {
     const auto map = std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f));
     const Frame frame = renderReference(squareScene(map, 0.25), 8);
     const PixelReader at{frame};
@@ -61,7 +61,7 @@ TEST(Reference, PlaneAtConstantDepth) {
 // A ramp d = s over the whole square: texel centres of a 2-texel clamped map at s = 1/4 and 3/4; between them
 // d = 2 s - 1/2. With depth 1 and x = 2 s - 1 the surface is z = -(x + 1/2) for |x| <= 1/2, 0 to the left and
 // -1 to the right. Its normal on the slope is (1, 0, 1) / sqrt 2.
-TEST(Reference, RampHasItsSlopeAndNormal) {
+TEST(Reference, Ramp_HasSlopeAndNormal) {
     const auto map =
         std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
     const Frame frame = renderReference(squareScene(map, 1), 16);
@@ -81,7 +81,7 @@ TEST(Reference, RampHasItsSlopeAndNormal) {
 // and must clear the edge of the top at
 // (-1/2, 0): it is over it at height x - 1/2 > 0 for every x > 1/2, lit. At depth 2 the floor lies at -2 and
 // the ray passes the edge at height x - 3/2 < 0 for every x < 1: dark.
-TEST(Reference, ShadowFallsWhereItMust) {
+TEST(Reference, Shadow_HasClosedFormBorder) {
     const auto map =
         std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
     Scene scene = squareScene(map, 1);
@@ -97,7 +97,7 @@ TEST(Reference, ShadowFallsWhereItMust) {
     EXPECT_EQ(PixelReader{deep}("shadow.sun", 12, 20), 0.0f);
 }
 
-TEST(Reference, PointLightStopsAtItsDistance) {
+TEST(Reference, OccluderBehindPointLight_CastsNoShadow) {
     // A light at (0, 0, 1) between the camera and the plane: nothing lies between it and the plane; the
     // camera-side occluder at z = 2 must not shade.
     Scene scene = squareScene(nullptr, 0);
@@ -131,7 +131,7 @@ TEST(Reference, PointLightStopsAtItsDistance) {
     EXPECT_EQ(PixelReader{above}("shadow.sun", 24, 20), 0.0f); // x = 0.45
 }
 
-TEST(Reference, ObjectsWithoutReliefAndUvsAreDrawnAsTheyAre) {
+TEST(Reference, PlainObjects_AreRendered) {
     Scene scene = squareScene(nullptr, 0);
     scene.objects[0].mesh.uvs.clear();
     scene.objects[0].mesh.faceUvs.clear();
@@ -139,7 +139,7 @@ TEST(Reference, ObjectsWithoutReliefAndUvsAreDrawnAsTheyAre) {
     EXPECT_FLOAT_EQ(PixelReader{frame}("Z", 20, 20), 5.0f);
 }
 
-TEST(Reference, BothSidesAreSeenAndShadedForTheCamera) {
+TEST(Reference, BackSide_IsSeenAndShadedForCamera) {
     Scene scene = squareScene(nullptr, 0);
     scene.camera.positionWorld = {0, 0, -5};
     scene.lights[0].toLightWorld = {0, 0, -1};
@@ -152,7 +152,7 @@ TEST(Reference, BothSidesAreSeenAndShadedForTheCamera) {
 // The ramp at rate 1 is one flat facet from (-1, ., 0) to (1, ., -1), normal (1, 0, 2); the true normal on
 // its slope is (1, 0, 1). A camera towards (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), though
 // the true normal leans away (-1 + 0.8 < 0). A light towards (1, 0, 0.2) is on the outer side of both: lit.
-TEST(Reference, TheSideSeenIsTheFacets) {
+TEST(Reference, SideSeen_IsFacets) {
     const auto map =
         std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
     Scene scene = squareScene(map, 1);
@@ -165,7 +165,7 @@ TEST(Reference, TheSideSeenIsTheFacets) {
     EXPECT_EQ(at("shadow.sun", 20, 20), 0.0f);
 }
 
-TEST(Reference, LoopAndSubFacesCloseTheSurface) {
+TEST(Reference, LoopAndSubFaces_CloseSurface) {
     // An icosahedron (Loop) and a pentagonal prism (Catmull-Clark with n-gons), displaced, from inside: every
     // ray hits, which it wouldn't through a crack.
     SceneObject object;
@@ -205,7 +205,7 @@ TEST(Reference, LoopAndSubFacesCloseTheSurface) {
         }
 }
 
-TEST(Reference, BytesDontDependOnTheNumberOfThreads) {
+TEST(Reference, AnyThreadCount_GivesEqualBytes) {
     std::vector<float> depths;
     for (int k = 0; k < 64; ++k)
         depths.push_back(float((k * 37) % 64) / 63.0f);
@@ -232,7 +232,7 @@ std::shared_ptr<const HeightMap> roughMap() {
     return std::make_shared<HeightMap>("rough", 32, 32, depths);
 }
 
-TEST(Reference, RatesRiseUntilTheErrorAimedAtIsMet) {
+TEST(Reference, Rates_RiseUntilAimIsMet) {
     uint64_t coarser = 0;
     for (const double aimPx : {0.5, 0.05}) {
         const Scene scene = squareScene(roughMap(), 0.2, 4);
@@ -252,7 +252,7 @@ TEST(Reference, RatesRiseUntilTheErrorAimedAtIsMet) {
 
 // Plans look at some of a face's grids only. For these aims the first plan of a torus under bricks isn't fine
 // enough, and what its run measured makes the second one so.
-TEST(Reference, RunsThatMissTheAimAreFollowedByFinerOnes) {
+TEST(Reference, MissedAim_RunsAgainFiner) {
     Scene scene = squareScene(
         std::make_shared<HeightMap>(generateMap("bricks", 64, 3, Wrap::Repeat, Wrap::Repeat)), 0.1, 1);
     scene.objects[0].mesh = makeTorus(0.8, 0.4, 12, 6);
@@ -267,7 +267,7 @@ TEST(Reference, RunsThatMissTheAimAreFollowedByFinerOnes) {
     }
 }
 
-TEST(Reference, MemoryLimitsTheRatesAndSaysSo) {
+TEST(Reference, MemoryBudget_LimitsRatesAndIsReported) {
     const Scene scene = squareScene(roughMap(), 0.2, 4);
     ReferenceOptions options;
     options.errorPx = 0.001;
@@ -282,7 +282,7 @@ TEST(Reference, MemoryLimitsTheRatesAndSaysSo) {
     EXPECT_THROW(ReferenceScene(scene, options), MachineError);
 }
 
-TEST(Reference, FlatFacesAreTwoTriangles) {
+TEST(Reference, FlatFaces_AreTwoTriangles) {
     const Scene plain = squareScene(nullptr, 0);
     EXPECT_EQ(ReferenceScene(plain, {}).stats().microTriangles, 2u);
     // A constant map displaces, but bends nothing.
@@ -290,7 +290,7 @@ TEST(Reference, FlatFacesAreTwoTriangles) {
     EXPECT_EQ(ReferenceScene(constant, {}).stats().microTriangles, 2u);
 }
 
-TEST(Reference, RatesThatAreNoneAreRefused) {
+TEST(Reference, InvalidRates_AreRefused) {
     const Scene scene = squareScene(nullptr, 0);
     ReferenceOptions options;
     for (const int wrong : {3, -1, 2048, 100}) {
@@ -304,7 +304,7 @@ TEST(Reference, RatesThatAreNoneAreRefused) {
 
 // A square of 16 x 16 faces of which the picture shows the middle 4 x 4, lit from above: what is outside
 // can't shadow anything in it. Under a light from the side the faces towards it can, and only those.
-TEST(Reference, FacesOutOfThePictureAreCoarseUnlessTheyCastShadows) {
+TEST(Reference, UnseenFaces_AreCoarseUnlessCasting) {
     Scene scene = squareScene(roughMap(), 0.05, 16);
     scene.objects[0].mesh = squareMesh(8, 16);
     scene.camera.viewHeight = 2;
@@ -329,7 +329,7 @@ TEST(Reference, FacesOutOfThePictureAreCoarseUnlessTheyCastShadows) {
 // A cylinder without relief bends by the square of a segment's angle; under a relief whose creases are met by
 // the lattice the twist of its texels adds as much. Each doubling of the rate leaves a quarter: 1/3.5 to
 // 1/4.5 with the float's rounding still far below.
-TEST(Reference, ErrorFallsWithTheSquareOfTheRate) {
+TEST(Reference, RisingRate_ErrorFallsQuadratically) {
     Scene scene = squareScene(roughMap(), 0.1, 1);
     scene.objects[0].mesh = makeCylinder(0.8, 1.6, 8, 2);
     scene.objects[0].scheme = Scheme::CatmullClark;
@@ -372,7 +372,7 @@ Scene scaled(Scene scene, double scale) {
 // Scaled by a power of two every float is the same but for its exponent: so are the frames, bit for bit, and
 // depths are scaled. By a power of ten coordinates are rounded elsewhere: a pixel on the very edge may fall
 // to the other side, and is uncertain.
-TEST(Reference, MillimetresAndKilometresGiveTheSamePicture) {
+TEST(Reference, WorldScale_KeepsImage) {
     Scene scene = squareScene(roughMap(), 0.3, 3);
     scene.camera.projection = Camera::Projection::Perspective;
     scene.camera.positionWorld = {1.5, -2.5, 2};
@@ -410,7 +410,7 @@ TEST(Reference, MillimetresAndKilometresGiveTheSamePicture) {
     }
 }
 
-TEST(Reference, ReliefWithoutUvsIsRefused) {
+TEST(Reference, ReliefWithoutUvs_IsRefused) {
     Scene scene = squareScene(std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f)), 0.1);
     scene.objects[0].mesh.faceUvs.clear();
     scene.objects[0].mesh.uvs.clear();

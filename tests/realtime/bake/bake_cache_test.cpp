@@ -66,7 +66,7 @@ BakeRequest request(const std::string& kind, BakeScale scale = {}, int slices = 
     return {.kind = kind, .scale = scale, .slices = slices};
 }
 
-TEST_F(BakeCache, GivesBackWhatWasMade) {
+TEST_F(BakeCache, StoredMap_IsReadBack) {
     for (const BakeKind& kind : bakeKinds())
         for (const HeightMap& map : {noiseMap(13, 6, 1), noiseMap(1, 1, 2, Wrap::Clamp)}) {
             SCOPED_TRACE(kind.name);
@@ -86,7 +86,7 @@ TEST_F(BakeCache, GivesBackWhatWasMade) {
         }
 }
 
-TEST_F(BakeCache, TheKeyTellsApartWhateverGivesOtherValues) {
+TEST_F(BakeCache, Key_DiffersForDifferentValues) {
     const HeightMap map = noiseMap(8, 4, 1);
     std::vector<float> nudged = map.depths();
     nudged[17] = std::nextafter(nudged[17], 0.0f);
@@ -112,7 +112,7 @@ TEST_F(BakeCache, TheKeyTellsApartWhateverGivesOtherValues) {
         EXPECT_EQ(key.size(), 32u);
 }
 
-TEST_F(BakeCache, TheKeyIsBlindToWhatMakesNoDifference) {
+TEST_F(BakeCache, Key_IgnoresIrrelevantInputs) {
     const HeightMap map = noiseMap(8, 4, 1), renamed("other", 8, 4, map.depths());
     const auto key = [&](const BakeRequest& asked) { return bakeCacheKey(map, asked); };
     EXPECT_EQ(bakeCacheKey(renamed, request("normal")), key(request("normal")));
@@ -135,7 +135,7 @@ void expectMadeAnew(const HeightMap& map, const BakeRequest& asked, const std::s
     EXPECT_TRUE(sameBits(third.map.levels[0].values, first.map.levels[0].values));
 }
 
-TEST_F(BakeCache, DamagedFilesAreMadeAnew) {
+TEST_F(BakeCache, DamagedFile_IsRemade) {
     const HeightMap map = noiseMap(6, 5, 3);
     const BakeRequest asked = request("max_mipmap");
     const std::string good = readFile(bakeCached(map, asked).file);
@@ -150,7 +150,7 @@ TEST_F(BakeCache, DamagedFilesAreMadeAnew) {
     expectMadeAnew(map, asked, readFile(bakeCached(noiseMap(6, 5, 4), asked).file));
 }
 
-TEST_F(BakeCache, EveryFlippedBitIsSeen) {
+TEST_F(BakeCache, FlippedBit_IsDetected) {
     const HeightMap map = noiseMap(1, 1, 5);
     const BakeRequest asked = request("normal");
     const BakeOutcome made = bakeCached(map, asked);
@@ -165,7 +165,7 @@ TEST_F(BakeCache, EveryFlippedBitIsSeen) {
 }
 
 // Behind the magic, the version and the key: five numbers. No memory may be taken for what they claim.
-TEST_F(BakeCache, AHeaderThatClaimsTooMuchIsRefusedBeforeMemoryIsTaken) {
+TEST_F(BakeCache, HugeHeader_IsRefusedBeforeAllocation) {
     const HeightMap map = noiseMap(4, 4, 5);
     const BakeRequest asked = request("max_mipmap");
     const std::string good = readFile(bakeCached(map, asked).file);
@@ -177,14 +177,14 @@ TEST_F(BakeCache, AHeaderThatClaimsTooMuchIsRefusedBeforeMemoryIsTaken) {
         }
 }
 
-TEST_F(BakeCache, LeavesNothingButWholeFiles) {
+TEST_F(BakeCache, Folder_HoldsOnlyWholeFiles) {
     for (int n = 0; n < 3; ++n)
         bakeCached(noiseMap(4, 4, static_cast<unsigned>(n)), request("normal"));
     for (const auto& entry : std::filesystem::directory_iterator(folder_ / "cache"))
         EXPECT_EQ(entry.path().extension(), ".bake") << entry.path();
 }
 
-TEST_F(BakeCache, TheFolderComesFromTheVariables) {
+TEST_F(BakeCache, Folder_FollowsEnvironment) {
     variables_.set("PLUMBLINE_CACHE", "/one");
     variables_.set("XDG_CACHE_HOME", "/two");
     variables_.set("HOME", "/three");
@@ -201,7 +201,7 @@ TEST_F(BakeCache, TheFolderComesFromTheVariables) {
 }
 
 // Permission bits don't stop root; a file in the way, or a folder where the file should be, stops everybody.
-TEST_F(BakeCache, WithoutAFolderMapsAreMadeAllTheSame) {
+TEST_F(BakeCache, NoFolder_StillBakes) {
     const HeightMap map = noiseMap(4, 3, 1);
     const BakeRequest asked = request("normal");
     writeFile(folder_ / "file", "in the way");
@@ -225,7 +225,7 @@ TEST_F(BakeCache, WithoutAFolderMapsAreMadeAllTheSame) {
     expectSameMap(outcome.map, bakeMap(map, asked));
 }
 
-TEST_F(BakeCache, WhatCannotBeMadeIsRefusedAndNotKept) {
+TEST_F(BakeCache, FailedBake_IsNotStored) {
     const HeightMap map = noiseMap(2, 2, 1);
     EXPECT_THAT(inputErrorOf([&] { bakeCached(map, request("norml")); }),
                 HasSubstr("did you mean 'normal'?"));

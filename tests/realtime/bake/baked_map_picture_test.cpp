@@ -29,7 +29,7 @@ class BakedMapPicture : public ::testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(BakedMapPicture, ChannelsAreNamedByKind) {
+TEST_F(BakedMapPicture, Channels_AreNamedByKind) {
     const HeightMap map = noiseMap(5, 3, 1);
     const auto names = [&](const char* kind) {
         return namesOf(written(bakeMap(map, {.kind = kind, .scale = {}, .slices = 2})));
@@ -43,7 +43,7 @@ TEST_F(BakedMapPicture, ChannelsAreNamedByKind) {
     EXPECT_EQ(written(cones).planes.at("cell.R"), std::vector{0.25f});
 }
 
-TEST_F(BakedMapPicture, TheTopRowComesFirst) {
+TEST_F(BakedMapPicture, TopRow_ComesFirst) {
     const HeightMap map("two rows", 2, 2, {0.0f, 0.25f, 0.5f, 0.75f});
     const ExrPlanes picture = written(bakeMap(map, {.kind = "normal", .scale = {}, .slices = 1}));
     EXPECT_EQ(picture.width, 2);
@@ -53,7 +53,7 @@ TEST_F(BakedMapPicture, TheTopRowComesFirst) {
     EXPECT_EQ(picture.attributes.at("map"), "stone");
 }
 
-TEST_F(BakedMapPicture, EveryVoxelOfAFieldIsInIt) {
+TEST_F(BakedMapPicture, EveryVoxel_IsInImage) {
     const HeightMap map = noiseMap(4, 3, 2);
     const BakedMap field = bakeMap(map, {.kind = "distance_field", .scale = {}, .slices = 5});
     const ExrPlanes picture = written(field);
@@ -67,7 +67,7 @@ TEST_F(BakedMapPicture, EveryVoxelOfAFieldIsInIt) {
             }
 }
 
-TEST_F(BakedMapPicture, EqualMapsGiveEqualBytes) {
+TEST_F(BakedMapPicture, EqualMaps_GiveEqualBytes) {
     const BakedMap map = bakeMap(noiseMap(40, 30, 2), {.kind = "normal", .scale = {}, .slices = 1});
     written(map);
     const std::string first = readFile(folder_ / "a.exr");

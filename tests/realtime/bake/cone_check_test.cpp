@@ -29,7 +29,7 @@ bool isRelaxed(const std::string& kind) {
 
 /// A step is worked out in double from ratios rounded down, so it ends short of its cone by more than
 /// rounding: no leap at all.
-TEST(ConeCheck, NoStepByCellsLeaps) {
+TEST(ConeCheck, CellSteps_NeverSkipSurface) {
     for (const std::string& generated : generatedMapKinds()) {
         const HeightMap map = generateMap(generated, 64, 1, Wrap::Repeat, Wrap::Repeat);
         for (const char* kind : {"cone_step", "cone_step_quad", "cone_step_relaxed"}) {
@@ -42,7 +42,7 @@ TEST(ConeCheck, NoStepByCellsLeaps) {
     }
 }
 
-TEST(ConeCheck, NoStepByCellsLeapsAtClampedBordersAndOddSizes) {
+TEST(ConeCheck, ClampedBordersAndOddSizes_NeverSkipSurface) {
     for (const TestMap& test : smallMaps())
         for (const char* kind : {"cone_step", "cone_step_quad", "cone_step_relaxed"}) {
             const ConeCheck check =
@@ -52,7 +52,7 @@ TEST(ConeCheck, NoStepByCellsLeapsAtClampedBordersAndOddSizes) {
 }
 
 /// TECHNIQUES.md, E20: "never misses" is true of the texel centres alone.
-TEST(ConeCheck, InterpolatedRatiosOfBricksLeap) {
+TEST(ConeCheck, InterpolatedRatiosOfBricks_SkipSurface) {
     const HeightMap map = generateMap("bricks", 128, 1, Wrap::Repeat, Wrap::Repeat);
     const BakedMap cones = bake(map, "cone_step");
     EXPECT_GT(checkCones(map, cones, ConeLookup::Bilinear, false, kRays, kSeed).leaping, kRays / 100);
@@ -63,7 +63,7 @@ TEST(ConeCheck, InterpolatedRatiosOfBricksLeap) {
 
 /// TECHNIQUES.md, E19: tested from depth 0 alone, cones let rays through that arrive deeper and flatter. By
 /// cells, so that nothing else is to blame; the same rays don't get through the safe map's cones.
-TEST(ConeCheck, ConesOf2007Leap) {
+TEST(ConeCheck, ConesOf2007_SkipSurface) {
     for (const char* generated : {"noise", "cobbles", "waves"}) {
         const HeightMap map = generateMap(generated, 128, 1, Wrap::Repeat, Wrap::Repeat);
         const ConeCheck published =
@@ -74,7 +74,7 @@ TEST(ConeCheck, ConesOf2007Leap) {
 }
 
 /// The check finds cones that are a fifth too wide.
-TEST(ConeCheck, WiderConesLeap) {
+TEST(ConeCheck, WidenedCones_SkipSurface) {
     const HeightMap map = generateMap("bricks", 64, 1, Wrap::Repeat, Wrap::Repeat);
     for (const char* kind : {"cone_step", "cone_step_quad", "cone_step_relaxed"}) {
         BakedMap cones = bake(map, kind);
@@ -98,7 +98,7 @@ TEST(ConeCheck, WiderConesLeap) {
 }
 
 /// Depth 1/2 everywhere: cones of ratio 1, every ray meets it, none leaps.
-TEST(ConeCheck, AFlatMapIsReached) {
+TEST(ConeCheck, FlatMap_IsReached) {
     const HeightMap map = HeightMap::constant("flat", 0.5f);
     const ConeCheck check = checkCones(map, bake(map, "cone_step"), ConeLookup::Cell, false, 10000, kSeed);
     EXPECT_EQ(check.pierced, 10000u);
@@ -107,7 +107,7 @@ TEST(ConeCheck, AFlatMapIsReached) {
     EXPECT_GT(check.meanSteps(), 1);
 }
 
-TEST(ConeCheck, IsTheSameOnAnyNumberOfThreads) {
+TEST(ConeCheck, AnyThreadCount_GivesEqualResult) {
     const HeightMap map = generateMap("cobbles", 64, 1, Wrap::Repeat, Wrap::Repeat);
     const BakedMap cones = bake(map, "cone_step");
     const ConeCheck all = checkCones(map, cones, ConeLookup::Nearest, false, 50000, kSeed);
@@ -121,7 +121,7 @@ TEST(ConeCheck, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_NE(all.leaps, checkCones(map, cones, ConeLookup::Nearest, false, 50000, kSeed + 1).leaps);
 }
 
-TEST(ConeCheck, RefusesWhatIsNoConeMapOfTheMap) {
+TEST(ConeCheck, MapsThatDontMatch_AreRefused) {
     const HeightMap map = HeightMap::constant("flat", 0.5f);
     BakedMap cones = bake(map, "cone_step");
     const HeightMap other("other", 2, 1, {0, 1});
@@ -148,7 +148,7 @@ std::vector<std::shared_ptr<const HeightMap>> libraryMaps() {
 
 /// PLUMBLINE_CONE_RAYS sets the rays a map (the slow run: ten million). 1/255 of the depth is what a picture
 /// could show; none at all is what is claimed.
-TEST(ConeCheck, NoLeapOnTheMapsOfTheLibrary) {
+TEST(ConeCheck, LibraryMaps_NeverSkipSurface) {
     const char* asked = std::getenv("PLUMBLINE_CONE_RAYS");
     const uint64_t rays = asked ? std::strtoull(asked, nullptr, 10) : 20000;
     fmt::print("{:<36}{:>12}  {:<24}{:>12}{:>12}{:>12}{:>10}\n", "map", "texels", "kind, by cells", "leaping",

@@ -74,7 +74,7 @@ bool onClampedBorder(const HeightMap& map, int i, int j) {
            (map.wrapT() == Wrap::Clamp && (j == 0 || j == map.height() - 1));
 }
 
-TEST(ConeMap, IsTheMinimumOfAllPairsBitForBit) {
+TEST(ConeMap, EveryRatio_IsMinimumOfAllPairs) {
     for (const char* kind : kKinds)
         for (const TestMap& test : smallMaps()) {
             SCOPED_TRACE(std::string(kind) + ", " + test.name);
@@ -109,7 +109,7 @@ int quadrant(const Vec2& direction) {
 
 /// The claim of slice 1 on the surface itself: points drawn at all distances, and on the creases where the
 /// surface turns.
-TEST(ConeMap, NoPointOfTheSurfaceIsInACellsCone) {
+TEST(ConeMap, Cones_ContainNoSurface) {
     constexpr int kPairs = 200000;
     for (const char* kind : {"cone_step", "cone_step_quad"})
         for (const TestMap& test : smallMaps()) {
@@ -144,7 +144,7 @@ TEST(ConeMap, NoPointOfTheSurfaceIsInACellsCone) {
 
 /// The lemma under slice 1: phi, interpolated between whole offsets, is nowhere above the length, beyond the
 /// squares that touch 0. Nor is it far below: at least cos 45 degrees of it, and from four texels on 3 %.
-TEST(ConeMap, PhiIsBelowTheDistanceEverywhere) {
+TEST(ConeMap, Phi_IsBelowDistance) {
     for (const Vec2i size :
          {Vec2i(8, 8), Vec2i(1, 64), Vec2i(16, 40), Vec2i(5, 3), Vec2i(300, 2), Vec2i(1, 1)}) {
         const HeightMap map(
@@ -173,7 +173,7 @@ TEST(ConeMap, PhiIsBelowTheDistanceEverywhere) {
 
 /// A wall of depth 0 on a floor of depth 1, at texel 2 of 8: floor texels k away have k / 8; the wall itself
 /// has 1.
-TEST(ConeMap, RatiosOfAWallAreDistances) {
+TEST(ConeMap, Wall_RatiosAreDistances) {
     const HeightMap map("wall", 8, 1, {1, 1, 0, 1, 1, 1, 1, 1});
     const double distances[] = {2, 1, 8, 1, 2, 3, 4, 3}; // to the nearest image
     for (const char* kind : {"cone_step", "cone_step_relaxed_2007"}) {
@@ -189,7 +189,7 @@ TEST(ConeMap, RatiosOfAWallAreDistances) {
     EXPECT_EQ(quad.at(0, kConeTexels, 4, 0)[2], 1);
 }
 
-TEST(ConeMap, LevelsHoldTheLeastOfTheirBlocks) {
+TEST(ConeMap, Levels_HoldBlockMinimum) {
     const BakedMap cones = bake(randomMap(13, 6, 3, Wrap::Repeat, Wrap::Repeat), "cone_step_quad");
     ASSERT_EQ(cones.levels.size(), 4u); // 13 x 6, 6 x 3, 3 x 1, 1 x 1
     for (size_t level = 1; level < cones.levels.size(); ++level) {
@@ -214,7 +214,7 @@ TEST(ConeMap, LevelsHoldTheLeastOfTheirBlocks) {
     }
 }
 
-TEST(ConeMap, RelaxedConesAreNoNarrowerThanConservativeOnes) {
+TEST(ConeMap, RelaxedCones_AreAtLeastAsWide) {
     for (const TestMap& test : smallMaps()) {
         const BakedMap narrow = bake(test.map, "cone_step"), wide = bake(test.map, "cone_step_relaxed"),
                        wider = bake(test.map, "cone_step_relaxed_2007");
@@ -259,7 +259,7 @@ MarchedRatio ratioByMarching(const HeightMap& map, int column, int row) {
 /// The marched exits hold those at texel centres that the criterion finds, and others between texels next to
 /// them. So single ratios may differ, mostly by less than the two texels that lie between an exit and the
 /// texels around it, and their means agree within the marching's own step.
-TEST(ConeMap, The2007CriterionFindsWhatTheListingMarchesFor) {
+TEST(ConeMap, Criterion2007_EqualsListingsMarch) {
     constexpr int kSize = 32;
     for (const char* kind : {"cobbles", "waves", "pyramids", "noise"}) {
         const HeightMap map = generateMap(kind, kSize, 1, Wrap::Repeat, Wrap::Repeat);
@@ -283,7 +283,7 @@ TEST(ConeMap, The2007CriterionFindsWhatTheListingMarchesFor) {
     }
 }
 
-TEST(ConeMap, IsTheSameOnAnyNumberOfThreads) {
+TEST(ConeMap, AnyThreadCount_GivesEqualBits) {
     const HeightMap map = generateMap("noise", 96, 1, Wrap::Repeat, Wrap::Repeat);
     for (const char* kind : kKinds) {
         const BakedMap all = bake(map, kind);
@@ -292,7 +292,7 @@ TEST(ConeMap, IsTheSameOnAnyNumberOfThreads) {
     }
 }
 
-TEST(ConeMap, KindsAreKnownByName) {
+TEST(ConeMap, Kinds_AreFoundByName) {
     for (const char* kind : kKinds)
         EXPECT_TRUE(isBakeKind(kind));
     EXPECT_THROW(coneRule("normal"), InputError);

@@ -85,7 +85,7 @@ BakedMap definition(const HeightMap& map, const BakeScale& scale, int slices) {
     return field;
 }
 
-TEST(DistanceField, HasTheBitsOfItsDefinition) {
+TEST(DistanceField, SmallMap_EqualsDefinition) {
     const std::vector<std::pair<BakeScale, int>> cases{
         {{1, 1, 0.1}, 8}, {{3, 0.7, 1}, 5}, {{1, 2, 5}, 1}, {{0.3, 0.3, 0.01}, 3}};
     for (const HeightMap& map : awkwardMaps())
@@ -97,7 +97,7 @@ TEST(DistanceField, HasTheBitsOfItsDefinition) {
         }
 }
 
-TEST(DistanceField, HasTheBitsOfItsDefinitionAcrossSeveralBlocks) {
+TEST(DistanceField, SeveralBlocks_EqualDefinition) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp})
         for (const HeightMap& map : {needleMap(70, 3, 66, 1, wrap, wrap), needleMap(3, 70, 1, 2, wrap, wrap),
                                      noiseMap(45, 37, 2, wrap, wrap)}) {
@@ -110,7 +110,7 @@ TEST(DistanceField, HasTheBitsOfItsDefinitionAcrossSeveralBlocks) {
 
 // A floor at depth 1/2 under 8 slices, each 1/8: the floor touches slices 3 and 4, so slice k is 3 - k - 1
 // slices away from the first solid one; centres: slice 4 is the first whose centre, 9/16, is below 1/2.
-TEST(DistanceField, AFlatFloorInClosedForm) {
+TEST(DistanceField, FlatFloor_HasClosedForm) {
     const BakedMap field = fieldOf(HeightMap("floor", 6, 5, std::vector<float>(30, 0.5f)), {1, 1, 0.2}, 8);
     EXPECT_EQ(field.slices, 8);
     EXPECT_EQ(field.channels, 2);
@@ -124,7 +124,7 @@ TEST(DistanceField, AFlatFloorInClosedForm) {
 // around the needle reach depth 1/2 half a texel away from it. In the top slice of 2 (depths 0 to 1/2) texels
 // 7, 8 and 9 are solid, and voxel 3 is 3 voxels away from the nearest of them; the floor, in the second
 // slice, touches it. Centres: texel 8 alone, 5/8 away, against the ground's 1 below: (2 slices of 1/2).
-TEST(DistanceField, ANeedleInClosedForm) {
+TEST(DistanceField, Needle_HasClosedForm) {
     const BakedMap needle = fieldOf(needleMap(16, 1, 8, 0), {2, 4000, 1}, 2);
     EXPECT_EQ(needle.at(0, 0, 3, 0)[kCentre], 0.625f);
     EXPECT_EQ(needle.at(0, 0, 8, 0)[kCentre], 0.0f);
@@ -137,13 +137,13 @@ TEST(DistanceField, ANeedleInClosedForm) {
               31.0f / 64); // the floor, from slice 63 on, is nearer: 0.48 against 0.625
 }
 
-TEST(DistanceField, DependsOnTheRatiosAlone) {
+TEST(DistanceField, EqualRatios_GiveEqualField) {
     const HeightMap map = noiseMap(9, 14, 6);
     EXPECT_TRUE(sameBits(fieldOf(map, {1, 3, 0.2}, 8).levels[0].values,
                          fieldOf(map, {0.5, 1.5, 0.1}, 8).levels[0].values));
 }
 
-TEST(DistanceField, OneThreadGivesTheSameBits) {
+TEST(DistanceField, OneThread_GivesEqualBits) {
     const HeightMap map = noiseMap(120, 77, 9);
     const auto make = [&] { return fieldOf(map, {1, 1, 0.3}, 16); };
     EXPECT_TRUE(sameBits(make().levels[0].values, onOneThread(make).levels[0].values));
@@ -182,7 +182,7 @@ std::vector<HeightMap> mapsForRandomPoints() {
     return maps;
 }
 
-TEST(DistanceField, NoPointOfTheSurfaceIsNearerThanTheBound) {
+TEST(DistanceField, Bound_IsBelowDistance) {
     std::mt19937 random(71);
     std::uniform_real_distribution<double> place(-0.6, 1.6), depth(-0.3, 1.1), near(-0.15, 0.15);
     for (const HeightMap& map : mapsForRandomPoints())
@@ -202,7 +202,7 @@ TEST(DistanceField, NoPointOfTheSurfaceIsNearerThanTheBound) {
 }
 
 // Sphere tracing by the bound alone never gets to the wrong side of the surface, above the top included.
-TEST(DistanceField, NoRayStepsThroughTheSurface) {
+TEST(DistanceField, RandomRays_NeverPassSurface) {
     std::mt19937 random(72);
     std::uniform_real_distribution<double> place(-0.3, 1.3), tilt(-3, 3);
     for (const HeightMap& map : mapsForRandomPoints()) {

@@ -21,7 +21,7 @@ int cellAt(int i, int level, int cells) {
     return std::min(i >> level, cells - 1);
 }
 
-TEST(MaxMipmap, LevelsHalveDownToOneCell) {
+TEST(MaxMipmap, Levels_HalveToOneCell) {
     const BakedMap pyramid = pyramidOf(noiseMap(13, 4, 1));
     EXPECT_EQ(pyramid.kind, "max_mipmap");
     EXPECT_EQ(pyramid.slices, 1);
@@ -34,7 +34,7 @@ TEST(MaxMipmap, LevelsHalveDownToOneCell) {
 
 // A row of depths 0 .2 .4 .6 .8: cells between neighbours, the last one back to the first under repeat and
 // flat under clamp; above them the blocks {0 1} and {2 3 4}, above these all of it.
-TEST(MaxMipmap, ARowByHand) {
+TEST(MaxMipmap, OneRow_EqualsHandComputed) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {
         const HeightMap row("row", 5, 1, {0.0f, 0.2f, 0.4f, 0.6f, 0.8f}, wrap, wrap);
         const BakedMap pyramid = pyramidOf(row);
@@ -47,7 +47,7 @@ TEST(MaxMipmap, ARowByHand) {
     }
 }
 
-TEST(MaxMipmap, BoundsAreTheExtremesOfTheCellsTheyCover) {
+TEST(MaxMipmap, Bounds_AreExtremesOfCells) {
     for (const HeightMap& map : awkwardMaps()) {
         SCOPED_TRACE(describe(map));
         const BakedMap pyramid = pyramidOf(map);
@@ -72,7 +72,7 @@ TEST(MaxMipmap, BoundsAreTheExtremesOfTheCellsTheyCover) {
 }
 
 // Also outside [0,1], where a clamped map goes on as its border: the nearest cell bounds it.
-TEST(MaxMipmap, TheSurfaceStaysWithinTheBoundsOfItsCell) {
+TEST(MaxMipmap, Surface_StaysWithinBounds) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> anywhere(-0.5, 1.5);
     for (const HeightMap& map : awkwardMaps()) {
@@ -96,7 +96,7 @@ TEST(MaxMipmap, TheSurfaceStaysWithinTheBoundsOfItsCell) {
     }
 }
 
-TEST(MaxMipmap, OneThreadGivesTheSameBits) {
+TEST(MaxMipmap, OneThread_GivesEqualBits) {
     const HeightMap map = noiseMap(257, 130, 3);
     const BakedMap many = pyramidOf(map), one = onOneThread([&] { return pyramidOf(map); });
     ASSERT_EQ(many.levels.size(), one.levels.size());

@@ -21,7 +21,7 @@ void expectNormal(const float* texel, const Vec3& expected) {
         EXPECT_FLOAT_EQ(texel[k], static_cast<float>(unit[k])) << "component " << k;
 }
 
-TEST(NormalMap, AFlatReliefLooksStraightOut) {
+TEST(NormalMap, FlatRelief_PointsOutward) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {
         const BakedMap normals =
             normalsOf(HeightMap("flat", 3, 2, std::vector<float>(6, 0.25f), wrap, wrap), {2, 3, 0.5});
@@ -39,7 +39,7 @@ TEST(NormalMap, AFlatReliefLooksStraightOut) {
 // Depths 1/8 a texel along s on 4 columns, so D_s = 1/2 a map width; on a tile 2 x 5 world units, 3 deep, the
 // relief falls by 3/2 on 2 units: z = -(3/4) x, normal (3/4, 0, 1). Likewise along t. The clamped border has
 // half the slope, the repeated one a jump of -3/8 against 1/8: (-3/8 + 1/8)/2 = -1/8 a texel.
-TEST(NormalMap, ALinearReliefInClosedForm) {
+TEST(NormalMap, LinearRelief_HasClosedForm) {
     std::vector<float> depths;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i < 4; ++i)
@@ -65,7 +65,7 @@ TEST(NormalMap, ALinearReliefInClosedForm) {
 
 // The gradient of the exact bilinear surface on both sides of a texel's centre, of which the central
 // difference is the mean.
-TEST(NormalMap, IsTheMeanOfTheSurfacesSlopesAroundTheTexel) {
+TEST(NormalMap, Texel_IsMeanOfSurroundingSlopes) {
     for (const HeightMap& map : awkwardMaps()) {
         SCOPED_TRACE(describe(map));
         const BakeScale scale{1.5, 0.8, 0.3};
@@ -88,7 +88,7 @@ TEST(NormalMap, IsTheMeanOfTheSurfacesSlopesAroundTheTexel) {
     }
 }
 
-TEST(NormalMap, AreUnitAndDependOnTheRatiosAlone) {
+TEST(NormalMap, Normals_AreUnitAndDependOnRatios) {
     const HeightMap map = noiseMap(31, 17, 8);
     const BakedMap normals = normalsOf(map, {1, 2, 0.5}), larger = normalsOf(map, {1024, 2048, 512}),
                    deeper = normalsOf(map, {1, 2, 0.6});
@@ -102,13 +102,13 @@ TEST(NormalMap, AreUnitAndDependOnTheRatiosAlone) {
         }
 }
 
-TEST(NormalMap, OneThreadGivesTheSameBits) {
+TEST(NormalMap, OneThread_GivesEqualBits) {
     const HeightMap map = noiseMap(300, 200, 4);
     const auto make = [&] { return normalsOf(map, {1, 1, 0.1}); };
     EXPECT_TRUE(sameBits(make().levels[0].values, onOneThread(make).levels[0].values));
 }
 
-TEST(NormalMap, ScalesThatGiveNoSlopeAreRefused) {
+TEST(NormalMap, ScalesWithoutSlope_AreRefused) {
     const HeightMap map = noiseMap(2, 2, 1);
     for (const BakeScale& scale :
          {BakeScale{0, 1, 1}, BakeScale{1, 1, -1}, BakeScale{1, kInfinity, 1}, BakeScale{1, std::nan(""), 1},

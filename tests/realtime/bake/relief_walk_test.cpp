@@ -17,7 +17,7 @@ std::vector<InsideInterval> walk(const HeightMap& map, const DescendingRay& ray,
 
 /// D = 2 (s - 1/4) from s = 1/4 to 3/4. On s = 0.9 - d/2 that is 1.3 - d: inside from d = 0.65 on, 0.7 deep
 /// at d = 1.
-TEST(ReliefWalk, EntersASlopeWhereItShould) {
+TEST(ReliefWalk, Slope_IsEnteredAtExactPlace) {
     const HeightMap map("slope", 2, 1, {0, 1}, Wrap::Clamp, Wrap::Clamp);
     const auto intervals = walk(map, {{0.9, 0.3}, {-0.5, 0}});
     ASSERT_EQ(intervals.size(), 1u);
@@ -28,7 +28,7 @@ TEST(ReliefWalk, EntersASlopeWhereItShould) {
 
 /// A ridge of depth 0.2 at s = 1/2, down to 1 within 1/3: D = 0.2 + 2.4 |x|, x = s - 1/2. On d = 0.5 + x/10
 /// the ray goes in at x = -0.3/2.5, out at x = 0.3/2.3, and is 0.3 below the ridge.
-TEST(ReliefWalk, GoesThroughARidge) {
+TEST(ReliefWalk, Ridge_IsEnteredAndLeft) {
     const HeightMap map("ridge", 3, 1, {1, 0.2f, 1}, Wrap::Clamp, Wrap::Clamp);
     const double ridge = 0.2f; // as a float stores it
     const auto intervals = walk(map, {{0.5 - 5, 0.5}, {10, 0}}, 0.4, 0.6);
@@ -41,7 +41,7 @@ TEST(ReliefWalk, GoesThroughARidge) {
 /// One saddle, D = 1 - 4 x (1 - x) / 2 along its diagonal (x from one texel centre to the next): a parabola a
 /// chord at d = 0.75 cuts where x (1 - x) = 1/8, and which it goes 0.25 below at x = 1/2. The chord must
 /// descend: by 1e-9 over the cell.
-TEST(ReliefWalk, FindsBothRootsOfAPatch) {
+TEST(ReliefWalk, Patch_GivesBothRoots) {
     const HeightMap map("saddle", 2, 2, {1, 0, 0, 1}, Wrap::Clamp, Wrap::Clamp);
     const double flat = 1e-9;
     const auto intervals =
@@ -54,7 +54,7 @@ TEST(ReliefWalk, FindsBothRootsOfAPatch) {
     EXPECT_NEAR(intervals[0].deepest, 0.25, 1e-6);
 }
 
-TEST(ReliefWalk, AgreesWithDenseSamples) {
+TEST(ReliefWalk, RandomRays_AgreeWithDenseSamples) {
     constexpr int kSamples = 2000;
     for (const TestMap& test : smallMaps())
         for (int n = 0; n < 60; ++n) {
@@ -91,7 +91,7 @@ TEST(ReliefWalk, AgreesWithDenseSamples) {
         }
 }
 
-TEST(ReliefWalk, AVerticalRayIsInsideFromTheSurfaceOn) {
+TEST(ReliefWalk, VerticalRay_IsInsideFromSurface) {
     const HeightMap map = smoothMap(16, 16, Wrap::Repeat, Wrap::Repeat);
     const auto intervals = walk(map, {{0.3, 0.7}, {0, 0}});
     ASSERT_EQ(intervals.size(), 1u);

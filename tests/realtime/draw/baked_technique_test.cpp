@@ -70,7 +70,7 @@ std::string named(const Oblique& view) {
     return view.kind + " at " + std::to_string(view.angleDegrees);
 }
 
-TEST(MaxMipmap, FindsTheHitsOfExactCells) {
+TEST(MaxMipmap, Hits_EqualExactCells) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const Oblique& view : kViews)
         for (const char* surface : {"", "@quadric"}) {
@@ -85,7 +85,7 @@ TEST(MaxMipmap, FindsTheHitsOfExactCells) {
         }
 }
 
-TEST(MaxMipmap, LooksUpFarLessOfAFlatRelief) {
+TEST(MaxMipmap, FlatRelief_NeedsFewLookUps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Depth 1 everywhere but for one wall: 60 cells to cross at a grazing angle, a few blocks.
     std::vector<float> depths(128, 1);
@@ -106,7 +106,7 @@ TEST(MaxMipmap, LooksUpFarLessOfAFlatRelief) {
     EXPECT_LT(both, cells);
 }
 
-TEST(ConeStepping, WithManyStepsArrivesWhereExactCellsDoes) {
+TEST(ConeStepping, ManySteps_ConvergeToExactCells) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Steps end short of the relief by a share that falls with each: 1000 steps or a clearance of 1e-3,
     // whichever comes first. Along a crest a ray may pass below that clearance without a hit: the error is
@@ -125,7 +125,7 @@ TEST(ConeStepping, WithManyStepsArrivesWhereExactCellsDoes) {
         }
 }
 
-TEST(ConeStepping, NeverPassesTheFirstHit) {
+TEST(ConeStepping, AnyRay_NeverPassesFirstHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Whatever the number of steps: short of the hit, never behind it.
     for (const Oblique& view : kViews)
@@ -142,7 +142,7 @@ TEST(ConeStepping, NeverPassesTheFirstHit) {
         }
 }
 
-TEST(RelaxedConeStepping, FindsTheFirstHitWithSafeMaps) {
+TEST(RelaxedConeStepping, SafeMaps_FindFirstHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const Oblique& view : kViews)
         for (const char* refine : {"refine=binary,refine_steps=16", "refine=secant,refine_steps=16"}) {
@@ -154,7 +154,7 @@ TEST(RelaxedConeStepping, FindsTheFirstHitWithSafeMaps) {
         }
 }
 
-TEST(RelaxedConeStepping, TakesFewerStepsThanConservativeOnes) {
+TEST(RelaxedConeStepping, RelaxedCones_TakeFewerSteps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = sceneOf(kViews[1]);
     const auto rounds = [&](const std::string& technique) {
@@ -172,7 +172,7 @@ TEST(RelaxedConeStepping, TakesFewerStepsThanConservativeOnes) {
               0.7 * rounds("cone_step:" + settings + "min_of_four"));
 }
 
-TEST(SphereTracing, FindsTheFirstHitInTheVoxelsField) {
+TEST(SphereTracing, VoxelField_FindsFirstHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const Oblique& view : kViews) {
         const Scene scene = sceneOf(view);
@@ -184,14 +184,14 @@ TEST(SphereTracing, FindsTheFirstHitInTheVoxelsField) {
     }
 }
 
-TEST(SphereTracing, OnACurvedBaseIsRefusedWithTheReason) {
+TEST(SphereTracing, CurvedBase_IsRefusedWithReason) {
     EXPECT_THAT(messageOf<InputError>([] { (void)resolveTechnique("sphere_tracing@quadric"); }),
                 HasSubstr("has no surface 'quadric': the search needs flat_base (a flat base, as a relief on "
                           "a bent one has "
                           "other distances)"));
 }
 
-TEST(BakedTechniques, CastTheShadowsOfExactCells) {
+TEST(BakedTechniques, Shadows_EqualExactCells) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = sceneOf(kViews[1]);
     const Frame exact = draw(scene, "exact_cells");
@@ -210,7 +210,7 @@ TEST(BakedTechniques, CastTheShadowsOfExactCells) {
     }
 }
 
-TEST(SlopeParallax, IsExactOnARampAtAnyScaleAndTile) {
+TEST(SlopeParallax, RampAtAnyScaleAndTile_IsExact) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // D grows linearly along s but for the map's border: the plane through the point under the fragment is
     // the relief itself. A normal baked at one scale and used at another would miss (TECHNIQUES E7).
@@ -238,7 +238,7 @@ TEST(SlopeParallax, IsExactOnARampAtAnyScaleAndTile) {
         }
 }
 
-TEST(BakedInput, OneTheShaderNeverReadsIsAnError) {
+TEST(BakedInput, UnreadInput_IsRefused) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const TemporaryFolder folder;
     writeFile(folder / "mine/technique.toml",

@@ -108,11 +108,11 @@ class LookUp : public testing::TestWithParam<MapCase> {
     }
 };
 
-TEST_P(LookUp, ExactBilinearIsTheCppDepth) {
+TEST_P(LookUp, ExactBilinear_EqualsCpp) {
     compare(false);
 }
 
-TEST_P(LookUp, HardwareFilterIsTheCppDepthUpToItsWeights) {
+TEST_P(LookUp, HardwareFilter_EqualsCppToItsWeights) {
     compare(true);
 }
 
@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
                     MapCase{37, 23, Wrap::Repeat, Wrap::Repeat}, MapCase{64, 16, Wrap::Clamp, Wrap::Repeat},
                     MapCase{5, 300, Wrap::Repeat, Wrap::Clamp}, MapCase{2, 2, Wrap::Clamp, Wrap::Clamp}));
 
-TEST(LookUpOfNonsense, StaysInsideTheMap) {
+TEST(LookUpOfNonsense, NonFiniteSt_StaysInsideMap) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map = randomMap(8, 8, Wrap::Repeat, Wrap::Repeat, 1);
     const float infinity = std::numeric_limits<float>::infinity(), nan = std::nanf("");
@@ -156,7 +156,7 @@ std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
     return evaluateGlsl(source, descentAndF);
 }
 
-TEST(SearchEnd, ErratumSixteensExamplesAreRight) {
+TEST(SearchEnd, Erratum16_ExamplesAreRight) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The textbook root gives 1.192, 0 and NaN for these (float32, v_d = 1); the interval ends where d = 1,
     // at tau = 1.
@@ -171,7 +171,7 @@ TEST(SearchEnd, ErratumSixteensExamplesAreRight) {
     EXPECT_EQ(far[0].y, 0);
 }
 
-TEST(SearchEnd, IsTheFirstRootForEveryCurvature) {
+TEST(SearchEnd, EveryCurvature_EndsAtFirstRoot) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     std::vector<glm::vec4> arguments;
     for (const float descent : {1e-3f, 0.1f, 1.0f, 7.0f, 1e3f}) {

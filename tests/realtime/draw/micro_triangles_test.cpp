@@ -32,7 +32,7 @@ Scene squareScene(const Vec3& cameraPosition) {
     return sceneOf(squareObject(2, nullptr, 0), orthographicCamera(cameraPosition, {0, 0, -1}, 4, 64));
 }
 
-TEST(MicroTriangles, TheDiagonalJoinsTheSecondAndTheThirdCorner) {
+TEST(MicroTriangles, Diagonal_JoinsSecondAndThirdCorner) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Corner d (column 1, row 1) is raised by 1. Triangle a b c stays in y = 0, and d c b rises linearly from
     // the diagonal: y = (x - z) / 2 where x > z. The other diagonal would lift the middle to 1/2.
@@ -52,7 +52,7 @@ TEST(MicroTriangles, TheDiagonalJoinsTheSecondAndTheThirdCorner) {
     EXPECT_NEAR(stAt(frame, pixelAt(frame, 16, 16)).y, 63.0 / 64, 1e-5);
 }
 
-TEST(MicroTriangles, BothSidesAreSeenAndShadowIsOfTheSideSeen) {
+TEST(MicroTriangles, BothSides_AreSeenAndShadowedPerSide) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const double side : {1.0, -1.0}) {
         Scene scene = squareScene({0, 5 * side, 0});
@@ -66,7 +66,7 @@ TEST(MicroTriangles, BothSidesAreSeenAndShadowIsOfTheSideSeen) {
     }
 }
 
-TEST(MicroTriangles, ManyGridsOfAllSizesCoverWithoutGapsOrOverlaps) {
+TEST(MicroTriangles, ManyGrids_CoverWithoutGapsOrOverlaps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // More vertices than one chunk holds, in grids of three sizes side by side: every pixel once, and no
     // seam.
@@ -98,7 +98,7 @@ TEST(MicroTriangles, ManyGridsOfAllSizesCoverWithoutGapsOrOverlaps) {
         }
 }
 
-TEST(MicroTriangles, ItsFrameHasNoLookUps) {
+TEST(MicroTriangles, Frame_HasNoLookUps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Frame frame = drawMicro(squareScene({0, 5, 0}), {gridMesh(2, 2, {0, 0, 0, 0})});
     EXPECT_FALSE(frame.has("cost.fetches"));
@@ -106,7 +106,7 @@ TEST(MicroTriangles, ItsFrameHasNoLookUps) {
     EXPECT_EQ(frame.metadata.at("base"), "limit");
 }
 
-TEST(MicroTriangles, WithoutMeshesOrAttributesItIsAnInputError) {
+TEST(MicroTriangles, NoMeshesOrAttributes_IsInputError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = squareScene({0, 5, 0});
     RealtimeRenderer renderer(scene, {});

@@ -36,7 +36,7 @@ std::string validatorOutput(const TemporaryFolder& folder) {
     return std::system(command.c_str()) == 0 ? "" : readFile(folder / "log");
 }
 
-TEST(PortableGlsl, EveryTechniqueIsGlsl410AndGlslEs300) {
+TEST(PortableGlsl, EveryTechnique_IsGlsl410AndGlslEs300) {
     if (!haveValidator()) GTEST_SKIP() << "glslangValidator isn't installed (package glslang-tools)";
     const TemporaryFolder folder;
     size_t programs = 0;

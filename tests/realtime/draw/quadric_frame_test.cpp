@@ -27,7 +27,7 @@ double halfWidth(const Frame& frame) {
     return 0.5 * covered * 2.4 / kPixels;
 }
 
-TEST(QuadricOutline, OfACylinderIsThatOfItsOsculatingParabola) {
+TEST(QuadricOutline, Cylinder_HasOutlineOfOsculatingParabola) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Fragment at angle a from the viewing direction: v_d = cos a / h, f = sin^2 a / (2 R h) for a relief h
     // deep. The ray gets no deeper than v_d^2 / (4 f) = R cos^2 a / (2 h sin^2 a); it meets the depth D if
@@ -43,7 +43,7 @@ TEST(QuadricOutline, OfACylinderIsThatOfItsOsculatingParabola) {
     }
 }
 
-TEST(QuadricFrame, PositionsLieOnTheParabolaUnderTheFragment) {
+TEST(QuadricFrame, Positions_LieOnParabola) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const double d = 0.5, h = 0.2;
     const Frame frame =
@@ -72,7 +72,7 @@ TEST(QuadricFrame, PositionsLieOnTheParabolaUnderTheFragment) {
     EXPECT_GT(compared, 40u);
 }
 
-TEST(QuadricOutline, WhereDepthIsANearestDistanceOrPerpendicularToTheRay) {
+TEST(QuadricOutline, DistanceVariants_HaveTheirOutlines) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The same cylinder. The ray touches the relief where it runs at a right angle to the base's normal
     // there, so that D_U and D_n agree: D_U gets to D h if cos^2 a >= 4 k D h sin a with k = 1 / (2 R), that
@@ -95,7 +95,7 @@ Scene planeScene(double depth) {
     return sceneOf(squareObject(2, map, depth), orthographicCamera({-3, 4, 1}, {0, 0, -1}, 1, 64));
 }
 
-TEST(QuadricFrame, OnAPlaneIsTheFlatSurface) {
+TEST(QuadricFrame, Plane_EqualsFlatSurface) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Nothing bends: curvature 0 exactly, so the same samples to a few roundings; only where shadows are cast
     // the frames may differ.
@@ -110,7 +110,7 @@ TEST(QuadricFrame, OnAPlaneIsTheFlatSurface) {
     }
 }
 
-TEST(QuadricFrame, PerpendicularToTheRayAPlanesReliefIsShallowerByTheSine) {
+TEST(QuadricFrame, PerpendicularDistanceOnPlane_IsShallowerBySine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // D_U of a plane is the depth over the sine between ray and normal, which all rays of this camera share:
     // positions are those of a flat relief as deep as sz sine.
@@ -128,7 +128,7 @@ TEST(QuadricFrame, PerpendicularToTheRayAPlanesReliefIsShallowerByTheSine) {
     EXPECT_GT(least, 0.05); // it isn't the flat surface
 }
 
-TEST(QuadricFrame, ConvexOutlinesStayInsideThePolygons) {
+TEST(QuadricFrame, ConvexOutline_StaysInsidePolygons) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // No base of ours puts a fragment where the polygon has none, and all cut something off. The outline of a
     // sphere of radius 1 whose relief is D h = 0.1 deep is at 0.9; the paraboloids' at 0.913 (D_z) and 0.905;
@@ -170,7 +170,7 @@ TEST(QuadricFrame, ConvexOutlinesStayInsideThePolygons) {
     }
 }
 
-TEST(QuadricFrame, IsGivenTheCoefficientsAsked) {
+TEST(QuadricFrame, Coefficients_AreThoseRequested) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The uvs of the saddle z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t the patch doesn't bend,
     // across it does, by C = 0.6 or -0.6 in its middle. A proxy of two segments a face sees chords, 2 % off.
@@ -211,7 +211,7 @@ TEST(QuadricFrame, IsGivenTheCoefficientsAsked) {
     }
 }
 
-TEST(QuadricFrame, TheDepthSampledAnswersOnEveryBase) {
+TEST(QuadricFrame, SampledDepth_WorksOnEveryBase) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A constant map: the depth sampled is that of the hit, so that sampled_depth is a step of Newton's
     // method with the ray's descent. Of a search without secants it leaves the square of the step, which is a

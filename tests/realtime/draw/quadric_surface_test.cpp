@@ -163,7 +163,7 @@ Case planar(double degrees, double a) {
     return at;
 }
 
-TEST(QuadricDepth, TheTwinsAndTheShadersGiveTheTableOfTheThree) {
+TEST(QuadricDepth, KnownTable_IsReproduced) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The table of realtime/README.md, a = 0.25, tau = 0.1: angle from the normal, D_z, D_U, D_n, rounded.
     const struct {
@@ -225,7 +225,7 @@ std::vector<Case> randomCases(size_t count, unsigned seed) {
     return cases;
 }
 
-TEST(QuadricDepth, IsTheTwinsForRandomQuadricsAndDirections) {
+TEST(QuadricDepth, RandomQuadrics_EqualCppTwin) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const std::vector<Case> cases = randomCases(4000, 5);
     std::mt19937 random(6);
@@ -295,7 +295,7 @@ void checkEnd(const std::string& surface, const Case& at, const glm::vec4& found
     }
 }
 
-TEST(QuadricEnd, IsTheFirstRootForEveryCurvature) {
+TEST(QuadricEnd, EveryCurvature_EndsAtFirstRoot) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     std::vector<Case> cases;
     for (const double degrees : {1.0, 30.0, 45.0, 75.0, 89.0}) {
@@ -338,7 +338,7 @@ TEST(QuadricEnd, IsTheFirstRootForEveryCurvature) {
     }
 }
 
-TEST(QuadricEnd, IsTheFirstRootForRandomQuadrics) {
+TEST(QuadricEnd, RandomQuadrics_EndAtFirstRoot) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const std::vector<Case> cases = randomCases(2000, 15);
     for (const std::string surface : kAllQuadrics) {
@@ -366,7 +366,7 @@ VerticalEnd verticalEnd(const Case& at) {
     return {rest >= 0 ? 2 * at.depth / (c + std::sqrt(rest)) : back, back};
 }
 
-TEST(QuadricEnd, AlongASaddleIsWhereTheNearestPointSaysOrNotFar) {
+TEST(QuadricEnd, Saddle_EndsNearNearestPoint) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Around the asymptotes of saddles, where the base bends away from the ray (f > 0), towards it (f < 0) or
     // not at all, D_z comes to 1 and D_n often doesn't: there it stays below 1 for ever, f <= 0, or until the
@@ -437,7 +437,7 @@ Vec3 displaced(const Case& at, const Vec2& st, double depth, bool alongOwnNormal
     return point - depth * normal;
 }
 
-TEST(QuadricFrameAtTheHit, IsMadeOfTheDerivativesOfTheReliefOfConstantDepth) {
+TEST(QuadricFrameAtTheHit, ConstantDepth_GivesFrameFromDerivatives) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const std::vector<Case> cases = randomCases(1000, 25);
     const std::vector<double> t(cases.size(), 0.6);

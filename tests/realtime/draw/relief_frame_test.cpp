@@ -47,7 +47,7 @@ size_t forEachHit(const Frame& frame, const Camera& camera,
     return count;
 }
 
-TEST(ReliefFrame, ConstantDepthIsAPlaneBelowThePolygon) {
+TEST(ReliefFrame, ConstantDepth_IsPlaneBelowPolygon) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Depth 0.5 of 0.2: the plane y = -0.1, and the fifth of ten steps falls on it exactly. The square is 2
     // wide, so s = (x + 1) / 2 and t = (1 - z) / 2.
@@ -73,7 +73,7 @@ TEST(ReliefFrame, ConstantDepthIsAPlaneBelowThePolygon) {
     }
 }
 
-TEST(ReliefFrame, TheBottomOfTheReliefIsHit) {
+TEST(ReliefFrame, DepthOne_IsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Depth 1 everywhere: only the last linear step reaches it.
     for (const char* technique : {"linear_binary", "linear_binary@quadric", "linear_binary:linear_steps=7"}) {
@@ -83,7 +83,7 @@ TEST(ReliefFrame, TheBottomOfTheReliefIsHit) {
     }
 }
 
-TEST(ReliefFrame, ShadingIsTheOneFormula) {
+TEST(ReliefFrame, Shading_EqualsFormula) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = sceneOf(squareObject(2, constantMap(0.5f), 0.2), fromAbove(0.8));
     scene.objects[0].color = Vec3(0.2, 0.4, 0.8);
@@ -99,7 +99,7 @@ TEST(ReliefFrame, ShadingIsTheOneFormula) {
     EXPECT_EQ(frame.channel("shadow.below")[pixel], 1);
 }
 
-TEST(ReliefFrame, ARampIsAPlaneWithItsNormal) {
+TEST(ReliefFrame, Ramp_IsPlaneWithItsNormal) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Two clamped texels 0 and 1: between their centres D = 2 (s - 1/4). With s = (x + 1) / 2 and depth 0.3
     // the surface is y = -0.3 (x + 1/2) for |x| < 1/2, its normal (0.3, 1, 0) normalised. 16 bisections of a
@@ -121,7 +121,7 @@ TEST(ReliefFrame, ARampIsAPlaneWithItsNormal) {
     EXPECT_GT(onRamp, size_t(kPixels * kPixels / 2));
 }
 
-TEST(ReliefFrame, NormalsFollowDepthAndSizeOfTheTile) {
+TEST(ReliefFrame, DepthAndTile_ScaleNormals) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // E7: n = (D_s sz / sx, 0, 1). The same ramp on a square 4 wide with depth 0.9: slope 2 * 0.9 / 4 = 0.45.
     const Frame frame = draw(sceneOf(squareObject(4, profileMap({0, 1}, Wrap::Clamp), 0.9), fromAbove(0.5)),
@@ -130,7 +130,7 @@ TEST(ReliefFrame, NormalsFollowDepthAndSizeOfTheTile) {
     EXPECT_LT(glm::length(vectorAt(frame, "N", pixelAt(frame, 32, 32)) - normal), 1e-5);
 }
 
-TEST(ReliefFrame, MirroredAndShearedTextureCoordinatesKeepTheNormalOutside) {
+TEST(ReliefFrame, MirroredAndShearedSt_KeepNormalOutward) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // uv = M (x, -z) with any M: the ramp falls along the world direction grad s = M's first row; at depth
     // 0.3 with D = 2 (s - 1/4) the surface is y = -0.6 (s - 1/4), the normal (0.6 ds/dx, 1, 0.6 ds/dz).
@@ -160,7 +160,7 @@ TEST(ReliefFrame, MirroredAndShearedTextureCoordinatesKeepTheNormalOutside) {
     }
 }
 
-TEST(ReliefFrame, TheFirstOfTwoRidgesIsHit) {
+TEST(ReliefFrame, TwoRidges_FirstIsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Two ridges, tops at s = 3/16 and 11/16 of a tile, as deep valleys between. Every ray at 60 degrees runs
     // from the polygon to the floor over 0.2 tan 60 = 0.35 = 0.17 tiles and must stop at the first place
@@ -185,7 +185,7 @@ TEST(ReliefFrame, TheFirstOfTwoRidgesIsHit) {
     EXPECT_GT(compared, 100u);
 }
 
-TEST(ReliefFrame, AStepCastsAShadowAsLongAsItIsHigh) {
+TEST(ReliefFrame, Step_CastsShadowOfItsHeight) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A step down from depth 0 to 1 at x = 0, 0.2 high, between two of 512 texels of a square 2 wide; light
     // from -x at 45 degrees. A point on the floor is in shadow if its ray enters left of the edge: up to x =
@@ -222,7 +222,7 @@ TEST(ReliefFrame, AStepCastsAShadowAsLongAsItIsHigh) {
     EXPECT_LE(shadowed, 3u);
 }
 
-TEST(ReliefFrame, TheBiasKeepsALitPlaneFromShadowingItself) {
+TEST(ReliefFrame, Bias_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A ramp is a plane: it shadows nothing. Both searches end up to 1/640 of the depth below it. Towards
     // this light the ramp falls by 0.5 of the depth while a ray rises by 1, so that it is still inside one
@@ -240,7 +240,7 @@ TEST(ReliefFrame, TheBiasKeepsALitPlaneFromShadowingItself) {
     EXPECT_GT(shadowed("linear_binary:shadow_bias=0"), size_t(kPixels * kPixels / 20));
 }
 
-TEST(ReliefFrame, AFragmentWhoseNormalTurnsAwayStaysOnThePolygonOrIsDiscarded) {
+TEST(ReliefFrame, BackFacingNormal_StaysOnPolygonOrDiscards) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The polygon faces the camera, its shading normal doesn't: the ray rises out of the relief.
     SceneObject object = squareObject(2, profileMap({0, 1, 0.3f}, Wrap::Repeat), 0.3);
@@ -254,7 +254,7 @@ TEST(ReliefFrame, AFragmentWhoseNormalTurnsAwayStaysOnThePolygonOrIsDiscarded) {
     EXPECT_EQ(coveredPixels(draw(sceneOf(object, camera), "linear_binary@quadric")), 0u);
 }
 
-TEST(ReliefFrame, PointLightsLightFromWhereTheyAre) {
+TEST(ReliefFrame, PointLight_LightsFromItsPosition) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = sceneOf(squareObject(2, constantMap(0), 0.2), fromAbove(1.6));
     Light lamp;
@@ -271,7 +271,7 @@ TEST(ReliefFrame, PointLightsLightFromWhereTheyAre) {
     });
 }
 
-TEST(ReliefFrame, AReliefOfNoDepthIsThePolygon) {
+TEST(ReliefFrame, ZeroDepth_IsPolygon) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto bumpy = profileMap({0.1f, 0.9f, 0.4f}, Wrap::Repeat);
     for (const double depth : {0.0, 1e-30}) {
@@ -283,7 +283,7 @@ TEST(ReliefFrame, AReliefOfNoDepthIsThePolygon) {
     }
 }
 
-TEST(ReliefFrame, MissesHoldTheMissValuesAndHitsHoldNumbers) {
+TEST(ReliefFrame, MissesAndHits_HoldDefinedValues) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto map = profileMap({0, 1, 0.3f, 0.7f, 1}, Wrap::Repeat);
     // Head-on, grazing, from behind, from inside the plane; a torus has every angle at once, a sphere many
@@ -325,7 +325,7 @@ TEST(ReliefFrame, MissesHoldTheMissValuesAndHitsHoldNumbers) {
         }
 }
 
-TEST(ReliefFrame, TextureCoordinatesFarFromZeroKeepTheirDigits) {
+TEST(ReliefFrame, LargeSt_KeepsDigits) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The same relief 1000 tiles further on: equal but for st. Float has 1/8192 of a tile there; 1/64 of the
     // map's smallest feature would be lost if the shader worked with it.
@@ -340,7 +340,7 @@ TEST(ReliefFrame, TextureCoordinatesFarFromZeroKeepTheirDigits) {
     }
 }
 
-TEST(ReliefFrame, ScenesFarAwayTinyOrHugeLookTheSame) {
+TEST(ReliefFrame, FarTinyAndHugeScenes_RenderEqual) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto map = profileMap({0, 1, 0.3f, 0.7f, 1}, Wrap::Repeat);
     const auto sceneAt = [&](double scale, const Vec3& shift) {
@@ -376,7 +376,7 @@ TEST(ReliefFrame, ScenesFarAwayTinyOrHugeLookTheSame) {
     }
 }
 
-TEST(ReliefFrame, TriangleBoundsDiscardHitsBeyondTheTriangle) {
+TEST(ReliefFrame, TriangleBounds_DiscardHitsOutside) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A floor of constant depth 1 below a square, seen at 45 degrees: the hit lies 0.3 further along s than
     // the fragment, in world units 0.3 of the 2 the square is wide. What is left is where it still lies over
@@ -407,7 +407,7 @@ TEST(ReliefFrame, TriangleBoundsDiscardHitsBeyondTheTriangle) {
     EXPECT_EQ(coveredPixels(off), coveredPixels(whole));
 }
 
-TEST(ReliefFrame, TwoSquaresHideEachOtherByDepth) {
+TEST(ReliefFrame, DepthCorrection_OrdersReliefs) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The relief's floor is at y = -0.2, a plain square at -0.1: the plain one is seen where the relief is
     // deepest.
@@ -428,7 +428,7 @@ TEST(ReliefFrame, TwoSquaresHideEachOtherByDepth) {
     }
 }
 
-TEST(ReliefFrame, WithoutDepthCorrectionPolygonsHideEachOther) {
+TEST(ReliefFrame, NoDepthCorrection_OrdersPolygons) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Seen from above: "high", its polygon at y = 0, its relief everywhere 0.2 below; "low", its polygon at y
     // = -0.05, its relief 0.2 below on the left and on top on the right. By the hits "high" is at -0.2 and

@@ -27,7 +27,7 @@ ReliefLine lineOf(const Ray& ray, const SceneObject& square, double side) {
     return {st, square.relief->tile * Vec2(travel.x, -travel.z) / side};
 }
 
-TEST(SearchFrames, ShowTheReliefInOddScales) {
+TEST(SearchFrames, OddScales_ShowRelief) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Tiles that aren't square, of a map that isn't either; two depths. A linear step is 1/128 of the depth:
     // the hit is at most so much too deep, but for features it steps over.
@@ -62,7 +62,7 @@ TEST(SearchFrames, ShowTheReliefInOddScales) {
         }
 }
 
-TEST(SearchFrames, AreNumbersAtEveryAngle) {
+TEST(SearchFrames, EveryAngle_GivesFiniteValues) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Straight from above (E4: a slope would be infinite) to along the surface; draw() looks for NaN. On a
     // flat base nothing is missed.
@@ -79,7 +79,7 @@ TEST(SearchFrames, AreNumbersAtEveryAngle) {
     }
 }
 
-TEST(SearchFrames, BentBasesAreNumbersToo) {
+TEST(SearchFrames, CurvedBases_GiveFiniteValues) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     SceneObject torus;
     torus.name = "torus";
@@ -109,7 +109,7 @@ void expectSameButForCost(const Frame& a, const Frame& b) {
     }
 }
 
-TEST(ParallaxFrames, WithoutDepthAreNormalMapping) {
+TEST(ParallaxFrames, ZeroDepth_EqualsNormalMapping) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto map = std::make_shared<HeightMap>(randomMap(7, 5, Wrap::Repeat, Wrap::Repeat));
     for (const double angle : {0.0, 60.0, 89.0}) {
@@ -119,7 +119,7 @@ TEST(ParallaxFrames, WithoutDepthAreNormalMapping) {
     }
 }
 
-TEST(ParallaxFrames, OffsetsAreTheTangentAndTheSine) {
+TEST(ParallaxFrames, Offsets_AreTangentAndSine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A floor at depth 0.5 of 0.2 seen at 60 degrees: 0.1 tan 60 to the side, as on the plane itself;
     // limited, 0.1 sin 60, half of it (E9). s = (x + 1) / 2.
@@ -137,7 +137,7 @@ TEST(ParallaxFrames, OffsetsAreTheTangentAndTheSine) {
     }
 }
 
-TEST(SearchFrames, ExactCellsCastExactShadows) {
+TEST(SearchFrames, ExactCells_CastsExactShadows) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A wall 0.2 high at x = 0 lit at 45 degrees shades the floor to x = 0.2; a fin one texel wide at x =
     // -0.6 to x = -0.4, which ten steps miss. A texel is 2 / 512 wide; pixel 0.8 / 256.

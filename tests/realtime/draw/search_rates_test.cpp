@@ -31,7 +31,7 @@ Error errorOf(const std::string& technique, const HeightMap& map, const std::vec
     return error;
 }
 
-TEST(Convergence, ErrorsFallWithTheStepsAsTheyShould) {
+TEST(Convergence, MoreSteps_ConvergeWithExpectedOrder) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Waves of 512 texels: smooth over a step of 1/8 to 1/32 of rays 0.2 tiles long (13 to 3 texels).
     // Doubling the steps halves the errors of a linear search and of one that bisects a fixed number of
@@ -91,7 +91,7 @@ Iterations iterationsOf(const std::string& technique, const HeightMap& map,
     return result;
 }
 
-TEST(Secant, RegulaFalsiFreezesOnWallsAndIllinoisDoesNot) {
+TEST(Secant, Walls_FreezeRegulaFalsiNotIllinois) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // E1, with the document's 5 linear steps and |gap| <= 0.01, no cap that matters.
     const auto print = [](const char* name, const Iterations& n) {
@@ -129,7 +129,7 @@ TEST(Secant, RegulaFalsiFreezesOnWallsAndIllinoisDoesNot) {
     EXPECT_GT(halvedSmooth.mean, illinoisSmooth.mean + 1);
 }
 
-TEST(Secant, EitherEndCanFreeze) {
+TEST(Secant, EitherEnd_CanFreeze) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A ray over the whole map of 64 texels, D against t = s. Five steps leave the bracket [0.8, 1]. Once the
     // relief runs 0.05 below the ray up to a wall that rises at 0.97: the gap outside stays small and the
@@ -151,7 +151,7 @@ TEST(Secant, EitherEndCanFreeze) {
     }
 }
 
-TEST(Secant, TheSampledDepthIsWorseThanTheIntersectionWhereTheReliefIsSteeperThanTheRay) {
+TEST(Secant, SteepRelief_SampledDepthIsWorseThanIntersection) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // E2: t + (D - t) instead of t multiplies the error by the slope of D along the ray per unit of t. Waves
     // have slopes of about 2 per tile, so that it is about 2 for rays a tile long and 0.3 for those of 0.15

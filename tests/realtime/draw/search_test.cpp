@@ -10,7 +10,7 @@ namespace {
 // --- roots known by hand
 // -----------------------------------------------------------------------------------------------
 
-TEST(KnownRoots, ConstantDepth) {
+TEST(KnownRoots, ConstantDepth_IsExact) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map = HeightMap::constant("constant", 0.37f);
     const ReliefLine line{{0.2f, 0.7f}, {0.4f, -0.3f}};
@@ -43,7 +43,7 @@ TEST(KnownRoots, ConstantDepth) {
                 4 * kFloatEpsilon);
 }
 
-TEST(KnownRoots, Ramp) {
+TEST(KnownRoots, Ramp_IsExact) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Two clamped texels: D = 2 (s - 1/4) between their centres. From s = 0.3 over 0.1: D = 0.1 + 0.2 t = t
     // at t = 1/8.
@@ -68,7 +68,7 @@ TEST(KnownRoots, Ramp) {
     EXPECT_EQ(in.iterations, 2);
 }
 
-TEST(KnownRoots, AStepIsHitOnItsWall) {
+TEST(KnownRoots, Step_IsHitOnItsWall) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Down at s = 0.1, up again at s = 0.5: a ray from s = 0.3 runs against the wall between texels 31 and 32
     // of 64, whose centres are at s = 31.5/64 and 32.5/64. D = 1 - (64 s - 31.5) there, with s = 0.3 + 0.4 t:
@@ -86,7 +86,7 @@ TEST(KnownRoots, AStepIsHitOnItsWall) {
     EXPECT_NEAR(traceOne("linear_secant:linear_steps=20,tolerance=0.0001", map, line).t, truth, 1e-4);
 }
 
-TEST(KnownRoots, TheFirstOfTwoBumpsIsHitButByBisection) {
+TEST(KnownRoots, TwoBumps_FirstIsHitExceptByBisection) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Ridges between texels 20 and 24, and 44 and 50, of 64; the ray crosses the whole map. It enters the
     // first where D falls from 1 to 0 between the centres of texels 19 and 20: 1 - (64 t - 19.5) = t, t
@@ -103,7 +103,7 @@ TEST(KnownRoots, TheFirstOfTwoBumpsIsHitButByBisection) {
     EXPECT_NEAR(traceOne("binary:binary_steps=20", map, line).t, second, 2e-6);
 }
 
-TEST(KnownRoots, ANeedleOneTexelWideIsSteppedOverByCoarseSteps) {
+TEST(KnownRoots, NeedleOneTexelWide_IsSkippedByCoarseSteps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // One texel of 64 of depth 0: D = 1 - (64 t - 32.5) = t at t = 33.5 / 65 = 0.515. Steps of 1/10 pass at
     // 0.5 and 0.6.
@@ -117,7 +117,7 @@ TEST(KnownRoots, ANeedleOneTexelWideIsSteppedOverByCoarseSteps) {
             << fine;
 }
 
-TEST(KnownRoots, TheFloorIsHitAndTheTopIsHitAtOnce) {
+TEST(KnownRoots, FloorAndTop_AreHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const ReliefLine lines[] = {{{0.3f, 0.3f}, {0.7f, 0.1f}}, {{0.3f, 0.3f}, {0, 0}}, {{-3, 9}, {-40, 3}}};
     for (const std::string& search : kSearches)
@@ -133,7 +133,7 @@ TEST(KnownRoots, TheFloorIsHitAndTheTopIsHitAtOnce) {
         EXPECT_FALSE(traceOne(search, HeightMap::constant("floor", 1), lines[0], {0, 3.5f}).hit) << search;
 }
 
-TEST(KnownRoots, PrematureBisectionAsPrintedStaysNearTheTop) {
+TEST(KnownRoots, PrematureBisectionAsPrinted_StaysNearTop) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // E6: steps of 1/12, 1/24, ... add up to (1 - 1/64) / 6 = 0.164 for six: a relief at depth 0.7 (height
     // 0.3) is reported at height 0.836.
@@ -163,7 +163,7 @@ std::vector<ExactCase> exactCases() {
     return cases;
 }
 
-TEST(ExactCells, AreTheRootInDoubleButForGrazingRays) {
+TEST(ExactCells, AnyRay_EqualsDoubleRootUnlessGrazing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The depth it ends at is off by less than 1e-5 of the relief, unless the gap falls by less than 0.05 per
     // unit of t at the hit or came within 1e-5 of 0 at a turning point before: there a rounding of the gap, a
@@ -199,7 +199,7 @@ TEST(ExactCells, AreTheRootInDoubleButForGrazingRays) {
     RecordProperty("compared", std::to_string(compared));
 }
 
-TEST(ExactCells, VisitTheCellsTheRayCrossesAndNoMore) {
+TEST(ExactCells, AnyRay_VisitsOnlyCrossedCells) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A floor at depth 1: the whole ray is walked, a look-up a cell.
     const HeightMap map("floor", 16, 8, std::vector<float>(128, 1));
@@ -217,7 +217,7 @@ TEST(ExactCells, VisitTheCellsTheRayCrossesAndNoMore) {
     }
 }
 
-TEST(ExactCells, StopWhereTheCellsRunOut) {
+TEST(ExactCells, CellBudget_StopsSearch) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map("floor", 16, 1, std::vector<float>(16, 1));
     // 4 cells of the 16 from s = 0: the first ends after half a texel, at t = 3.5/16 the fifth begins.
@@ -227,7 +227,7 @@ TEST(ExactCells, StopWhereTheCellsRunOut) {
     EXPECT_EQ(hit.iterations, 4);
 }
 
-TEST(ExactCells, FollowRaysOverManyTiles) {
+TEST(ExactCells, ManyTiles_AreFollowed) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Grazing rays over 7 tiles of 512 texels, far from 0: one needle on the way, one texel wide.
     std::vector<float> depths(512 * 512, 1);
@@ -253,7 +253,7 @@ TEST(ExactCells, FollowRaysOverManyTiles) {
     EXPECT_LT(onNeedle, 64u);
 }
 
-TEST(Bisection, StopsAtItsTolerance) {
+TEST(Bisection, Tolerance_StopsSearch) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // D = 0.37 at [0.3, 0.4]: middles 0.35, 0.375: |gap| 0.005 <= 0.01 after two.
     const HeightMap map = HeightMap::constant("constant", 0.37f);
@@ -262,7 +262,7 @@ TEST(Bisection, StopsAtItsTolerance) {
     EXPECT_NEAR(hit.t, 0.375, kFloatEpsilon);
 }
 
-TEST(LinearSteps, AdaptToTheAngle) {
+TEST(LinearSteps, Angle_AdaptsSteps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Premecz: lerp(2N, N, cosine), rounded up. A floor at depth 1 takes them all: 10, 15, 20; 16.3 is 17.
     const HeightMap floor = HeightMap::constant("floor", 1);
@@ -273,7 +273,7 @@ TEST(LinearSteps, AdaptToTheAngle) {
             steps);
 }
 
-TEST(LinearSteps, WithoutEarlyExitTheHitIsTheSameAndCostsAllSteps) {
+TEST(LinearSteps, NoEarlyExit_GivesSameHitAtFullCost) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map = generated("bricks", 64);
     const std::vector<ReliefLine> lines = raysOfLength(0.3f, 500);
@@ -286,7 +286,7 @@ TEST(LinearSteps, WithoutEarlyExitTheHitIsTheSameAndCostsAllSteps) {
     }
 }
 
-TEST(BentRays, EverySearchFindsTheHitOrLeavesTheLayer) {
+TEST(BentRays, EverySearch_FindsHitOrLeavesLayer) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // With 256 steps on a smooth map, up to a step and but for a few rays that graze a wave.
     const HeightMap map = generated("waves", 64);

@@ -29,7 +29,7 @@ Camera fromAbove(double viewHeight) {
 // --- where a shadow falls
 // --------------------------------------------------------------------------------------------
 
-TEST(ShadowMap, OfTheSunPutsAPolesShadowWhereTheFormulaDoes) {
+TEST(ShadowMap, Sun_CastsPoleShadowOfFormula) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A pole 0.1 thick and 1 tall on a plain floor, the sun at 45 degrees from +x: a point at height y
     // shadows the floor at x - y. A receiver reads a texel whose centre is up to half of its diagonal away,
@@ -54,7 +54,7 @@ TEST(ShadowMap, OfTheSunPutsAPolesShadowWhereTheFormulaDoes) {
     }
 }
 
-TEST(ShadowMap, OfALampPutsAPolesShadowWhereTheFormulaDoes) {
+TEST(ShadowMap, Lamp_CastsPoleShadowOfFormula) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The same pole under a lamp at (1, 2, 0): a point at height y shadows the floor at the lamp + (point -
     // lamp) 2 / (2 - y). Its foot stays, its top's square comes to x in [-1.1, -0.9], |z| < 0.1; the shadow
@@ -79,7 +79,7 @@ TEST(ShadowMap, OfALampPutsAPolesShadowWhereTheFormulaDoes) {
     EXPECT_GT(countShadows(frame, "lamp", 1).shadowed, 500u);
 }
 
-TEST(ShadowMap, PlainObjectsShadowAReliefWhereItsHitIs) {
+TEST(ShadowMap, PlainObject_ShadowsReliefAtHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A plate 0.4 wide at y = 0.4 over a relief floor 0.1 below its polygon; the sun at 45 degrees. The
     // shadow moves by 0.5 to x in [-0.7, -0.3]; looked up from the polygon it would move by 0.4.
@@ -98,7 +98,7 @@ TEST(ShadowMap, PlainObjectsShadowAReliefWhereItsHitIs) {
         ASSERT_EQ(frame.channel("shadow.sun")[i], uncorrected.channel("shadow.sun")[i]);
 }
 
-TEST(ShadowMap, AReliefShadowsWhatLiesBehindItsHit) {
+TEST(ShadowMap, Relief_ShadowsBehindItsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A relief plate 0.4 wide, its polygon at y = 0.7, its surface at 0.5. The light's rays through the
     // polygon meet a plain plate at height y around (-0.7 + y, 0): at 0.6, before the relief stops them, and
@@ -118,7 +118,7 @@ TEST(ShadowMap, AReliefShadowsWhatLiesBehindItsHit) {
     }
 }
 
-TEST(ShadowMap, AReliefShadowsARelief) {
+TEST(ShadowMap, Relief_ShadowsRelief) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Polygons at y = 0.5 and 0, surfaces at 0.4 and -0.1: the plate's outline, 0.4 wide, is shadowed 0.6
     // further on.
@@ -133,7 +133,7 @@ TEST(ShadowMap, AReliefShadowsARelief) {
     EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 500u);
 }
 
-TEST(ShadowMap, PlainSheetsCastFromBothSidesReliefsFromTheirFront) {
+TEST(ShadowMap, PlainSheetsAndReliefs_CastFromTheirSides) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Plates 0.4 wide at y = 0.4, turned over, so that the sun sees their backs; a relief lies behind the
     // front of its polygons.
@@ -152,7 +152,7 @@ TEST(ShadowMap, PlainSheetsCastFromBothSidesReliefsFromTheirFront) {
 // --- no shadow where nothing stands
 // ----------------------------------------------------------------------------------
 
-TEST(ShadowMap, TheBiasKeepsPlanesFromShadowingThemselves) {
+TEST(ShadowMap, BiasOnPlanes_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A plain square, lights from head-on to 86 degrees from its normal; coarse and fine maps. The derivation
     // holds for every texel: wherever N.L is at least the 0.05 up to which the bias grows, not one pixel may
@@ -185,7 +185,7 @@ TEST(ShadowMap, TheBiasKeepsPlanesFromShadowingThemselves) {
         }
 }
 
-TEST(ShadowMap, TheBiasKeepsAReliefFromShadowingItself) {
+TEST(ShadowMap, BiasOnRelief_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A ramp, two clamped texels, is a plane; it falls by 0.3 per unit away from the light. The exact search:
     // no error but the map's.
@@ -220,7 +220,7 @@ SceneObject roomObject(double side) {
     return room;
 }
 
-TEST(ShadowMap, ALampReachesAllSixSides) {
+TEST(ShadowMap, Lamp_ReachesAllSixFaces) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A lamp in the middle of a room 2 wide, a plate in front of each wall, halfway and off the middle by
     // (0.1, 0.05) along the next two axes, 0.2 wide: its shadow on the wall is 0.4 wide, off by (0.2, 0.1).
@@ -260,7 +260,7 @@ TEST(ShadowMap, ALampReachesAllSixSides) {
     }
 }
 
-TEST(ShadowMap, WithoutLightsThePictureIsTheOneWithoutMaps) {
+TEST(ShadowMap, NoLights_EqualsFrameWithoutMaps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = sceneOfObjects(
         {plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})}, {}, fromAbove(3));
@@ -270,7 +270,7 @@ TEST(ShadowMap, WithoutLightsThePictureIsTheOneWithoutMaps) {
         ASSERT_EQ(frame.channel("R")[i], without.channel("R")[i]);
 }
 
-TEST(ShadowMap, ALightWithNothingInReachLeavesAllLit) {
+TEST(ShadowMap, NoCasters_LeaveAllLit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A lamp beside the floor: five of its six faces see nothing. One far off sees all of the scene in a
     // texel.
@@ -289,7 +289,7 @@ TEST(ShadowMap, ALightWithNothingInReachLeavesAllLit) {
               countShadows(draw(edgeOn, kMap), "sun").pixels);
 }
 
-TEST(ShadowMap, HitsBeyondTheRimArentShadowedByTheEndOfTheRange) {
+TEST(ShadowMap, HitsBeyondRange_AreLit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A relief floor 2 wide, its surface 0.2 below the polygon; both lights look along -x at 15 to 20
     // degrees, the camera at 5: what it sees ends 0.2 / tan 5 = 2.29 beyond the polygon's rim, out of the
@@ -318,7 +318,7 @@ TEST(ShadowMap, HitsBeyondTheRimArentShadowedByTheEndOfTheRange) {
     EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 200u);
 }
 
-TEST(ShadowMap, SixteenLightsHaveAMapEach) {
+TEST(ShadowMap, SixteenLights_HaveMapEach) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Sun and lamp in turn around a pole: each light's shadow is the one it has alone.
     Scene scene = sceneOfObjects(
@@ -350,7 +350,7 @@ TEST(ShadowMap, SixteenLightsHaveAMapEach) {
 // --- with the rest
 // ---------------------------------------------------------------------------------------------------
 
-TEST(ShadowMap, EverySearchComposesWithItOnEverySurface) {
+TEST(ShadowMap, EverySearchAndSurface_Composes) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A plate 0.6 wide at y = 0.6 over a relief 0.1 deep: wherever a technique finds the relief, the points
     // around x = -0.6 are in shadow, and those at x > 0.5 have nothing above them but the relief, whose
@@ -379,7 +379,7 @@ TEST(ShadowMap, EverySearchComposesWithItOnEverySurface) {
     EXPECT_GE(drawn, 25);
 }
 
-TEST(ShadowMap, CountsNoLookUpsOfItsOwn) {
+TEST(ShadowMap, ShadowLookUps_AreNotCounted) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = sceneOfObjects(
         {plateObject("floor", 4, 0, constantMap(0.5f), 0.2), boxObject("box", {0.3, 0.3, 0.3}, {0, 0.2, 0})},
@@ -389,7 +389,7 @@ TEST(ShadowMap, CountsNoLookUpsOfItsOwn) {
         ASSERT_EQ(map.channel("cost.fetches")[i], none.channel("cost.fetches")[i]);
 }
 
-TEST(ShadowMap, AgreesWithTheReliefsOwnShadowRays) {
+TEST(ShadowMap, FlatRelief_AgreesWithShadowRays) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Bumps of 1/8 of a square 2 wide, 0.1 deep, the exact search. The two differ along the edges of shadows,
     // where the map has a texel (0.003) and the bias and the ray 0.02 of the depth: measured 2.9 % of the
@@ -416,7 +416,7 @@ TEST(ShadowMap, AgreesWithTheReliefsOwnShadowRays) {
     EXPECT_GT(shadowed.shadowed, shadowed.pixels / 5);
 }
 
-TEST(ShadowMap, ItsSamplerHasAUnitOfItsOwnInEveryProgram) {
+TEST(ShadowMap, Sampler_HasOwnUnit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Also where no map is read: the declaration is there, and a driver that keeps it finds two kinds of
     // sampler at unit 0. llvmpipe drops it.
@@ -445,7 +445,7 @@ TEST(ShadowMap, ItsSamplerHasAUnitOfItsOwnInEveryProgram) {
     }
 }
 
-TEST(ShadowMap, MoreLayersThanOpenGlHasAreAFaultOfTheMachine) {
+TEST(ShadowMap, TooManyLayers_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A scene has 16 lights, 96 layers, at most: the maps are asked alone, for one light more than there are
     // layers.
@@ -465,7 +465,7 @@ TEST(ShadowMap, MoreLayersThanOpenGlHasAreAFaultOfTheMachine) {
     }
 }
 
-TEST(ShadowMap, WhatDoesntFitTheMemoryIsAFaultOfTheMachine) {
+TEST(ShadowMap, TooMuchMemory_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasteriser draws in the memory we
     // can ask about.

@@ -43,7 +43,7 @@ Vec3 clipped(const CameraUniforms& camera, const Vec3& relative) {
     return Vec3(clip) / clip.w;
 }
 
-TEST(ShadowProjection, OfTheSunHoldsTheBoundsAndNoMore) {
+TEST(ShadowProjection, Sun_EnclosesBoundsTightly) {
     const Bounds bounds = boxOf({-3, 1, 5}, {1, 2, 7});
     const Vec3 origin(0.5, 1, 6);
     for (const Vec3& toLight : {Vec3(0, 1, 0), Vec3(0, 0, -1), Vec3(1, 2, 3), Vec3(-0.2, 1, 0.01)}) {
@@ -76,7 +76,7 @@ TEST(ShadowProjection, OfTheSunHoldsTheBoundsAndNoMore) {
                 0.5 * std::hypot(4, 2) / 64, 1e-12);
 }
 
-TEST(ShadowProjection, OfTheSunTakesTheSmallestRectangle) {
+TEST(ShadowProjection, Sun_TakesSmallestRectangle) {
     // Against 1000 rectangles around the light. Width and height of the map: those of its texel, from two of
     // its places.
     const Bounds bounds = boxOf({-3, 0, 0}, {1, 1, 2});
@@ -102,7 +102,7 @@ TEST(ShadowProjection, OfTheSunTakesTheSmallestRectangle) {
     }
 }
 
-TEST(ShadowProjection, OfALampHasAFaceForEveryDirection) {
+TEST(ShadowProjection, Lamp_HasFaceForEveryDirection) {
     const Vec3 position(0.5, -1, 2), origin(0.1, 0.2, 0.3);
     const auto lights = shadowProjections({sun({0, 1, 0}), lamp(position), lamp(Vec3(9, 9, 9))},
                                           boxOf({-3, -3, -3}, {3, 3, 3}), origin, 100);
@@ -136,7 +136,7 @@ TEST(ShadowProjection, OfALampHasAFaceForEveryDirection) {
     }
 }
 
-TEST(ShadowProjection, AnEmptyOrFlatSceneHasANumberEverywhere) {
+TEST(ShadowProjection, EmptyOrFlatScene_GivesFiniteNumbers) {
     for (const Bounds& bounds : {Bounds{}, boxOf(Vec3(1), Vec3(1)), boxOf({-1, 0, -1}, {1, 0, 1})})
         for (const Light& light : {sun({1, 0, 0}), sun({0, 1, 0}), lamp({0, 0, 0}), lamp({1, 1, 1})}) {
             const ShadowProjection projection = shadowProjections({light}, bounds, Vec3(1), 64)[0];

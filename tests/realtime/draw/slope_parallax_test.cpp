@@ -58,7 +58,7 @@ void forEachPixel(const std::string& technique, double angle, double turn, doubl
 // Float positions 5 units from the eye, over a depth of 0.3 at least.
 constexpr double kTolerance = 1e-5;
 
-TEST(SlopeParallax, APlaneIsHitExactly) {
+TEST(SlopeParallax, Plane_IsHitExactly) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const double turn : {0.0, 130.0, 250.0}) // downhill, uphill, across
         for (const double scale : {1.0, 0.4})
@@ -68,7 +68,7 @@ TEST(SlopeParallax, APlaneIsHitExactly) {
                          });
 }
 
-TEST(SlopeParallax, TheSafeFormLeavesOutADivision) {
+TEST(SlopeParallax, SafeForm_OmitsDivision) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const double turn : {0.0, 130.0, 250.0})
         for (const double scale : {1.0, 0.4})
@@ -78,7 +78,7 @@ TEST(SlopeParallax, TheSafeFormLeavesOutADivision) {
                          });
 }
 
-TEST(SlopeParallax, WhereThePlaneTurnsAwayTheSafeFormAnswers) {
+TEST(SlopeParallax, BackFacingPlane_IsHitBySafeForm) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // 2 deep over 2 wide, seen at 80 degrees: the plane falls by more than the ray.
     forEachPixel("parallax_slope_exact", 80, 0, 2, 1, [](const PlaneCase& plane, double t) {
@@ -87,7 +87,7 @@ TEST(SlopeParallax, WhereThePlaneTurnsAwayTheSafeFormAnswers) {
     });
 }
 
-TEST(SlopeParallax, ThePrintedCodeForgetsToScaleTheNormal) {
+TEST(SlopeParallax, PrintedCode_MissesNormalScale) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // E7: a plane 0.4 times as deep, cut as if it were as steep as the stored one.
     forEachPixel("parallax_slope_exact:rescale_normal=false,scale=0.4", 50, 0, 0.5, 0.4,
@@ -97,7 +97,7 @@ TEST(SlopeParallax, ThePrintedCodeForgetsToScaleTheNormal) {
                  });
 }
 
-TEST(IterativeParallax, EachRoundLeavesOneMinusTheCosineToTheReliefsNormal) {
+TEST(IterativeParallax, EachIteration_LeavesOneMinusCosine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // E8: from t = 0 the error is the whole way to the hit, then (1 - n . E) times as much a round.
     for (const double turn : {0.0, 130.0})
@@ -109,7 +109,7 @@ TEST(IterativeParallax, EachRoundLeavesOneMinusTheCosineToTheReliefsNormal) {
                          });
 }
 
-TEST(IterativeParallax, WithoutDampingAPlaneIsHitInOneRound) {
+TEST(IterativeParallax, UndampedOnPlane_HitsInOneIteration) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const char* technique :
          {"parallax_iterative:damping=none,iterations=1", "parallax_iterative:damping=none"})
@@ -118,7 +118,7 @@ TEST(IterativeParallax, WithoutDampingAPlaneIsHitInOneRound) {
         });
 }
 
-TEST(IterativeParallax, CostsALookUpOfTheBakedMapARound) {
+TEST(IterativeParallax, EachIteration_CostsOneBakedLookUp) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Camera camera = orthographicCamera({-3, 4, 0}, {0, 1, 0}, 0.1, kPixels);
     for (const auto& [technique, lookups, iterations] :

@@ -59,7 +59,7 @@ class UserTechnique : public testing::Test {
     std::unique_ptr<TemporaryFolder> folder_;
 };
 
-TEST_F(UserTechnique, ACopyInAnotherFolderDrawsTheSameWithNothingBuilt) {
+TEST_F(UserTechnique, CopiedFolder_DrawsEqualFrame) {
     const std::filesystem::path original = techniqueFolder("linear_binary");
     std::filesystem::copy(original, folder_->path() / "linear_binary");
     const std::string copy = (folder_->path() / "linear_binary").string();
@@ -68,7 +68,7 @@ TEST_F(UserTechnique, ACopyInAnotherFolderDrawsTheSameWithNothingBuilt) {
                               draw(bumpyScene(), copy + rest)));
 }
 
-TEST_F(UserTechnique, TheTemplateRunsOnceItIsCopied) {
+TEST_F(UserTechnique, CopiedTemplate_Runs) {
     const std::filesystem::path original = dataFolder() / "realtime" / "techniques" / "_template";
     std::filesystem::copy(original, folder_->path() / "mine");
     std::filesystem::rename(folder_->path() / "mine/_template.glsl", folder_->path() / "mine/mine.glsl");
@@ -76,7 +76,7 @@ TEST_F(UserTechnique, TheTemplateRunsOnceItIsCopied) {
     EXPECT_EQ(resolveTechnique(path() + ":reach=0.5").name(), "mine:reach=0.5");
 }
 
-TEST_F(UserTechnique, CompileErrorsNameTheAuthorsFileAndLine) {
+TEST_F(UserTechnique, CompileError_NamesFileAndLine) {
     write("// one\n// two\nReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
     EXPECT_THAT(message(), HasSubstr(path() + "/mine.glsl:3: "));
     EXPECT_THAT(message(), HasSubstr("nonsense"));
@@ -92,7 +92,7 @@ TEST_F(UserTechnique, CompileErrorsNameTheAuthorsFileAndLine) {
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:2: "));
 }
 
-TEST_F(UserTechnique, AMissingEntryPointIsNamed) {
+TEST_F(UserTechnique, MissingEntryPoint_IsNamed) {
     write("float f(float x) { return x; }\n");
     EXPECT_EQ(message(),
               path() +
@@ -104,14 +104,14 @@ TEST_F(UserTechnique, AMissingEntryPointIsNamed) {
     EXPECT_THAT(message(), HasSubstr("traceRelief"));
 }
 
-TEST_F(UserTechnique, AUniformOfItsOwnIsAnError) {
+TEST_F(UserTechnique, OwnUniform_IsRefused) {
     write("uniform float uMine;\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, uMine); }\n");
     EXPECT_EQ(message(), path() +
                              "/mine.glsl: declares uniform 'uMine', which the harness doesn't set; expected "
                              "parameters in technique.toml");
 }
 
-TEST_F(UserTechnique, ABakedMapItNeverReadsIsAnError) {
+TEST_F(UserTechnique, UnreadBakedMap_IsRefused) {
     const auto writeShader = [&](const std::string& shader) {
         write(shader);
         writeFile(*folder_ / "mine/technique.toml",
@@ -128,17 +128,17 @@ TEST_F(UserTechnique, ABakedMapItNeverReadsIsAnError) {
     EXPECT_EQ(message(), "");
 }
 
-TEST_F(UserTechnique, AShaderWithoutTraceReliefIsAnError) {
+TEST_F(UserTechnique, NoTraceRelief_IsRefused) {
     write("// not written yet\n");
     EXPECT_THAT(message(), HasSubstr("doesn't define traceRelief"));
 }
 
-TEST_F(UserTechnique, WhatMissesEverywhereCoversNothing) {
+TEST_F(UserTechnique, MissEverywhere_CoversNothing) {
     write("ReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
     EXPECT_EQ(coveredPixels(draw(bumpyScene(), path())), 0u);
 }
 
-TEST_F(UserTechnique, TheRendererStaysUsableAfterOneFailed) {
+TEST_F(UserTechnique, AfterFailure_RendererWorks) {
     write("ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
     const Scene scene = bumpyScene();
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
@@ -151,7 +151,7 @@ TEST_F(UserTechnique, TheRendererStaysUsableAfterOneFailed) {
 // --- results
 // ---------------------------------------------------------------------------------------------------------
 
-TEST(TechniqueResult, SaysWhatWasDrawnAndHowLongItTook) {
+TEST(TechniqueResult, Result_HasNameParametersAndTime) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = bumpyScene();
     RealtimeRenderer renderer(scene, {});
@@ -177,13 +177,13 @@ TEST(TechniqueResult, SaysWhatWasDrawnAndHowLongItTook) {
     EXPECT_GT(most, 20);
 }
 
-TEST(TechniqueResult, TwoRunsGiveTheSameBytes) {
+TEST(TechniqueResult, TwoRuns_GiveEqualBytes) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     for (const char* technique : {"linear_binary", "linear_binary@quadric", "normal_mapping"})
         EXPECT_TRUE(sameBytes(draw(bumpyScene(), technique), draw(bumpyScene(), technique))) << technique;
 }
 
-TEST(TechniqueResult, EglAndOsmesaGiveTheSameBytesOnTheSameRasteriser) {
+TEST(TechniqueResult, EglAndOsmesa_GiveEqualBytes) {
     PLUMBLINE_NEEDS_GL(GlBackend::Egl);
     PLUMBLINE_NEEDS_GL(GlBackend::Osmesa);
     const Scene scene = bumpyScene();
@@ -201,7 +201,7 @@ TEST(TechniqueResult, EglAndOsmesaGiveTheSameBytesOnTheSameRasteriser) {
 // --- what the machine can't do
 // -----------------------------------------------------------------------------------------
 
-TEST(Limits, MoreLightsThanASceneMayHaveAreAnError) {
+TEST(Limits, TooManyLights_IsRefused) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = bumpyScene();
     scene.lights.clear();
@@ -222,7 +222,7 @@ TEST(Limits, MoreLightsThanASceneMayHaveAreAnError) {
               "light: the scene has 17 lights; expected at most 16 for real-time frames");
 }
 
-TEST(Limits, NoLightIsFine) {
+TEST(Limits, NoLight_Renders) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = bumpyScene();
     scene.lights.clear();
@@ -233,7 +233,7 @@ TEST(Limits, NoLightIsFine) {
     }
 }
 
-TEST(Limits, APictureTheGlCanNotHoldIsAMachineError) {
+TEST(Limits, FrameAboveGlLimit_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = bumpyScene();
     scene.camera.width = 1 << 20;
@@ -242,7 +242,7 @@ TEST(Limits, APictureTheGlCanNotHoldIsAMachineError) {
                     "camera: a picture of 1048576 x 64 pixels; expected at most [0-9]+ x [0-9]+ on .*"));
 }
 
-TEST(Limits, AHeightMapTheGlCanNotHoldIsAMachineError) {
+TEST(Limits, HeightMapAboveGlLimit_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = bumpyScene();
     scene.objects[0].relief->map =
@@ -252,7 +252,7 @@ TEST(Limits, AHeightMapTheGlCanNotHoldIsAMachineError) {
         testing::MatchesRegex("long: a map of 1048576 x 1 texels; expected at most [0-9]+ a side on .*"));
 }
 
-TEST(Limits, ASceneWithNothingInSightIsAllBackground) {
+TEST(Limits, NothingInView_IsAllBackground) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     Scene scene = bumpyScene();
     scene.camera.targetWorld = Vec3(1, 3, 8); // looks away

@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(GlContext, SaysWhatItIs) {
+TEST(GlContext, OpenContext_ReportsBackendAndRenderer) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto context = createGlContext({});
     EXPECT_FALSE(context->backend().empty());
@@ -41,7 +41,7 @@ void drawPixel(GlContext& context) {
     glDeleteTextures(1, &texture);
 }
 
-TEST(GlContext, BothBackendsTakeTurnsInOneProcess) {
+TEST(GlContext, BothBackends_AlternateInOneProcess) {
     PLUMBLINE_NEEDS_GL(GlBackend::Egl);
     PLUMBLINE_NEEDS_GL(GlBackend::Osmesa);
     const auto egl = createGlContext({GlBackend::Egl, -1}), osmesa = createGlContext({GlBackend::Osmesa, -1});
@@ -53,7 +53,7 @@ TEST(GlContext, BothBackendsTakeTurnsInOneProcess) {
     }
 }
 
-TEST(GlContext, TwoEglContextsOutliveEachOther) {
+TEST(GlContext, TwoEglContexts_OutliveEachOther) {
     PLUMBLINE_NEEDS_GL(GlBackend::Egl);
     auto first = createGlContext({GlBackend::Egl, -1});
     const auto second = createGlContext({GlBackend::Egl, -1});
@@ -71,7 +71,7 @@ class ScopedVariable {
     const char* name_;
 };
 
-TEST(GlContext, WhatIsNotThereIsAMachineErrorThatSaysWhatWasTried) {
+TEST(GlContext, MissingBackend_ErrorListsAttempts) {
     EXPECT_THAT(messageOf<MachineError>([] {
                     createGlContext({GlBackend::Egl, 99});
                 }),
@@ -79,9 +79,10 @@ TEST(GlContext, WhatIsNotThereIsAMachineErrorThatSaysWhatWasTried) {
     EXPECT_THROW(createGlContext({GlBackend::Osmesa, 0}), InputError);
 }
 
-TEST(GlContextWithoutAnyDriver, EveryWayInIsListed) {
+TEST(GlContextWithoutAnyDriver, NoDriver_ErrorListsEveryBackend) {
     // Mesa's loader is told to look for drivers where there are none: every EGL context fails. GLVND reads
-    // its variable when it is first used, so this must be a process that hasn't drawn yet: a suite of its own.
+    // its variable when it is first used, so this must be a process that hasn't drawn yet: a suite of its
+    // own.
     const ScopedVariable noVendor("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null");
     const std::string message = messageOf<MachineError>([] { createGlContext({GlBackend::Egl, -1}); });
     if (message.empty()) {
@@ -96,7 +97,7 @@ TEST(GlContextWithoutAnyDriver, EveryWayInIsListed) {
     }
 }
 
-TEST(GlProbe, ListsEveryWayInWithARendererOrAReason) {
+TEST(GlProbe, EveryBackend_HasRendererOrReason) {
     const std::vector<GlProbe> probes = probeGl();
     ASSERT_GE(probes.size(), 2u);
     EXPECT_EQ(probes.front().backend, "egl");

@@ -13,14 +13,14 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-TEST(GlLibrary, SaysWhatIsMissingAndHowToGetIt) {
+TEST(GlLibrary, MissingLibrary_ErrorNamesPackage) {
     const auto open = [] { GlLibrary("egl", std::array{"libNone.so.1", "libNone.so.2"}, "install none"); };
     EXPECT_THAT(
         messageOf<MachineError>(open),
         AllOf(StartsWith("egl: libNone.so.1: "), HasSubstr("libNone.so.2: "), EndsWith("; install none")));
 }
 
-TEST(GlLibrary, OpensTheFirstThereIsAndFindsItsFunctions) {
+TEST(GlLibrary, FirstAvailable_IsOpened) {
     const GlLibrary library("egl", std::array{"libNone.so.1", "libm.so.6"}, "");
     double (*cosine)(double) = nullptr;
     library.find("cos", cosine);

@@ -11,7 +11,7 @@ namespace {
 
 const std::vector<std::string> kFiles{"(preamble)", "harness.glsl", "mine.glsl"};
 
-TEST(ShaderLog, EachDriversStyleLeadsToFileAndLine) {
+TEST(ShaderLog, EachDriversFormat_GivesFileAndLine) {
     for (const char* log :
          {"0:2000012(3): error: `x' undeclared\n", "0(2000012) : error C1503: `x' undeclared\r\n",
           "ERROR: 0:2000012: `x' undeclared\n"}) {
@@ -22,7 +22,7 @@ TEST(ShaderLog, EachDriversStyleLeadsToFileAndLine) {
     }
 }
 
-TEST(ShaderLog, WarningsArePassedOverAndFurtherErrorsCounted) {
+TEST(ShaderLog, WarningsAndFurtherErrors_AreSkippedAndCounted) {
     const auto error = locateFirstError(
         "0:1000001(1): warning: w\n0:2000003(1): error: a\n0:2000004(1): error: b\n0:2000005(1): error: c\n",
         kFiles);
@@ -32,7 +32,7 @@ TEST(ShaderLog, WarningsArePassedOverAndFurtherErrorsCounted) {
     EXPECT_FALSE(locateFirstError("0:1000001(1): warning: w\n", kFiles));
 }
 
-TEST(ShaderLog, AnUnknownFormIsLeftToBeShownAsItIs) {
+TEST(ShaderLog, UnknownFormat_IsShownUnchanged) {
     EXPECT_FALSE(locateFirstError("Fragment shader failed\n\n  at line twelve", kFiles));
     EXPECT_EQ(flattenLog("Fragment  shader\n\n failed \n"), "Fragment shader failed");
     EXPECT_EQ(flattenLog(""), "the driver gives no reason");
@@ -40,7 +40,7 @@ TEST(ShaderLog, AnUnknownFormIsLeftToBeShownAsItIs) {
     EXPECT_FALSE(locateFirstError("0:" + std::string(100000, '1') + "(3): error: x", kFiles));
 }
 
-TEST(ShaderSource, EveryPieceKeepsItsNameAndItsLines) {
+TEST(ShaderSource, Pieces_KeepNameAndLines) {
     ShaderSource source;
     source.addText("(a)", "one\ntwo");
     source.addText("(b)", "three");
@@ -50,7 +50,7 @@ TEST(ShaderSource, EveryPieceKeepsItsNameAndItsLines) {
     EXPECT_EQ(source.author(), "(b)");
 }
 
-TEST(ShaderSource, AMissingFileIsAnInputError) {
+TEST(ShaderSource, MissingFile_IsInputError) {
     ShaderSource source;
     EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/no/such.glsl"); }), "/no/such.glsl: no such file");
     EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/tmp"); }), "/tmp: is not a file");

@@ -26,7 +26,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-TEST(TechniqueText, SearchSurfaceAndSettings) {
+TEST(TechniqueText, FullText_GivesSearchSurfaceSettings) {
     const TechniqueRequest request = parseTechnique("linear_binary@quadric:linear_steps=64,binary_steps=0");
     EXPECT_EQ(request.search, "linear_binary");
     EXPECT_EQ(request.surface, "quadric");
@@ -35,19 +35,19 @@ TEST(TechniqueText, SearchSurfaceAndSettings) {
     EXPECT_EQ(parseTechnique("linear_binary").surface, "flat");
 }
 
-TEST(TechniqueText, FoldersMayHaveAtAndColonInTheirPath) {
+TEST(TechniqueText, PathWithAtAndColon_IsRead) {
     const TechniqueRequest request = parseTechnique("/a@b:c/mine@quadric:n=1");
     EXPECT_EQ(request.search, "/a@b:c/mine");
     EXPECT_EQ(request.surface, "quadric");
     EXPECT_EQ(parseTechnique("../mine/").search, "../mine");
 }
 
-TEST(TechniqueText, WhatHasAnotherFormIsAnError) {
+TEST(TechniqueText, MalformedText_IsRefused) {
     for (const char* text : {"", "@quadric", "a@", "a:", "a:b", "a:=1", "a:b=", "a:b=1,", "a:b=1,b=2"})
         EXPECT_THROW(parseTechnique(text), InputError) << text;
 }
 
-TEST(TechniqueText, AnyTextEitherParsesOrIsAnInputError) {
+TEST(TechniqueText, RandomText_ParsesOrIsRefused) {
     rc::check([](const std::string& text) {
         try {
             RC_ASSERT(!parseTechnique(text).search.empty());
@@ -60,7 +60,7 @@ std::string nameOf(const std::string& text, const Settings& shared = {}) {
     return resolveTechnique(text, shared).name();
 }
 
-TEST(TechniqueName, ParametersThatDifferFromTheDefaultSortedByName) {
+TEST(TechniqueName, ChangedParameters_AreSortedInName) {
     EXPECT_EQ(nameOf("linear_binary"), "linear_binary");
     EXPECT_EQ(nameOf("linear_binary@flat:linear_steps=10"), "linear_binary");
     EXPECT_EQ(nameOf("linear_binary@quadric:linear_steps=64"), "linear_binary@quadric:linear_steps=64");
@@ -70,13 +70,13 @@ TEST(TechniqueName, ParametersThatDifferFromTheDefaultSortedByName) {
     EXPECT_EQ(nameOf("linear_binary:shadow_bias=0.050"), "linear_binary:shadow_bias=0.05");
 }
 
-TEST(TechniqueName, OwnSettingsWinOverSharedOnesAndForeignSharedOnesAreIgnored) {
+TEST(TechniqueName, OwnSettings_OverrideShared) {
     EXPECT_EQ(nameOf("linear_binary:linear_steps=5", {{"linear_steps", "7"}, {"cone_steps", "3"}}),
               "linear_binary:linear_steps=5");
     EXPECT_EQ(nameOf("micro_triangles", {{"linear_steps", "7"}}), "micro_triangles");
 }
 
-TEST(TechniqueList, TheLibraryIsSortedAndLeavesOutTheTemplate) {
+TEST(TechniqueList, Library_IsSortedWithoutTemplate) {
     std::vector<std::string> names;
     for (const Manifest& info : listTechniques())
         names.push_back(info.name);
@@ -85,7 +85,7 @@ TEST(TechniqueList, TheLibraryIsSortedAndLeavesOutTheTemplate) {
     EXPECT_THAT(names, testing::Not(testing::Contains("_template")));
 }
 
-TEST(TechniqueList, EveryTechniqueResolvesOnItsSurfacesAlone) {
+TEST(TechniqueList, EveryComposition_ResolvesOnItsSurfacesOnly) {
     const std::vector<Manifest> library = listSurfaces();
     for (const Manifest& info : listTechniques()) {
         EXPECT_FALSE(info.title.empty());
@@ -100,7 +100,7 @@ TEST(TechniqueList, EveryTechniqueResolvesOnItsSurfacesAlone) {
     }
 }
 
-TEST(TechniqueList, ShadowsListedByTechniqueAndSurfaceAreThoseThatCanBeAsked) {
+TEST(TechniqueList, ListedShadows_CanBeRequested) {
     std::map<std::string, std::vector<std::string>> ofSurface;
     for (const Manifest& surface : listSurfaces())
         ofSurface[surface.name] = offeredShadows(surface);
@@ -118,7 +118,7 @@ TEST(TechniqueList, ShadowsListedByTechniqueAndSurfaceAreThoseThatCanBeAsked) {
             }
 }
 
-TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
+TEST(Settings, KnownSettings_AreSearchsSurfacesAndHarnesss) {
     EXPECT_THAT(resolveTechnique("linear_binary").settingNames(),
                 ElementsAre("binary_steps", "depth_correction", "early_exit", "filter", "linear_steps",
                             "shadow", "shadow_bias", "shadow_map_bias", "shadow_map_size", "steps",
@@ -130,7 +130,7 @@ TEST(Settings, KnownOnesAreTheSearchsTheSurfacesAndTheHarnesss) {
     EXPECT_TRUE(resolveTechnique("micro_triangles").settingNames().empty());
 }
 
-TEST(Settings, ShadowsAreWhatSearchAndSurfaceAllowAndAMap) {
+TEST(Settings, Shadows_AreCommonOnesAndMap) {
     EXPECT_EQ(nameOf("linear_binary:shadow=relief"), "linear_binary");
     EXPECT_EQ(nameOf("linear_binary:shadow=map"), "linear_binary:shadow=map");
     EXPECT_EQ(nameOf("linear_binary@quadric:shadow=none"), "linear_binary@quadric");
@@ -139,7 +139,7 @@ TEST(Settings, ShadowsAreWhatSearchAndSurfaceAllowAndAMap) {
               "linear_binary@quadric: shadow = 'relief'; expected none or map");
 }
 
-TEST(Settings, MessagesSayWhatIsWrongAndWhatWouldBeRight) {
+TEST(Settings, BadSetting_MessageNamesChoices) {
     const auto message = [](const std::string& text) { return messageOf<InputError>([&] { nameOf(text); }); };
     EXPECT_EQ(message("linear_binary:linear_stepz=3"),
               "linear_binary: has no parameter 'linear_stepz'; expected binary_steps, depth_correction, "
@@ -188,7 +188,7 @@ std::string manifestMessage(const std::string& toml, const std::string& shader =
     return at == std::string::npos ? message : message.substr(at);
 }
 
-TEST(Manifest, AGoodOneIsReadWithEveryParameter) {
+TEST(Manifest, ValidManifest_IsReadInFull) {
     EXPECT_EQ(manifestMessage(std::string(kGood) + kParameter), "");
     EXPECT_EQ(manifestMessage(kGood), "");
 }
@@ -201,7 +201,7 @@ std::string with(const std::string& old, const std::string& replacement) {
     return toml.replace(at, old.size(), replacement);
 }
 
-TEST(Manifest, MistakesAreNamedWithTheirLine) {
+TEST(Manifest, Mistakes_NameTheirLine) {
     EXPECT_EQ(manifestMessage(with("title = 'Mine'\n", "titel = 'Mine'\n")),
               "technique.toml:1: title: is missing; expected a text of one line");
     EXPECT_EQ(
@@ -231,7 +231,7 @@ TEST(Manifest, MistakesAreNamedWithTheirLine) {
     EXPECT_THAT(manifestMessage("\xff\xfe"), HasSubstr("technique.toml:1: "));
 }
 
-TEST(Manifest, MistakesInParametersAreNamedWithTheirLine) {
+TEST(Manifest, ParameterMistakes_NameTheirLine) {
     EXPECT_EQ(
         manifestMessage(with("'int'", "'integer'")),
         "technique.toml:8: parameter.type: is the text \"integer\"; expected int, float, bool or choice");
@@ -272,7 +272,7 @@ std::string compositionMessage(const std::string& needs, const std::string& surf
     return messageOf<InputError>([&] { nameOf((folder.path() / "mine").string() + "@" + surface); });
 }
 
-TEST(Composition, ASurfaceThatLacksANeedIsRefusedWithTheReason) {
+TEST(Composition, SurfaceLackingANeed_IsRefusedWithReason) {
     EXPECT_THAT(
         compositionMessage("'bounded_descent', 'linear_st'", "quadric_nearest"),
         EndsWith(
@@ -285,7 +285,7 @@ TEST(Composition, ASurfaceThatLacksANeedIsRefusedWithTheReason) {
         EXPECT_EQ(compositionMessage("", surface), "") << surface;
 }
 
-TEST(Composition, ACallOfWhatIsWrongOnSomeSurfacesHasToBeDeclared) {
+TEST(Composition, UndeclaredNeed_IsRefused) {
     const auto message = [](const std::string& needs, const std::string& call) {
         return manifestMessage(with("needs = []", "needs = [" + needs + "]"),
                                std::string(kShader) + "// call: " + call + "\nfloat f() { return " + call +
@@ -300,7 +300,7 @@ TEST(Composition, ACallOfWhatIsWrongOnSomeSurfacesHasToBeDeclared) {
     EXPECT_EQ(message("", "mySteepestDescent(ray, 0.0)"), "");
 }
 
-TEST(Composition, SurfacesThatOfferABoundDefineIt) {
+TEST(Composition, OfferedBound_IsDefinedByShader) {
     for (const std::string& name : surfaceNames()) {
         const Manifest surface = readSurfaceManifest(surfacesFolder() / name);
         EXPECT_EQ(surface.hasOffer("bounded_descent"),
@@ -309,7 +309,7 @@ TEST(Composition, SurfacesThatOfferABoundDefineIt) {
     }
 }
 
-TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
+TEST(Manifest, SurfaceManifest_NamesQuadricAndVariant) {
     const auto message = [](const std::string& inputs, const std::string& rest) {
         const TemporaryFolder folder;
         writeFile(folder / "bent/surface.toml",
@@ -334,7 +334,7 @@ TEST(Manifest, OfASurfaceNamesOneQuadricAndASurfaceItVaries) {
                 HasSubstr("variant_of: is 3; expected flat"));
 }
 
-TEST(Settings, CoefficientsChooseTheQuadricsOfTheVertices) {
+TEST(Settings, Coefficients_ChooseVertexQuadrics) {
     const auto set = [](const char* technique) { return resolveTechnique(technique).curvatureSet(); };
     EXPECT_EQ(set("linear_binary@quadric"), CurvatureSet::RingTwoTerms);
     EXPECT_EQ(set("linear_binary@quadric:coefficients=limit"), CurvatureSet::LimitTwoTerms);
@@ -345,7 +345,7 @@ TEST(Settings, CoefficientsChooseTheQuadricsOfTheVertices) {
                 Not(Contains("coefficients"))); // nothing bent
 }
 
-TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {
+TEST(Manifest, ChoiceOfMapKinds_IsInput) {
     const std::string choice = "[[parameter]]\nname = 'which'\ntype = 'choice'\ndefault = 'normal'\n"
                                "choices = ['normal', 'max_mipmap']\nunit = ''\nmeaning = 'm'\n";
     const TemporaryFolder folder;
@@ -360,12 +360,12 @@ TEST(Manifest, AChoiceBetweenKindsOfMapsIsAnInput) {
                 HasSubstr("inputs: holds the text \"steps\""));
 }
 
-TEST(Manifest, TwoMapsThatAreReadInOneWayAreRefused) {
+TEST(Manifest, TwoMapsOfOneFamily_AreRefused) {
     EXPECT_THAT(manifestMessage(with("['height']", "['height', 'cone_step', 'cone_step_relaxed']")),
                 HasSubstr("takes both 'cone_step' and 'cone_step_relaxed', which are read in the same way"));
 }
 
-TEST(Manifest, AParameterTheShaderDoesNotUseIsAnError) {
+TEST(Manifest, UnusedParameter_IsRefused) {
     EXPECT_EQ(manifestMessage(
                   std::string(kGood) + kParameter,
                   "// steps\n/* steps */\nReliefHit traceRelief(ReliefRay ray) { return missed(); } int "
@@ -375,7 +375,7 @@ TEST(Manifest, AParameterTheShaderDoesNotUseIsAnError) {
               "of the manifest");
 }
 
-TEST(Manifest, BytesThatAreNotAsciiAreNamedWithTheirLine) {
+TEST(Manifest, NonAsciiBytes_NameTheirLine) {
     EXPECT_THAT(manifestMessage(kGood, "\xef\xbb\xbf" + std::string(kShader)),
                 HasSubstr("mine.glsl:1: holds the byte 0xef outside of a comment"));
     EXPECT_THAT(manifestMessage(kGood, std::string(kShader) + "\n\xe2\x80\x9c"),
@@ -387,7 +387,7 @@ TEST(Manifest, BytesThatAreNotAsciiAreNamedWithTheirLine) {
         "");
 }
 
-TEST(Manifest, MissingFilesAreNamed) {
+TEST(Manifest, MissingFile_IsNamed) {
     const TemporaryFolder folder;
     std::filesystem::create_directories(folder.path() / "mine");
     const std::string path = (folder.path() / "mine").string();
@@ -399,7 +399,7 @@ TEST(Manifest, MissingFilesAreNamed) {
     EXPECT_EQ(messageOf<InputError>([&] { nameOf(path); }), path + "/mine.glsl: no such file");
 }
 
-TEST(Constants, AreGlslOfTheirType) {
+TEST(Constants, EveryType_IsGlslConstant) {
     const TemporaryFolder folder;
     writeFile(folder / "mine/technique.toml",
               std::string(kGood) +

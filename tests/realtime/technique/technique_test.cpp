@@ -8,7 +8,7 @@
 namespace plumbline {
 namespace {
 
-TEST(TechniqueRequest, OfATechniqueResolvesToItAgain) {
+TEST(TechniqueRequest, RequestOfTechnique_ResolvesToEqualTechnique) {
     for (const char* text : {"linear_binary@quadric:linear_steps=33,tolerance=0.001,shadow=map",
                              "cone_step_relaxed:refine=secant", "micro_triangles"}) {
         const Technique technique = resolveTechnique(text, {{"shadow_bias", "0.3"}});
@@ -19,7 +19,7 @@ TEST(TechniqueRequest, OfATechniqueResolvesToItAgain) {
     }
 }
 
-TEST(ManifestCache, ReadsEachManifestOnce) {
+TEST(ManifestCache, RepeatedLookup_ReadsManifestOnce) {
     const TemporaryFolder folder;
     const std::string mine = (folder.path() / "mine").string();
     writeFile(folder / "mine/technique.toml",

@@ -112,7 +112,7 @@ void addShadow(const Frame& coarse, const Frame& fine, const std::string& light,
 // gap together.
 constexpr double kUnmarkedShare = 1e-5;
 
-TEST(Certificate, WhatAFinerRunChangesWasMarked) {
+TEST(Certificate, PixelsChangedByFinerRun_AreUncertain) {
     Tally coverage, shadow;
     for (unsigned seed = 1; seed <= 20; ++seed) {
         const Scene scene = seededScene(seed);

@@ -64,7 +64,7 @@ class ComparisonOfStep : public testing::Test {
     Comparison compare(double jumpRadiusPx) { return compareWithExact(scene, frame, jumpRadiusPx); }
 };
 
-TEST(ExactPicture, StepHidesItsFloor) {
+TEST(ExactPicture, Step_HidesItsFloor) {
     const Scene scene = stepScene();
     const ExactPicture picture(scene);
     const auto at = [](double place) { return Vec2(place, kRow + 0.5); };
@@ -76,7 +76,7 @@ TEST(ExactPicture, StepHidesItsFloor) {
     EXPECT_FALSE(picture.shadowsAt(at(23.5))[0]);
 }
 
-TEST(ExactPicture, WhatAnErrorOfSoManyPixelsCouldChange) {
+TEST(ExactPicture, PixelError_MarksPixelsItCouldChange) {
     const Scene scene = stepScene();
     const ExactPicture picture(scene);
     const auto at = [](double place) { return Vec2(place, kRow + 0.5); };
@@ -91,7 +91,7 @@ TEST(ExactPicture, WhatAnErrorOfSoManyPixelsCouldChange) {
     EXPECT_FALSE(picture.depthCouldJumpTo(at(18.0), 1.0, topDepth(18.5))); // it changes, but doesn't jump
 }
 
-TEST_F(ComparisonOfStep, AnExactFrameHasNothingWrong) {
+TEST_F(ComparisonOfStep, ExactFrame_HasNoError) {
     const Comparison same = compare(0);
     EXPECT_EQ(same.pixels, 1600);
     EXPECT_EQ(same.covered, 11 * 20); // columns 13 to 23 of rows 10 to 29
@@ -101,7 +101,7 @@ TEST_F(ComparisonOfStep, AnExactFrameHasNothingWrong) {
     EXPECT_LT(same.worstDepth, 6e-8); // float
 }
 
-TEST_F(ComparisonOfStep, CoverageIsWrongUnlessUncertain) {
+TEST_F(ComparisonOfStep, WrongCoverage_CountsUnlessUncertain) {
     pixel("A", 23) = 0;
     pixel("A", 24) = 1; // 0.9645 px beyond the rim
     EXPECT_EQ(compare(0).coverageWrong, 2);
@@ -113,7 +113,7 @@ TEST_F(ComparisonOfStep, CoverageIsWrongUnlessUncertain) {
     EXPECT_EQ(compare(0).firstWrong, std::vector<std::string>{"pixel 23 20: not covered, exactly it is"});
 }
 
-TEST_F(ComparisonOfStep, DepthIsWrongUnlessItJumps) {
+TEST_F(ComparisonOfStep, WrongDepth_CountsUnlessAtJump) {
     pixel("Z", 15) *= 1 + 2e-5f;
     pixel("Z", 16) *= 1 + 5e-6f;
     pixel("Z", 19) = static_cast<float>(floorDepth(19.5));
@@ -127,7 +127,7 @@ TEST_F(ComparisonOfStep, DepthIsWrongUnlessItJumps) {
     EXPECT_EQ(compare(0.43).depthWrong, 1);
 }
 
-TEST_F(ComparisonOfStep, ShadowIsWrongUnlessUncertain) {
+TEST_F(ComparisonOfStep, WrongShadow_CountsUnlessUncertain) {
     pixel("shadow.sun", 15) = 1;
     pixel("shadow.sun", 22) = 0;
     EXPECT_EQ(compare(0).shadowWrong, 2);

@@ -117,7 +117,7 @@ bool nearCrease(const FlatRelief& plane, const Vec2& st, double texels) {
     return std::min(away.x, away.y) <= texels;
 }
 
-TEST(ExactPlane, AgreesWithMarching) {
+TEST(ExactPlane, RandomRays_AgreeWithMarching) {
     constexpr int kCases = 600, kSteps = 100000;
     constexpr double kReach = 8;
     // Of the distance. Heights are good to 2^-50: a root that crosses at a sine above 1e-6 is better than
@@ -169,7 +169,7 @@ Vec2 movedToCrease(const FlatRelief& plane, const Vec2& ab, bool both) {
 // A ray that starts over the layer and ends under it, both within the rectangle, can't miss: no root may be
 // lost to rounding, on borders between cells least of all, so every other ray is aimed at a crease and every
 // fourth at a texel's centre.
-TEST(ExactPlane, NoRayPassesThroughTheSheet) {
+TEST(ExactPlane, RandomRays_NeverPassSheet) {
     constexpr int kPlanes = 300, kRays = 500;
     for (unsigned seed = 0; seed < kPlanes; ++seed) {
         Random random(seed);
@@ -197,7 +197,7 @@ TEST(ExactPlane, NoRayPassesThroughTheSheet) {
 
 // Rays that run in the borders between cells, or hit their corners again and again, in both directions: what
 // a walk over cells does wrong first. Side 2 and 8 texels: centres at (i + 1/2) / 4 - 1.
-TEST(ExactPlane, AlongBordersAndThroughCornersOfCells) {
+TEST(ExactPlane, RaysOnCellBordersAndCorners_AreExact) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> depth(0, 1);
     std::vector<float> depths(8 * 8);

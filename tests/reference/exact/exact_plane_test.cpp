@@ -66,7 +66,7 @@ class ExactPlaneFrame : public testing::TestWithParam<ExactScene> {
     Comparison comparison;
 };
 
-TEST_P(ExactPlaneFrame, IsRightWhereItIsCertain) {
+TEST_P(ExactPlaneFrame, CertainPixels_AreRight) {
     ASSERT_NO_FATAL_FAILURE(holdAgainstExact(GetParam().fineRate));
     EXPECT_EQ(comparison.depthWrong, 0) << lines();
     EXPECT_LT(comparison.uncertainShare(), kMostUncertain);
@@ -74,7 +74,7 @@ TEST_P(ExactPlaneFrame, IsRightWhereItIsCertain) {
     EXPECT_LT(comparison.depthJumped, kMostJumped * comparison.covered);
 }
 
-TEST_P(ExactPlaneFrame, IsRightWhereItIsCertainWhenCoarse) {
+TEST_P(ExactPlaneFrame, CertainPixelsOfCoarseRun_AreRight) {
     ASSERT_NO_FATAL_FAILURE(holdAgainstExact(kCoarseRate));
     // Depth has no mark of its own where another part of the same object could be seen.
     EXPECT_LT(comparison.depthWrong, kMostWrongDepthWhenCoarse * comparison.depthCompared) << lines();

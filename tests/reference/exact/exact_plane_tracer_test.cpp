@@ -39,7 +39,7 @@ void expectHit(const ExactPlaneTracer& tracer, const Ray& ray, const Vec3& posit
     EXPECT_LT(glm::length(hit->st - st), tolerance);
 }
 
-TEST(ExactQuadratic, RootsInOrderAndWithinTheInterval) {
+TEST(ExactQuadratic, Roots_AreOrderedWithinInterval) {
     // (x - 1)(x - 3) = x^2 - 4x + 3.
     EXPECT_EQ(firstRootOfQuadratic(1, -2, 3, 10), 1.0);
     EXPECT_EQ(firstRootOfQuadratic(-1, 2, -3, 10), 1.0);
@@ -57,7 +57,7 @@ TEST(ExactQuadratic, RootsInOrderAndWithinTheInterval) {
 
 // The surface is the plane z = -0.125. A ray from (-3, 0.2, 1) towards (2, 0, -1) is there after 1.125 down,
 // so 2.25 across.
-TEST(ExactPlane, ConstantDepth) {
+TEST(ExactPlane, ConstantDepth_IsExact) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(1, 1, {0.5f}), 0.25);
     expectHit(tracer, rayFrom({0.3, 0.2, 5}, {0, 0, -1}), {0.3, 0.2, -0.125}, {0, 0, 1});
     expectHit(tracer, rayFrom({0.3, 0.2, -5}, {0, 0, 1}), {0.3, 0.2, -0.125}, {0, 0, 1}); // its underside
@@ -80,7 +80,7 @@ TEST(ExactPlane, ConstantDepth) {
 // d = 2 s - 1/2 between the texel centres of two texels, x = 2 s - 1: z = -(x + 1/2) for |x| <= 1/2. A ray
 // through
 // (-1/2, 1/2) in (x, z) that falls 2 a unit of x meets it where 1/2 - 2 r = -r: r = 1/2, at (0, -1/2).
-TEST(ExactPlane, Ramp) {
+TEST(ExactPlane, Ramp_IsExact) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(2, 1, {0, 1}), 1);
     expectHit(tracer, rayFrom({-0.5, 0.3, 0.5}, {1, 0, -2}), {0, 0.3, -0.5}, {1, 0, 1});
     expectHit(tracer, rayFrom({0, 0.3, -3}, {0, 0, 1}), {0, 0.3, -0.5}, {1, 0, 1});
@@ -97,7 +97,7 @@ TEST(ExactPlane, Ramp) {
 // them has d = p (1 - q) + q (1 - p) = p + q - 2 p q, and z = -d at depth 1. Along the diagonal p = q = r: z
 // = -(2 r - 2 r^2). Beyond the corners of the cell, clamped: z = 0 along the diagonal. By p: z_x = -(1 - 2
 // q), z_y = -(1 - 2 p), so the normal is (1 - 2 q, 1 - 2 p, 1).
-TEST(ExactPlane, SaddleOfOneCell) {
+TEST(ExactPlane, SaddleOfOneCell_IsExact) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(2, 2, {0, 1, 1, 0}), 1);
     // p = 1/4, q = 3/4: d = 1 - 3/8 = 5/8.
     expectHit(tracer, rayFrom({-0.25, 0.25, 4}, {0, 0, -1}), {-0.25, 0.25, -0.625}, {-0.5, 0.5, 1});
@@ -114,7 +114,7 @@ TEST(ExactPlane, SaddleOfOneCell) {
 // The valley's lowest point on that diagonal is r = 1/2, z = -1/2. A ray e above it, from the outside and
 // below the surface, meets 2 r^2 - 2 r + 1/2 = e at r = 1/2 - sqrt(e / 2); e below it passes underneath and
 // out. An error of a few 2^-53 in e moves the root by (1e-16 / 2) / sqrt(2 e).
-TEST(ExactPlane, TangentRays) {
+TEST(ExactPlane, TangentRays_AreExact) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(2, 2, {0, 1, 1, 0}), 1);
     for (const double e : {1e-2, 1e-6, 1e-9, 1e-12}) {
         SCOPED_TRACE(e);
@@ -131,7 +131,7 @@ TEST(ExactPlane, TangentRays) {
 
 // 5 x 5 texels of depth 1 but for the middle one, 0: texels are 0.4 wide and the tip stands at the origin,
 // depth 1. Around it d = 1 - (1 - |x| / 0.4)(1 - |y| / 0.4) for |x|, |y| < 0.4.
-TEST(ExactPlane, Needle) {
+TEST(ExactPlane, Needle_IsFound) {
     std::vector<float> depths(25, 1.0f);
     depths[12] = 0;
     const ExactPlaneTracer tracer = squareTracer(clampedMap(5, 5, depths), 1);
@@ -153,7 +153,7 @@ TEST(ExactPlane, Needle) {
     }
 }
 
-TEST(ExactPlane, ThroughTexelCentresInEveryDirection) {
+TEST(ExactPlane, RaysThroughTexelCenters_AreExact) {
     std::mt19937 random(7);
     std::uniform_real_distribution<float> depth(0, 1);
     std::vector<float> depths(8 * 8);
@@ -179,7 +179,7 @@ TEST(ExactPlane, ThroughTexelCentresInEveryDirection) {
 // normal (1, 0, 1), turns away by the hair. From the floor at x = 3/4 the ray rises 1 a unit and is over the
 // edge of the top, x = -1/2, at height -1 + 5/4 > 0: lit. At depth 2 the floor lies at -2: dark, but not for
 // a light that ends before the slope, at x = 1/2.
-TEST(ExactPlane, Shadows) {
+TEST(ExactPlane, Shadows_AreExact) {
     const Vec3 up(0, 0, 1), down(0, 0, -1);
     const LightSample light{glm::normalize(Vec3(-1.001, 0, 1)), kInfinity};
     const auto shadowAt = [&](double depth, double x, const Vec3& toCamera, const LightSample& sample) {
@@ -200,7 +200,7 @@ TEST(ExactPlane, Shadows) {
     EXPECT_FALSE(shadowAt(1, 0.75, down, {glm::normalize(Vec3(-1, 0, -1)), kInfinity}));
 }
 
-TEST(ExactPlane, ShapesOfSceneFilesAreFlatReliefs) {
+TEST(ExactPlane, SceneShapes_AreFlatReliefs) {
     SceneObject object = squareScene(clampedMap(2, 1, {0, 1}), 1).objects[0];
     object.mesh = makePlane(3, 2, 4, 5);
     object.rotateDegrees = {20, -30, 40};

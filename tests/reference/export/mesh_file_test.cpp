@@ -146,7 +146,7 @@ std::vector<std::array<float, 9>> sorted(const std::vector<Triangle>& triangles)
     return all;
 }
 
-TEST_F(MeshFile, HasTheTracedTrianglesBitForBit) {
+TEST_F(MeshFile, ExportedTriangles_EqualTracedBitForBit) {
     std::vector<Triangle> traced;
     for (const MicroMesh& mesh : reference_.microMeshes())
         for (const Triangle& triangle : trianglesWithArea(mesh))
@@ -165,7 +165,7 @@ TEST_F(MeshFile, HasTheTracedTrianglesBitForBit) {
     EXPECT_EQ(folder_.fileCount(), 2u); // no temporary file is left
 }
 
-TEST_F(MeshFile, HasEachVertexOnceAndNormalsAndStThatFit) {
+TEST_F(MeshFile, Vertices_AreUniqueWithNormalsAndSt) {
     write("a.ply");
     const FileMesh mesh = readPly(readFile(folder_ / "a.ply"));
     const std::set<std::array<float, 8>> different(mesh.vertices.begin(), mesh.vertices.end());
@@ -196,26 +196,26 @@ TEST_F(MeshFile, HasEachVertexOnceAndNormalsAndStThatFit) {
     }
 }
 
-TEST_F(MeshFile, EqualScenesGiveEqualBytes) {
+TEST_F(MeshFile, EqualScenes_GiveEqualBytes) {
     write("a.ply");
     write("b.ply");
     EXPECT_EQ(readFile(folder_ / "a.ply"), readFile(folder_ / "b.ply"));
 }
 
-TEST_F(MeshFile, NamesStayOnOneLine) {
+TEST_F(MeshFile, NamesWithNewlines_StayOneLine) {
     write("a.ply");
     EXPECT_THAT(readFile(folder_ / "a.ply"), HasSubstr("comment object_id 1: torus of two lines\n"));
     write("a.obj");
     EXPECT_THAT(readFile(folder_ / "a.obj"), HasSubstr("\no torus of two lines\n"));
 }
 
-TEST_F(MeshFile, PlacesThatCanNotBeWritten) {
+TEST_F(MeshFile, UnwritablePlace_IsRefused) {
     EXPECT_THAT(inputErrorOf([&] { write("a.stl"); }), HasSubstr("a name that ends in .ply or .obj"));
     EXPECT_THAT(inputErrorOf([&] { write("none/a.ply"); }), HasSubstr("does not exist"));
     EXPECT_EQ(folder_.fileCount(), 0u);
 }
 
-TEST_F(MeshFile, AFullDiskLeavesTheOldFile) {
+TEST_F(MeshFile, FullDisk_KeepsOldFile) {
     writeFile(folder_ / "a.ply", "old");
     rlimit old{};
     getrlimit(RLIMIT_FSIZE, &old);
@@ -244,7 +244,7 @@ ControlMesh octahedron() {
 
 /// By its numbers alone, triangular lattices (Loop, none) and faces cut into sub-faces (Catmull-Clark) among
 /// them.
-TEST(MeshNumbers, AClosedShellIsClosed) {
+TEST(MeshNumbers, ClosedShell_IsClosed) {
     Scene scene = squareScene(nullptr, 0);
     scene.objects[0].mesh = octahedron();
     for (const Scheme scheme : {Scheme::Loop, Scheme::None, Scheme::CatmullClark}) {

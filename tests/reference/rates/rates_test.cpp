@@ -50,7 +50,7 @@ void expectNoCracks(const SceneObject& object, unsigned seed) {
         << object.name << ", seed " << seed;
 }
 
-TEST(Rates, NoCracksInAnyLibraryScene) {
+TEST(Rates, LibraryScenes_HaveNoCracks) {
     for (const LibraryScene& entry : libraryScenes())
         for (const SceneObject& object : readScene(entry.file).objects)
             for (const unsigned seed : {1u, 2u}) {
@@ -59,7 +59,7 @@ TEST(Rates, NoCracksInAnyLibraryScene) {
             }
 }
 
-TEST(Rates, NoCracksInSpot) {
+TEST(Rates, Spot_HasNoCracks) {
     const std::filesystem::path file = std::filesystem::path(PLUMBLINE_SHARED_DATA) / "spot_control_mesh.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
     SceneObject object;
@@ -120,7 +120,7 @@ double worstShareOfBound(const SceneObject& object, const Rates& rates, const Ba
     return worst;
 }
 
-TEST(Rates, NoPlaceIsFartherThanItsBound) {
+TEST(Rates, LibraryScenes_StayWithinErrorBound) {
     for (const LibraryScene& entry : libraryScenes())
         for (const SceneObject& object : readScene(entry.file).objects) {
             const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
@@ -135,7 +135,7 @@ TEST(Rates, NoPlaceIsFartherThanItsBound) {
 
 // Along an axis k bows nowhere, and those terms of the bound are 0: the rest must hold alone, on bases steep
 // against the axis too.
-TEST(Rates, NoPlaceIsFartherThanItsBoundAlongAnAxis) {
+TEST(Rates, AlongAxis_StaysWithinErrorBound) {
     std::vector<float> depths;
     for (int k = 0; k < 64; ++k)
         depths.push_back(float((k * 37) % 64) / 63.0f);

@@ -16,7 +16,7 @@ MapPoint on(const HeightMap& map, const Vec2& texel) {
 // One bilinear patch with corners 0 0 / 0 1: d = x y. Over the triangle (0,0) (1,0) (0,1) the plane is 0 and
 // d is largest at the middle of the diagonal: 1/4. Over the cell's other half the plane is x + y - 1 and d -
 // that = (1-x)(1-y): 1/4 too.
-TEST(MapDeviation, ASaddleBowsAQuarter) {
+TEST(MapDeviation, Saddle_DeviatesByQuarter) {
     const HeightMap map("saddle", 2, 2, {0, 0, 0, 1}, Wrap::Clamp, Wrap::Clamp);
     EXPECT_NEAR(triangleDeviation(map, {on(map, {0, 0}), on(map, {1, 0}), on(map, {0, 1})}), 0.25, 1e-12);
     EXPECT_NEAR(cellDeviation(map, on(map, {0, 0}), on(map, {1, 0}), on(map, {0, 1}), on(map, {1, 1})), 0.25,
@@ -28,7 +28,7 @@ TEST(MapDeviation, ASaddleBowsAQuarter) {
 }
 
 // A needle: one texel of depth 0 among ones. Corners far from it all say 1; the needle's tip is 1 off.
-TEST(MapDeviation, ANeedleBetweenTheCornersIsSeen) {
+TEST(MapDeviation, NeedleBetweenCorners_IsSeen) {
     std::vector<float> depths(64, 1.0f);
     depths[3 * 8 + 4] = 0;
     const HeightMap map("needle", 8, 8, depths, Wrap::Clamp, Wrap::Clamp);
@@ -37,7 +37,7 @@ TEST(MapDeviation, ANeedleBetweenTheCornersIsSeen) {
     EXPECT_NEAR(triangleDeviation(map, {on(map, {0, 0}), on(map, {2, 0}), on(map, {0, 7})}), 0, 1e-12);
 }
 
-TEST(MapDeviation, NoSampleIsAboveTheBoundAndTheBoundIsNear) {
+TEST(MapDeviation, Bound_IsTight) {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0, 1);
     double tightest = 0;
@@ -70,7 +70,7 @@ TEST(MapDeviation, NoSampleIsAboveTheBoundAndTheBoundIsNear) {
     EXPECT_GT(tightest, 0.99);
 }
 
-TEST(MapDeviation, WhatIsEnoughHidesNothingThatIsMore) {
+TEST(MapDeviation, EnoughThreshold_HidesNoLargerDeviation) {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> unit(0, 1);
     int hidden = 0, exact = 0;

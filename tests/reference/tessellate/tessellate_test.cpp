@@ -38,7 +38,7 @@ Relief noiseRelief(double depth) {
     return {std::make_shared<HeightMap>("noise", 8, 8, depths), depth, 0.0, Vec2(1), Vec2(0)};
 }
 
-TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
+TEST(Tessellate, ClosedShells_StayClosed) {
     const Relief relief = noiseRelief(0.05);
     for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark, Scheme::None}) {
         const BaseSurface surface(octahedron(), scheme);
@@ -67,7 +67,7 @@ TEST(Tessellate, ClosedShellsStayClosedAndComplete) {
         1e-5); // float
 }
 
-TEST(Tessellate, InteriorVerticesLieOnTheSurface) {
+TEST(Tessellate, InteriorVertices_LieOnSurface) {
     const Relief relief = noiseRelief(0.05);
     for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark}) {
         const BaseSurface surface(octahedron(), scheme);
@@ -115,7 +115,7 @@ ControlMesh tornPair() {
 
 // The left column of the map is d = t, so the left says y; the right says whatever the right column has at 1
 // - y. Welded, the edge lies at the mean of both.
-TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
+TEST(Tessellate, WeldedTears_MeetAtMean) {
     const BaseSurface surface(tornPair(), Scheme::None);
     // Texel centres in t: 1/8, 3/8, 5/8, 7/8.
     const std::vector<float> depths{0.125f, 1, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0};
@@ -136,7 +136,7 @@ TEST(Tessellate, TornEdgesAreWeldedAtTheMean) {
 // The pair left open: each face keeps its own displacement along the shared edge, so that the edge is there
 // twice, and only where the two disagree. At y = 1/2 both texels' rows say 1/2 on the left; the right's 0.5
 // there agrees.
-TEST(Tessellate, TornEdgesGapeWhereSeamsAreOpen) {
+TEST(Tessellate, OpenTears_Gape) {
     const BaseSurface surface(tornPair(), Scheme::None);
     const std::vector<float> depths{0.125f, 0.5f, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0.5f};
     Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,

@@ -62,7 +62,7 @@ Frame render(const Scene& scene) {
 
 // The object's own +z is where +z of a rotation's columns stands: about x by 90 degrees it is -y, then about
 // z by 90 degrees +x.
-TEST(AlongAxis, TheAxisIsTurnedNotScaled) {
+TEST(AlongAxis, Transform_RotatesAxisWithoutScale) {
     SceneObject object;
     EXPECT_EQ(object.axisWorld(), Vec3(0, 0, 1));
     object.rotateDegrees = {90, 0, 90};
@@ -74,7 +74,7 @@ TEST(AlongAxis, TheAxisIsTurnedNotScaled) {
 // by world units: P_x = s (1, 0, 2 a x) - depth d_x z, P_y likewise. The shape is exact and so is the polish:
 // floats are what is left, 2^-24 of coordinates up to 2.5. Normals, from st in float, 2^-24 off: the map's
 // gradient changes by up to 2 * 16^2 of that, 3e-5, and the slope by depth / 2 / s of it: 6e-6 at depth 0.6.
-TEST(AlongAxis, QuadricHasItsClosedForm) {
+TEST(AlongAxis, Quadric_HasClosedForm) {
     for (const double depth : {0.1, 0.6}) {
         const double a = 0.6, b = -0.4;
         const SceneObject object = quadric(a, b, depth);
@@ -114,7 +114,7 @@ TEST(AlongAxis, QuadricHasItsClosedForm) {
 
 // At constant depth the whole surface is moved: the micro-triangles are those of the base, moved, and as far
 // from it. 1e-6 is the floats'.
-TEST(AlongAxis, ConstantDepthMovesTheSurface) {
+TEST(AlongAxis, ConstantDepth_TranslatesSurface) {
     SceneObject object = quadric(-0.8, 0.3, 0.5);
     object.relief->map = std::make_shared<HeightMap>(HeightMap::constant("flat", 0.25f));
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
@@ -130,7 +130,7 @@ TEST(AlongAxis, ConstantDepthMovesTheSurface) {
 
 // Where the base is flat and its normal the object's z, both are the same surface. Unrotated they are to the
 // last bit, and so is everything the reference says of them.
-TEST(AlongAxis, APlanesAxisIsItsNormal) {
+TEST(AlongAxis, Plane_AxisIsNormal) {
     SceneObject plane = quadric(0, 0, 0.2);
     plane.rotateDegrees = Vec3(0);
     for (const Seams seams : {Seams::Weld, Seams::Open}) {
@@ -150,7 +150,7 @@ TEST(AlongAxis, APlanesAxisIsItsNormal) {
 
 // Rotations have digits after the comma: the normal, from tangents, and the axis agree to rounding, pictures
 // to floats.
-TEST(AlongAxis, ATurnedPlanesAxisIsItsNormalToRounding) {
+TEST(AlongAxis, RotatedPlane_AxisIsNormalToRounding) {
     SceneObject plane = quadric(0, 0, 0.2);
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(plane);
     BaseSurface::Evaluator evaluator(*surface);
@@ -169,7 +169,7 @@ TEST(AlongAxis, ATurnedPlanesAxisIsItsNormalToRounding) {
 
 // Along normals the far side of a sphere never shows; along an axis its relief may turn towards the camera
 // there.
-TEST(AlongAxis, NoFaceCountsAsTurnedAway) {
+TEST(AlongAxis, BackFaces_CountAsSeen) {
     SceneObject sphere;
     sphere.name = "sphere";
     sphere.mesh = makeSphere(1, 4);
@@ -222,7 +222,7 @@ void expectPromisesKept(const SceneObject& object, int leastPromises, int leastT
 
 // A flat base at 75 degrees to what the axis is square to: a radius of P reaches over four times as many
 // texels as along the base.
-TEST(AlongAxis, WhatFacesThroughoutDoesSo) {
+TEST(AlongAxis, FacingEverywhere_IsFacing) {
     expectPromisesKept(quadric(0.1, 1.4, 0.25), 1000, 400);
     SceneObject leaning = quadric(0, 0, 0.25);
     leaning.rotateDegrees = {75, 0, 0};

@@ -107,7 +107,7 @@ CountsByAim countLeaks(const LeakTarget& target, uint64_t rays, unsigned seed) {
     return sum;
 }
 
-TEST(Leaks, NoRayGetsThroughAClosedSurface) {
+TEST(Leaks, ClosedSurface_LetsNoRayThrough) {
     constexpr double kScales[] = {1e-4, 1, 1e4};
     CountsByAim total;
     unsigned seed = 1;
@@ -142,7 +142,7 @@ std::vector<MicroMesh> squareMeshes() {
 
 // Rays straight down just past its rim pass it, however near: within a few floats of it, within
 // the distance to the rays beside (2^-20 of 5 is 2^-18), and further away.
-TEST(Leaks, OutlinesStayWhereTheyAre) {
+TEST(Leaks, LeakClosing_KeepsSilhouette) {
     const std::vector<MicroMesh> meshes = squareMeshes();
     const EmbreeScene embree(meshes);
     const FlushDenormals flush;
@@ -161,7 +161,7 @@ TEST(Leaks, OutlinesStayWhereTheyAre) {
 
 // A ray at 45 degrees to the square, which it meets at distance 5 sqrt 2. A light a hair before it isn't
 // occluded.
-TEST(Leaks, LightsBeforeASurfaceAreNotOccluded) {
+TEST(Leaks, LightBeforeSurface_IsNotOccluded) {
     const std::vector<MicroMesh> meshes = squareMeshes();
     const EmbreeScene embree(meshes);
     const FlushDenormals flush;

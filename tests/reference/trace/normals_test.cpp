@@ -163,15 +163,15 @@ void expectNormalsOfP(const SceneObject& object, const Vec3& cameraPosition, dou
     EXPECT_GT(pixels.size(), 1000u);
 }
 
-TEST(Normals, AreThoseOfPOnATorus) {
+TEST(Normals, Torus_NormalsAreThoseOfP) {
     expectNormalsOfP(objectOf(makeTorus(1, 0.4, 16, 8), noiseRelief(0.08, {8, 3})), {1, 3, 2}, 3, 64);
 }
 
-TEST(Normals, AreThoseOfPOnASphere) {
+TEST(Normals, Sphere_NormalsAreThoseOfP) {
     expectNormalsOfP(objectOf(makeSphere(1, 4), noiseRelief(0.08, {2, -2})), {2, 2, 3}, 2.4, 64);
 }
 
-TEST(Normals, AreThoseOfPOnATeapot) {
+TEST(Normals, Teapot_NormalsAreThoseOfP) {
     SceneObject teapot = objectOf(makeTeapot(6), noiseRelief(0.05, {1.37, 1.37}));
     teapot.translate = {0, -1.5, 0};
     expectNormalsOfP(teapot, {1, 2, 4}, 6, 32);
@@ -210,7 +210,7 @@ Deviation sphereDeviation(int segments) {
 
 // The limit surface of a torus' cage is off by 0.12 % of each of its two radii, 1.4 and 0.4, at 8 segments,
 // and by nearly the fourth power less at 16 (13.6, not yet 16); its normals, a derivative, by the third.
-TEST(Normals, TorusAtConstantDepthIsATorus) {
+TEST(Normals, TorusAtConstantDepth_HasTorusNormals) {
     const Deviation coarse = torusDeviation(8), fine = torusDeviation(16);
     std::printf("torus: off by %.2e at 8 segments, %.2e at 16; normals by %.2e, %.2e\n", coarse.position,
                 fine.position, coarse.normal, fine.normal);
@@ -223,7 +223,7 @@ TEST(Normals, TorusAtConstantDepthIsATorus) {
 // The sphere's is off by 0.24 % at 4 segments a cube edge, most near the cube's corners, where it falls with
 // the second power in the end (2.8 from 4 to 8, 3.6 from 8 to 16) and normals, a derivative, with the first:
 // 0.02, 0.019, 0.012, 0.007 at 4, 8, 16, 32.
-TEST(Normals, SphereAtConstantDepthIsASphere) {
+TEST(Normals, SphereAtConstantDepth_HasSphereNormals) {
     const Deviation coarse = sphereDeviation(4), middle = sphereDeviation(8), fine = sphereDeviation(16);
     std::printf("sphere: off by %.2e at 4 segments, %.2e at 8, %.2e at 16; normals by %.2e, %.2e, %.2e\n",
                 coarse.position, middle.position, fine.position, coarse.normal, middle.normal, fine.normal);
@@ -236,7 +236,7 @@ TEST(Normals, SphereAtConstantDepthIsASphere) {
 
 // z = a x^2 + b y^2 is exact: with (x, y) = 2 uv - 1 and n along (-2 a x, -2 b y, 1), P = S - n / 20. What is
 // left is the micro-triangles' sag, (2 / 1024)^2 / 8 times a curvature of 1.2, and floats.
-TEST(Normals, QuadricAtConstantDepthIsExact) {
+TEST(Normals, QuadricAtConstantDepth_HasExactNormals) {
     const double a = 0.6, b = -0.3;
     const Scene scene = sceneOf(objectOf(makeQuadric(a, b, 1, 2), constantRelief(0.1)), {1, 2, 3}, 3);
     const std::vector<PixelSample> pixels = coveredPixels(render(scene, 512));

@@ -20,7 +20,7 @@ MicroMesh tiltedGrid() {
     return mesh;
 }
 
-TEST(ResolveHit, PlaceInTheLatticeAndDistance) {
+TEST(ResolveHit, Hit_HasLatticePlaceAndDistance) {
     const MicroMesh mesh = tiltedGrid();
     for (const double x : {0.1, 0.9, 1.25, 3.99})
         for (const double y : {0.05, 1.5, 2.97}) {
@@ -33,7 +33,7 @@ TEST(ResolveHit, PlaceInTheLatticeAndDistance) {
         }
 }
 
-TEST(ResolveHit, ANeighboursCellIsMended) {
+TEST(ResolveHit, NeighborCell_IsCorrected) {
     const MicroMesh mesh = tiltedGrid();
     const Ray ray{{2.0000001, 1.4, 10},
                   {0, 0, -1}}; // in cell (2, 1), but named (1, 1), as float u at a border may
@@ -42,7 +42,7 @@ TEST(ResolveHit, ANeighboursCellIsMended) {
     EXPECT_NEAR(64 * hit.uv.y, 17.4, 1e-12);
 }
 
-TEST(ResolveHit, OfTwoSheetsTheOneEmbreeMet) {
+TEST(ResolveHit, TwoSheets_KeepsEmbreesHit) {
     // A grid folded back over itself: columns 0 1 2 lie at x = 0, 1, 0.2 and z = 0, 0, 1. A ray down at x =
     // 0.5 meets the upper sheet (cell 1) first. Embree names the border between both; its distance decides.
     MicroMesh mesh;
@@ -60,7 +60,7 @@ TEST(ResolveHit, OfTwoSheetsTheOneEmbreeMet) {
     EXPECT_NEAR(lower.distance, 5, 1e-14);
 }
 
-TEST(ResolveHit, ATriangleMissedByRoundingBeforeOneMetElsewhere) {
+TEST(ResolveHit, RoundingMiss_IsPreferredToFarHit) {
     // A sheet at z = 0 from x = 0.2 to 1, folded back under itself down to z = -1 at x = 0. A ray down at x =
     // 0.2 - 1e-9 passes the upper sheet by less than Embree's rounding, and Embree says it met it; in double
     // it meets the lower one at z = -0.8.
@@ -77,7 +77,7 @@ TEST(ResolveHit, ATriangleMissedByRoundingBeforeOneMetElsewhere) {
     EXPECT_EQ(hit.facetNormal.z, 1);
 }
 
-TEST(ResolveHit, GrazingAnEdgeStaysOnTheMesh) {
+TEST(ResolveHit, GrazedEdge_StaysOnMesh) {
     const MicroMesh mesh = tiltedGrid();
     const Ray ray{{4 + 1e-9, 2, 10}, {0, 0, -1}}; // just past the last column
     const ResolvedHit hit = resolveHit(mesh, mesh.grids[0], 1, 2.0f / 3, 9, ray);

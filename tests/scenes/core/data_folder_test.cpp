@@ -15,7 +15,7 @@ fs::path makeData(const fs::path& folder) {
     return folder;
 }
 
-TEST(DataFolder, TheEnvironmentThenTheInstallationThenTheSourceTree) {
+TEST(DataFolder, SearchOrder_IsEnvironmentInstallationSource) {
     const TemporaryFolder folder;
     const fs::path named = makeData(folder / "named"), source = makeData(folder / "source"),
                    bin = folder / "prefix/bin";
@@ -35,7 +35,7 @@ std::string machineErrorOf(const char* fromEnvironment, const fs::path& program,
     }
 }
 
-TEST(DataFolder, OneThatLacksSomethingIsToldAndTheNextNotTried) {
+TEST(DataFolder, IncompleteFolder_IsAnErrorNotSkipped) {
     const TemporaryFolder folder;
     const fs::path source = makeData(folder / "source"), bin = folder / "prefix/bin",
                    installed = makeData(folder / "prefix/share/plumbline");

@@ -13,18 +13,18 @@
 namespace plumbline {
 namespace {
 
-TEST(Error, MessageHasItsPartsInOrder) {
+TEST(Error, AllParts_AreInOrder) {
     EXPECT_STREQ(InputError("scene.toml:3: width", "is 0", "1 to 32768", "did you mean 1?").what(),
                  "scene.toml:3: width: is 0; expected 1 to 32768; did you mean 1?");
     EXPECT_STREQ(InputError("a.obj", "no such file").what(), "a.obj: no such file");
     EXPECT_STREQ(MachineError("", "no OpenGL").what(), "no OpenGL");
 }
 
-TEST(Error, MessageIsOneLineWhateverItQuotes) {
+TEST(Error, QuotedNewlines_StayOneLine) {
     EXPECT_STREQ(InputError("a\nb", "c\rd\te").what(), "a b: c d e");
 }
 
-TEST(Error, DidYouMeanFindsTheNearestName) {
+TEST(Error, Typo_FindsNearestName) {
     const std::vector<std::string> names{"repeat", "clamp", "torus"};
     EXPECT_EQ(didYouMean("repaet", names), "did you mean 'repeat'?"); // two letters swapped: distance 1
     EXPECT_EQ(didYouMean("Torus", names), "did you mean 'torus'?");   // capitals don't count
@@ -36,13 +36,13 @@ TEST(Error, DidYouMeanFindsTheNearestName) {
     EXPECT_EQ(didYouMean(std::string(1 << 20, 'a'), names), ""); // no quadratic search through rubbish
 }
 
-TEST(Error, ListOf) {
+TEST(Error, SeveralNames_AreListed) {
     EXPECT_EQ(listOf(std::vector<std::string>{"a", "b", "c"}), "a, b or c");
     EXPECT_EQ(listOf(std::vector<std::string>{"a"}), "a");
     EXPECT_EQ(listOf({}), "");
 }
 
-TEST(ReplaceFile, FailureLeavesTheOldFileAndNothingElse) {
+TEST(ReplaceFile, Failure_KeepsOldFileOnly) {
     const TemporaryFolder folder;
     replaceFile(folder / "a.txt", "old");
     EXPECT_THROW(replaceFile(folder / "a.txt",
@@ -58,7 +58,7 @@ TEST(ReplaceFile, FailureLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(folder.fileCount(), 1u);
 }
 
-TEST(ReplaceFile, RefusesFoldersDevicesAndMissingFolders) {
+TEST(ReplaceFile, FoldersAndDevices_AreRefused) {
     const TemporaryFolder folder;
     EXPECT_NE(inputErrorOf([&] { replaceFile(folder.path(), "x"); }).find("not a regular file"),
               std::string::npos);
@@ -69,7 +69,7 @@ TEST(ReplaceFile, RefusesFoldersDevicesAndMissingFolders) {
     EXPECT_EQ(folder.fileCount(), 0u);
 }
 
-TEST(ReplaceFile, FullDiskLeavesNothing) {
+TEST(ReplaceFile, FullDisk_LeavesNothing) {
     const TemporaryFolder folder;
     // A limit on the size of files stands for a full disk: write() fails half-way.
     rlimit old{};

@@ -113,7 +113,7 @@ std::vector<DisplacedSample> surfaceAt(const SceneObject& object, float d) {
     return samples;
 }
 
-TEST_P(DraftsOfShapes, ShowAllOfTheReliefAndLightIt) {
+TEST_P(DraftsOfShapes, EveryShape_IsFramedAndLit) {
     const Scene scene = draftAndRead(GetParam().mesh);
     Bounds seen; // as shares of the picture
     double lit = 0, facing = 0;
@@ -141,7 +141,7 @@ TEST_P(DraftsOfShapes, ShowAllOfTheReliefAndLightIt) {
     EXPECT_GT(scene.objects[0].relief->depth, 0);
 }
 
-TEST_F(Drafts, LookAtTheSideThatASurfaceShows) {
+TEST_F(Drafts, OpenSurface_IsSeenFromItsFront) {
     for (const auto& [name, mesh] : shapes()) {
         SCOPED_TRACE(name);
         const Vec3 camera = draftScene(mesh, halfDeep(), {}).camera.positionWorld;
@@ -157,7 +157,7 @@ TEST_F(Drafts, LookAtTheSideThatASurfaceShows) {
     }
 }
 
-TEST_F(Drafts, TakeAnUprightPictureOfWhatIsUpright) {
+TEST_F(Drafts, TallMesh_GetsTallImage) {
     const Camera column = draftScene(makeCylinder(0.5, 4, 8, 4), halfDeep(), {}).camera;
     EXPECT_EQ(Vec2i(column.width, column.height), Vec2i(600, 800));
     const Camera torus = draftScene(makeTorus(1, 0.4, 16, 8), halfDeep(), {}).camera;
@@ -167,7 +167,7 @@ TEST_F(Drafts, TakeAnUprightPictureOfWhatIsUpright) {
 // A plane of 2 x 2 with uvs over the unit square: a unit of u is 2. Its diagonal is 2.83, a third of it
 // 0.943: the side of a square map, 2.12 of which go into 2. One of 256 x 64 texels is 2 times as wide and
 // half as high: 1.06 and 4.24.
-TEST_F(Drafts, RepeatTheMapSoThatTexelsAreSquare) {
+TEST_F(Drafts, Tile_MakesTexelsSquare) {
     const ControlMesh plane = makePlane(2, 2, 1, 1);
     EXPECT_EQ(draftScene(plane, halfDeep(), {}).tile, Vec2(2, 2));
     EXPECT_EQ(draftScene(plane, halfDeep(256, 64), {}).tile, Vec2(1, 4));
@@ -181,7 +181,7 @@ TEST_F(Drafts, RepeatTheMapSoThatTexelsAreSquare) {
     EXPECT_EQ(draftScene(repeating, halfDeep(), {}).tile, Vec2(1, 1)); // as its author meant it
 }
 
-TEST_F(Drafts, CarveNoDeeperThanTheSurfaceBends) {
+TEST_F(Drafts, Depth_IsBelowTightRadius) {
     // 4 % of half the diagonal of a cube of 2: 0.04 * 1.732 = 0.069, far less than half its radius of
     // curvature.
     EXPECT_EQ(draftScene(makeSphere(1, 4), halfDeep(), {}).depth, 0.069);
@@ -190,7 +190,7 @@ TEST_F(Drafts, CarveNoDeeperThanTheSurfaceBends) {
     EXPECT_NEAR(draftScene(makeTorus(1, 0.05, 64, 12), halfDeep(), {}).depth, 0.024, 0.0011);
 }
 
-TEST_F(Drafts, TakeACageForWhatItsFacesAre) {
+TEST_F(Drafts, Scheme_FollowsFaces) {
     ControlMesh quads = makePlane(2, 2, 2, 2), triangles = makePlane(2, 2, 1, 1);
     triangles.faceSizes = {3, 3};
     triangles.faceVertices = {triangles.faceVertices[0], triangles.faceVertices[1],
@@ -205,13 +205,13 @@ TEST_F(Drafts, TakeACageForWhatItsFacesAre) {
     EXPECT_THROW(draftScene(quads, halfDeep(), withScheme(Scheme::Loop)), InputError);
 }
 
-TEST_F(Drafts, GiveTechniquesAboutFiveHundredPolygons) {
+TEST_F(Drafts, ProxyRate_GivesAboutFiveHundredPolygons) {
     EXPECT_EQ(draftScene(makeBox({1, 1, 1}, 1), halfDeep(), {}).proxyRate, 10); // 6 * 10 * 10
     EXPECT_EQ(draftScene(makeTorus(1, 0.4, 16, 8), halfDeep(), {}).proxyRate, 2);
     EXPECT_EQ(draftScene(makePlane(2, 2, 1, 1), halfDeep(), {}).proxyRate, 1); // flat
 }
 
-TEST_F(Drafts, KeepToWhatIsAskedFor) {
+TEST_F(Drafts, GivenOptions_OverrideDraft) {
     const Scene scene = draftAndRead(makeTorus(1, 0.4, 16, 8),
                                      {.scheme = Scheme::None, .depth = 0.123, .tile = Vec2(-2.5, 0.25)});
     EXPECT_EQ(scene.objects[0].scheme, Scheme::None);
@@ -219,7 +219,7 @@ TEST_F(Drafts, KeepToWhatIsAskedFor) {
     EXPECT_EQ(scene.objects[0].relief->tile, Vec2(-2.5, 0.25));
 }
 
-TEST_F(Drafts, RefuseWhatCantBeFramed) {
+TEST_F(Drafts, DegenerateMesh_IsRefused) {
     const auto refused = [](const ControlMesh& mesh, const DraftWishes& wishes = {}) {
         return inputErrorOf([&] { draftScene(mesh, halfDeep(), wishes); });
     };
@@ -233,7 +233,7 @@ TEST_F(Drafts, RefuseWhatCantBeFramed) {
     EXPECT_THAT(refused(plane, withTile(Vec2(3))), HasSubstr("has no uvs"));
 }
 
-TEST_F(Drafts, NamesOfFilesComeThroughWhateverTheyHold) {
+TEST_F(Drafts, OddFileNames_SurviveToml) {
     const HeightMap map = halfDeep();
     const SceneDraft draft = draftScene(makePlane(2, 2, 1, 1), map, {});
     for (const std::string name :

@@ -54,7 +54,7 @@ Frame noisyFrame() {
     return frame;
 }
 
-TEST(FrameExr, RoundTripKeepsEveryBitAndTheMetadata) {
+TEST(FrameExr, RoundTrip_KeepsBitsAndMetadata) {
     const TemporaryFolder folder;
     const Frame frame = noisyFrame();
     writeFrame(frame, folder / "a.exr");
@@ -62,7 +62,7 @@ TEST(FrameExr, RoundTripKeepsEveryBitAndTheMetadata) {
     EXPECT_EQ(folder.fileCount(), 1u); // no temporary file is left
 }
 
-TEST(FrameExr, EqualFramesGiveEqualBytesWithAnyNumberOfThreads) {
+TEST(FrameExr, AnyThreadCount_GivesEqualBytes) {
     const TemporaryFolder folder;
     writeFrame(noisyFrame(), folder / "a.exr");
     for (const int threads : {0, 1, 4}) {
@@ -74,7 +74,7 @@ TEST(FrameExr, EqualFramesGiveEqualBytesWithAnyNumberOfThreads) {
     EXPECT_EQ(readFile(folder / "a.exr").find("apDate"), std::string::npos);
 }
 
-TEST(FrameExr, RowZeroIsTheTopRowOfTheFile) {
+TEST(FrameExr, RowZero_IsTopRowOfFile) {
     const TemporaryFolder folder;
     Frame frame(2, 3);
     frame.add("Z")[0] = 5;
@@ -90,7 +90,7 @@ TEST(FrameExr, RowZeroIsTheTopRowOfTheFile) {
 }
 
 /// Every strict beginning of a file lacks something, whatever the length.
-TEST(FrameExr, TruncatedAnywhereIsRefused) {
+TEST(FrameExr, TruncatedAnywhere_IsRefused) {
     const TemporaryFolder folder;
     Frame frame(20, 20); // 2 chunks
     frame.add("Z")[7] = 1;
@@ -105,7 +105,7 @@ TEST(FrameExr, TruncatedAnywhereIsRefused) {
     }
 }
 
-TEST(FrameExr, DamagedAnywhereIsReadOrRefused) {
+TEST(FrameExr, DamagedAnywhere_IsReadOrRefused) {
     const TemporaryFolder folder;
     Frame frame(20, 20);
     frame.add("Z")[7] = 1;
@@ -122,7 +122,7 @@ TEST(FrameExr, DamagedAnywhereIsReadOrRefused) {
     EXPECT_GT(refused, 100); // most of a small file is header and tables
 }
 
-TEST(FrameExr, WhatIsNoFrameFile) {
+TEST(FrameExr, NoFrameFile_IsRefused) {
     const TemporaryFolder folder;
     EXPECT_THAT(inputErrorOf([&] { readFrame(folder / "none.exr"); }), HasSubstr("no such file"));
     EXPECT_THAT(inputErrorOf([&] { readFrame(folder.path()); }), HasSubstr("is a folder"));
@@ -130,7 +130,7 @@ TEST(FrameExr, WhatIsNoFrameFile) {
     EXPECT_THAT(inputErrorOf([&] { readFrame(folder / "text.exr"); }), HasSubstr("is not an OpenEXR file"));
 }
 
-TEST(FrameExr, PlacesThatCanNotBeWritten) {
+TEST(FrameExr, UnwritablePlace_IsRefused) {
     const TemporaryFolder folder;
     EXPECT_THAT(inputErrorOf([&] { writeFrame(noisyFrame(), folder / "none" / "a.exr"); }),
                 HasSubstr("does not exist"));
@@ -143,7 +143,7 @@ TEST(FrameExr, PlacesThatCanNotBeWritten) {
     EXPECT_EQ(folder.fileCount(), 0u);
 }
 
-TEST(FrameExr, FullDiskLeavesTheOldFile) {
+TEST(FrameExr, FullDisk_KeepsOldFile) {
     const TemporaryFolder folder;
     writeFile(folder / "a.exr", "old");
     rlimit old{};
@@ -198,7 +198,7 @@ void expectForeignPixels(const Frame& frame, int width, int height) {
     }
 }
 
-TEST(FrameExr, ReadsHalfAndUintAndWindowsThatBeginElsewhere) {
+TEST(FrameExr, HalfUintAndShiftedWindow_AreRead) {
     const TemporaryFolder folder;
     const Imath::Box2i window({-3, 10}, {6, 14}); // 10 x 5
     for (const auto compression : {Imf::NO_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::RLE_COMPRESSION}) {
@@ -214,7 +214,7 @@ TEST(FrameExr, ReadsHalfAndUintAndWindowsThatBeginElsewhere) {
     }
 }
 
-TEST(FrameExr, ReadsTiles) {
+TEST(FrameExr, Tiles_AreRead) {
     const TemporaryFolder folder;
     const Imath::Box2i window({0, 0}, {39, 24});
     for (const auto mode : {Imf::ONE_LEVEL, Imf::MIPMAP_LEVELS}) { // ripmaps: exr_variants_test.cpp
@@ -241,7 +241,7 @@ TEST(FrameExr, ReadsTiles) {
     }
 }
 
-TEST(FrameExr, RefusesCropsAndForeignChannels) {
+TEST(FrameExr, CropsAndUnknownChannels_AreRefused) {
     const TemporaryFolder folder;
     const Imath::Box2i window({0, 0}, {9, 4});
     ForeignPixels pixels(window);
@@ -276,7 +276,7 @@ std::string withWindow(std::string bytes, int32_t right, int32_t bottom) {
     return bytes;
 }
 
-TEST(FrameExr, AbsurdSizesAreRefusedBeforeMemoryIsTaken) {
+TEST(FrameExr, HugeSize_IsRefusedBeforeAllocation) {
     const TemporaryFolder folder;
     Frame frame(4, 4);
     frame.add("Z");
@@ -294,7 +294,7 @@ TEST(FrameExr, AbsurdSizesAreRefusedBeforeMemoryIsTaken) {
     EXPECT_THAT(messageFor(32767, 32767), HasSubstr("truncated")); // 4 GB can't be in a few hundred bytes
 }
 
-RC_GTEST_PROP(FrameExrProperty, RoundTrip, ()) {
+RC_GTEST_PROP(FrameExrProperty, RandomFrame_RoundTrips, ()) {
     static const TemporaryFolder folder;
     Frame frame(*rc::gen::inRange(1, 40), *rc::gen::inRange(1, 40));
     for (const char* name : {"Z", "id"})

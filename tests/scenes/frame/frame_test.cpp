@@ -7,7 +7,7 @@
 namespace plumbline {
 namespace {
 
-TEST(Frame, EveryConcreteNameHasItsRow) {
+TEST(Frame, EveryChannelName_HasRow) {
     for (const char* name : {"R",
                              "G",
                              "B",
@@ -36,14 +36,14 @@ TEST(Frame, EveryConcreteNameHasItsRow) {
     EXPECT_EQ(channelTable().size(), 24u); // 22 above and the two families
 }
 
-TEST(Frame, UnknownNamesAreRefused) {
+TEST(Frame, UnknownName_IsRefused) {
     EXPECT_NE(inputErrorOf([] { channelInfo("P.x"); }).find("did you mean 'P.X'?"), std::string::npos);
     EXPECT_THROW(channelInfo("shadow."), InputError); // a light without a name
     EXPECT_THROW(channelInfo("shadow"), InputError);
     EXPECT_THROW(channelInfo(""), InputError);
 }
 
-TEST(Frame, AddFillsWithTheMissValue) {
+TEST(Frame, AddedChannel_HoldsMissValue) {
     Frame frame(3, 2);
     for (const float z : frame.add("Z"))
         EXPECT_EQ(z, kInfinityF);
@@ -56,7 +56,7 @@ TEST(Frame, AddFillsWithTheMissValue) {
     EXPECT_EQ(frame.add("Z")[5], kInfinityF); // adding again begins anew
 }
 
-TEST(Frame, MissingChannelNamesWhatThereIs) {
+TEST(Frame, MissingChannel_ErrorListsChannels) {
     Frame frame(1, 1);
     frame.add("Z");
     frame.add("A");
@@ -64,7 +64,7 @@ TEST(Frame, MissingChannelNamesWhatThereIs) {
     EXPECT_NE(inputErrorOf([&] { frame.channel("id"); }).find("which are: A Z"), std::string::npos);
 }
 
-TEST(Frame, LightNames) {
+TEST(Frame, ShadowChannels_GiveLightNames) {
     Frame frame(1, 1);
     frame.add("shadow.sun");
     frame.add("shadow.lamp");
@@ -80,7 +80,7 @@ std::string readmeRow(const std::string& channel) {
     return {};
 }
 
-TEST(Frame, ReadmeSaysWhatTheTableSays) {
+TEST(Frame, Readme_EqualsChannelTable) {
     for (const ChannelInfo& info : channelTable()) {
         const std::string row = readmeRow(std::string(info.name));
         ASSERT_NE(row, "") << info.name;

@@ -87,7 +87,7 @@ void writeChanged(const std::filesystem::path& file, Change&& change) {
     output.writePixels(kHeight);
 }
 
-TEST(ExrVariants, PartsOfOneSizeAreOneFrame) {
+TEST(ExrVariants, PartsOfOneSize_AreOneFrame) {
     const TemporaryFolder folder;
     writeParts(folder / "a.exr", {{"beauty", "R", 1}, {"depth", "Z", 2}, {"matte", "R", 3}});
     const ExrPlanes exr = readAll(folder / "a.exr");
@@ -101,7 +101,7 @@ TEST(ExrVariants, PartsOfOneSizeAreOneFrame) {
                 ElementsAre(Key("made by beauty"), Key("made by depth"), Key("made by matte")));
 }
 
-TEST(ExrVariants, PartsCutOffAnywhereAreRefused) {
+TEST(ExrVariants, TruncatedParts_AreRefused) {
     const TemporaryFolder folder;
     writeParts(folder / "a.exr", {{"beauty", "R", 1}, {"depth", "Z", 2}});
     const std::string whole = readFile(folder / "a.exr");
@@ -111,7 +111,7 @@ TEST(ExrVariants, PartsCutOffAnywhereAreRefused) {
     }
 }
 
-TEST(ExrVariants, PartsThatAreNotOnePictureAreRefused) {
+TEST(ExrVariants, PartsOfDifferentViews_AreRefused) {
     const TemporaryFolder folder;
     writeParts(folder / "a.exr", {{"large", "R", 1}, {"small", "Z", 2, Imath::Box2i({0, 0}, {3, 2})}});
     EXPECT_THAT(errorOf(folder / "a.exr"), HasSubstr("has parts of 10 x 5 and 4 x 3 pixels"));
@@ -122,7 +122,7 @@ TEST(ExrVariants, PartsThatAreNotOnePictureAreRefused) {
     EXPECT_THAT(errorOf(folder / "c.exr"), HasSubstr("is a stereo picture"));
 }
 
-TEST(ExrVariants, OfARipmapTheFinestLevelIsRead) {
+TEST(ExrVariants, Ripmap_FinestLevelIsRead) {
     const TemporaryFolder folder;
     Imf::Header header(kWindow, kWindow);
     header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
@@ -142,7 +142,7 @@ TEST(ExrVariants, OfARipmapTheFinestLevelIsRead) {
     EXPECT_EQ(readAll(folder / "a.exr").planes.at("Z"), std::vector<float>(kPixels, 0.0f));
 }
 
-TEST(ExrVariants, DeepPixelsAreRefused) {
+TEST(ExrVariants, DeepPixels_AreRefused) {
     const TemporaryFolder folder;
     Imf::Header header(kWindow, kWindow);
     header.channels().insert("Z", Imf::Channel(Imf::FLOAT));
@@ -165,13 +165,13 @@ TEST(ExrVariants, DeepPixelsAreRefused) {
     EXPECT_THAT(errorOf(folder / "a.exr"), HasSubstr("is a deep image; expected flat pixels"));
 }
 
-TEST(ExrVariants, EnvironmentMapsAreRefused) {
+TEST(ExrVariants, EnvironmentMap_IsRefused) {
     const TemporaryFolder folder;
     writeChanged(folder / "a.exr", [](Imf::Header& header) { Imf::addEnvmap(header, Imf::ENVMAP_LATLONG); });
     EXPECT_THAT(errorOf(folder / "a.exr"), HasSubstr("is an environment map (lat-long)"));
 }
 
-TEST(ExrVariants, ASubsampledChannelIsRefusedOnlyWhereItIsWanted) {
+TEST(ExrVariants, SubsampledChannel_IsRefusedOnlyIfRequested) {
     const TemporaryFolder folder;
     const Imath::Box2i window({0, 0}, {255, 255});
     Imf::Header header(window, window);
@@ -201,7 +201,7 @@ std::string withAttribute(std::string bytes, int32_t size) {
     return bytes.insert(8, attribute);
 }
 
-TEST(ExrVariants, AHeaderOfGigabytesIsRefusedWithoutTakingTheMemory) {
+TEST(ExrVariants, GigabyteHeader_IsRefusedBeforeAllocation) {
     const TemporaryFolder folder;
     writeChanged(folder / "a.exr", [](Imf::Header&) {});
     const std::string bytes = readFile(folder / "a.exr");
@@ -221,7 +221,7 @@ TEST(ExrVariants, AHeaderOfGigabytesIsRefusedWithoutTakingTheMemory) {
 }
 
 /// A table of chunks is taken as it is claimed: 2^30 tiles of one pixel would be 8 GB of it.
-TEST(ExrVariants, MoreTilesThanTheFileCanListAreRefused) {
+TEST(ExrVariants, TooManyTiles_AreRefused) {
     const TemporaryFolder folder;
     const Imath::Box2i window({0, 0}, {4095, 4095});
     Imf::Header header(window, window);
@@ -246,7 +246,7 @@ TEST(ExrVariants, MoreTilesThanTheFileCanListAreRefused) {
     EXPECT_THAT(errorOf(folder / "b.exr"), HasSubstr("is truncated"));
 }
 
-TEST(ExrVariants, DamagedPartsAreReadOrRefused) {
+TEST(ExrVariants, DamagedParts_AreReadOrRefused) {
     const TemporaryFolder folder;
     writeParts(folder / "a.exr", {{"beauty", "R", 1}, {"depth", "Z", 2}});
     const std::string whole = readFile(folder / "a.exr");

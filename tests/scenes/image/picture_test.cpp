@@ -46,7 +46,7 @@ std::vector<uint8_t> all8Bit(int channels) {
     return values;
 }
 
-TEST(Picture, EightBitsAreTheNearestFloatOfVOver255) {
+TEST(Picture, EightBits_AreNearestFloatOfVOver255) {
     const TemporaryFolder folder;
     for (const char* name : {"a.png", "a.tif"})
         for (const int channels : {1, 3, 4}) {
@@ -63,7 +63,7 @@ TEST(Picture, EightBitsAreTheNearestFloatOfVOver255) {
         }
 }
 
-TEST(Picture, SixteenBitsAreTheNearestFloatOfVOver65535) {
+TEST(Picture, SixteenBits_AreNearestFloatOfVOver65535) {
     const TemporaryFolder folder;
     std::vector<uint16_t> values(256 * 256);
     for (size_t v = 0; v < values.size(); ++v)
@@ -78,7 +78,7 @@ TEST(Picture, SixteenBitsAreTheNearestFloatOfVOver65535) {
     }
 }
 
-TEST(Picture, FloatsAreTakenAsTheyAre) {
+TEST(Picture, Floats_AreUnchanged) {
     const TemporaryFolder folder;
     const std::vector<float> values{0, 0.1f, 1, -2, 1e30f, kInfinityF};
     for (const char* name : {"a.tif", "a.exr"}) {
@@ -92,7 +92,7 @@ TEST(Picture, FloatsAreTakenAsTheyAre) {
     EXPECT_THAT(readImage(folder / "half.exr").values, ElementsAre(0, 0.5f, 1, 2, 3, 0.25f));
 }
 
-TEST(Picture, RadianceHdr) {
+TEST(Picture, RadianceHdr_IsRead) {
     const TemporaryFolder folder;
     // A shared exponent and 8 bits a channel: powers of two survive exactly.
     writePicture(folder / "a.hdr", 2, 1, 3, std::vector<float>{0.5f, 0.25f, 1, 4, 8, 2},
@@ -102,7 +102,7 @@ TEST(Picture, RadianceHdr) {
     EXPECT_THAT(image.values, ElementsAre(0.5f, 0.25f, 1, 4, 8, 2));
 }
 
-TEST(Picture, JpegIsCloseToWhatWasWritten) {
+TEST(Picture, Jpeg_IsCloseToWritten) {
     const TemporaryFolder folder;
     std::vector<uint8_t> ramp(64 * 64);
     for (size_t i = 0; i < ramp.size(); ++i)
@@ -115,7 +115,7 @@ TEST(Picture, JpegIsCloseToWhatWasWritten) {
             << i; // quality 100: quantised to whole steps
 }
 
-TEST(Picture, TilesAndFirstRowIsTheTop) {
+TEST(Picture, TiledFile_FirstRowIsTop) {
     const TemporaryFolder folder;
     std::vector<uint8_t> values(40 * 40);
     for (size_t i = 0; i < values.size(); ++i)
@@ -126,7 +126,7 @@ TEST(Picture, TilesAndFirstRowIsTheTop) {
         ASSERT_EQ(image.values[i], static_cast<float>(values[i] / 255.0)) << i;
 }
 
-TEST(Picture, GreyWithAlphaAndExrChannelsByName) {
+TEST(Picture, GrayAlphaAndExrNames_AreRead) {
     const TemporaryFolder folder;
     writePicture(folder / "ya.png", 1, 1, 2, std::vector<uint8_t>{51, 102}, OIIO::TypeDesc::UINT8);
     const Image image = readImage(folder / "ya.png");
@@ -153,7 +153,7 @@ TEST(Picture, GreyWithAlphaAndExrChannelsByName) {
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "both.exr"); }), HasSubstr("has the channels Z or id"));
 }
 
-TEST(Picture, WhatIsNoPicture) {
+TEST(Picture, NoImageFile_IsRefused) {
     const TemporaryFolder folder;
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "none.png"); }), HasSubstr("no such file"));
     EXPECT_THAT(inputErrorOf([&] { readImage(folder.path()); }), HasSubstr("is not a file"));
@@ -165,7 +165,7 @@ TEST(Picture, WhatIsNoPicture) {
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "deep.tif"); }), HasSubstr("stores uint"));
 }
 
-TEST(Picture, AWrongEndingDoesNotMatter) {
+TEST(Picture, WrongExtension_IsReadByContent) {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", 1, 1, 1, std::vector<uint8_t>{51}, OIIO::TypeDesc::UINT8);
     std::filesystem::rename(folder / "a.png", folder / "a.jpg");
@@ -191,7 +191,7 @@ void writeNoise(const std::filesystem::path& file) {
                  floating ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8);
 }
 
-TEST(Picture, TruncatedIsRefused) {
+TEST(Picture, Truncated_IsRefused) {
     const TemporaryFolder folder;
     for (const char* name : {"a.png", "a.jpg", "a.tif", "a.hdr", "a.exr"}) {
         writeNoise(folder / name);
@@ -214,7 +214,7 @@ TEST(Picture, TruncatedIsRefused) {
     }
 }
 
-TEST(Picture, DamagedIsReadOrRefused) {
+TEST(Picture, Damaged_IsReadOrRefused) {
     const TemporaryFolder folder;
     std::mt19937 random(13);
     for (const char* name : {"a.png", "a.jpg", "a.tif", "a.hdr", "a.exr"}) {
@@ -231,7 +231,7 @@ TEST(Picture, DamagedIsReadOrRefused) {
     }
 }
 
-TEST(Picture, AnAbsurdSizeIsRefused) {
+TEST(Picture, HugeSize_IsRefused) {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", 1, 1, 1, std::vector<uint8_t>{0}, OIIO::TypeDesc::UINT8);
     std::string bytes = readFile(folder / "a.png");
@@ -253,7 +253,7 @@ TEST(Picture, AnAbsurdSizeIsRefused) {
     EXPECT_THAT(inputErrorOf([&] { readImage(folder / "b.png"); }), HasSubstr("60000 x 60000"));
 }
 
-TEST(WritePng, RoundTripAndEqualBytes) {
+TEST(WritePng, RoundTrip_GivesEqualBytes) {
     const TemporaryFolder folder;
     const std::vector<uint8_t> rgb = noise(5 * 3 * 3);
     writePng(folder / "a.png", 5, 3, rgb);
@@ -269,7 +269,7 @@ TEST(WritePng, RoundTripAndEqualBytes) {
     EXPECT_THROW(writePng(folder / "c.png", 0, 0, {}), InputError);
 }
 
-TEST(HeightMapFile, FlipsRowsAndTurnsHeightsIntoDepths) {
+TEST(HeightMapFile, Heights_BecomeDepthsWithRowsFlipped) {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", 2, 2, 1, std::vector<uint8_t>{0, 51, 102, 255}, OIIO::TypeDesc::UINT8);
     const HeightMap depth = readHeightMap(folder / "a.png", Stores::Depth);
@@ -281,7 +281,7 @@ TEST(HeightMapFile, FlipsRowsAndTurnsHeightsIntoDepths) {
     EXPECT_EQ(height.wrapT(), Wrap::Repeat);
 }
 
-TEST(HeightMapFile, ColoursAreRefusedNoiseIsNot) {
+TEST(HeightMapFile, Colors_AreRefusedCompressionNoiseIsNot) {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", 1, 1, 3, std::vector<uint8_t>{102, 110, 104}, OIIO::TypeDesc::UINT8);
     EXPECT_EQ(readHeightMap(folder / "a.png", Stores::Depth).depth({0, 0}), static_cast<double>(0.4f));
@@ -293,7 +293,7 @@ TEST(HeightMapFile, ColoursAreRefusedNoiseIsNot) {
               static_cast<double>(0.4f)); // not alpha
 }
 
-TEST(HeightMapFile, ValuesOutsideTheRangeAreCountedAndPlaced) {
+TEST(HeightMapFile, OutOfRangeValues_AreCountedAndLocated) {
     const TemporaryFolder folder;
     writePicture(folder / "a.tif", 2, 2, 1, std::vector<float>{0, 1, 1.5f, kNanF}, OIIO::TypeDesc::FLOAT);
     EXPECT_THAT(
@@ -304,7 +304,7 @@ TEST(HeightMapFile, ValuesOutsideTheRangeAreCountedAndPlaced) {
     EXPECT_THROW(readHeightMap(folder / "a.tif", Stores::Height), InputError);
 }
 
-TEST(ColorMapFile, IntegersAreSrgbFloatsAreLinear) {
+TEST(ColorMapFile, Integers_AreSrgbFloatsLinear) {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", 1, 2, 3, std::vector<uint8_t>{0, 255, 128, 10, 10, 10},
                  OIIO::TypeDesc::UINT8);
@@ -323,7 +323,7 @@ TEST(ColorMapFile, IntegersAreSrgbFloatsAreLinear) {
     EXPECT_THAT(inputErrorOf([&] { readColorMap(folder / "a.tif"); }), HasSubstr("negative or not finite"));
 }
 
-TEST(HeightMapFile, MapsPeopleUse) {
+TEST(HeightMapFile, PublicMaps_AreRead) {
     const std::filesystem::path folder = PLUMBLINE_SHARED_DATA;
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
     const HeightMap toys = readHeightMap(folder / "toy_box_disp.png", Stores::Depth);

@@ -34,7 +34,7 @@ class GeneratedMap : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Kinds, GeneratedMap, testing::ValuesIn(generatedMapKinds()),
                          [](const auto& kind) { return kind.param; });
 
-TEST_P(GeneratedMap, IsSeamless) {
+TEST_P(GeneratedMap, EveryKind_IsSeamless) {
     // Steps between neighbours across the border are no larger than the largest inside, along rows and
     // columns. The sizes include ones that no lattice of the maps divides.
     for (const int size : {64, 100, 255, 256}) {
@@ -55,14 +55,14 @@ TEST_P(GeneratedMap, IsSeamless) {
     }
 }
 
-TEST_P(GeneratedMap, UsesTheRange) {
+TEST_P(GeneratedMap, EveryKind_UsesRange) {
     const HeightMap map = generate(GetParam(), 256);
     const auto [low, high] = std::minmax_element(map.depths().begin(), map.depths().end());
     EXPECT_LT(*low, 0.05f); // HeightMap itself refuses values outside [0,1]
     EXPECT_GT(*high, 0.95f);
 }
 
-TEST_P(GeneratedMap, IsTheSameForASeedAndAnotherForAnother) {
+TEST_P(GeneratedMap, Seed_DeterminesMap) {
     const bool random = GetParam() != "pyramids" && GetParam() != "ramp";
     EXPECT_EQ(digest(generate(GetParam(), 96, 5)), digest(generate(GetParam(), 96, 5)));
     std::set<uint64_t> digests;
@@ -71,7 +71,7 @@ TEST_P(GeneratedMap, IsTheSameForASeedAndAnotherForAnother) {
     EXPECT_EQ(digests.size(), random ? 4u : 1u);
 }
 
-TEST_P(GeneratedMap, TakesEverySizeFromOneTexel) {
+TEST_P(GeneratedMap, AnySizeFromOneTexel_IsGenerated) {
     for (int size = 1; size <= 40; ++size) {
         const HeightMap map = generate(GetParam(), size);
         EXPECT_EQ(map.width(), size);
@@ -79,7 +79,7 @@ TEST_P(GeneratedMap, TakesEverySizeFromOneTexel) {
     }
 }
 
-TEST_P(GeneratedMap, HasTheseBitsOnEveryMachine) {
+TEST_P(GeneratedMap, FixedSeed_HasKnownHash) {
     // Not right or wrong by itself: scenes are compared between machines, so a map must not depend on
     // compiler or C library (equal with g++ 12 at -O0 and -O3 -march=native, and with clang 14). Change a
     // number only together with the formula it stands for.
@@ -92,7 +92,7 @@ TEST_P(GeneratedMap, HasTheseBitsOnEveryMachine) {
         << std::hex << digest(generate(GetParam(), 64, 7));
 }
 
-TEST(GeneratedMapFormulas, Pyramids) {
+TEST(GeneratedMapFormulas, Pyramids_FollowFormula) {
     const HeightMap map =
         generate("pyramids", 64); // 8 cells of 8 texels; centres at odd sixteenths of a cell
     EXPECT_FLOAT_EQ(map.texel(3, 3), 2 * 1.0 / 16); // beside the tip
@@ -103,7 +103,7 @@ TEST(GeneratedMapFormulas, Pyramids) {
     EXPECT_NEAR(map.depth({0.25 / 8, 3.5 / 64}), 0.5, 1e-6);
 }
 
-TEST(GeneratedMapFormulas, Ramp) {
+TEST(GeneratedMapFormulas, Ramp_FollowsFormula) {
     const HeightMap map = generate("ramp", 4);
     for (int j = 0; j < 4; ++j) {
         EXPECT_FLOAT_EQ(map.texel(0, j), 0.25);
@@ -113,7 +113,7 @@ TEST(GeneratedMapFormulas, Ramp) {
     }
 }
 
-TEST(GeneratedMapFormulas, Waves) {
+TEST(GeneratedMapFormulas, Waves_FollowFormula) {
     const HeightMap map = generate("waves", 32, 0); // seed 0: no phases
     for (const auto& [i, j] : {std::pair(0, 0), {5, 17}, {31, 8}, {16, 30}}) {
         const double s = 2 * kPi * (i + 0.5) / 32, t = 2 * kPi * (j + 0.5) / 32;
@@ -133,7 +133,7 @@ TEST(GeneratedMapFormulas, Waves) {
     EXPECT_NEAR(square, 0.25 + (0.0625 + 0.0225 + 0.01) / 2, 1e-7);
 }
 
-TEST(GeneratedMapFormulas, PinsAndFinsAreOneToFourTexelsWide) {
+TEST(GeneratedMapFormulas, PinsAndFins_AreOneToFourTexelsWide) {
     for (const char* kind : {"pins", "fins"}) {
         const HeightMap map = generate(kind, 256);
         std::set<int> widths;
@@ -154,7 +154,7 @@ TEST(GeneratedMapFormulas, PinsAndFinsAreOneToFourTexelsWide) {
     }
 }
 
-TEST(GeneratedMapFormulas, BricksRunInBond) {
+TEST(GeneratedMapFormulas, Bricks_RunInBond) {
     const HeightMap map = generate("bricks", 256); // rows of 32 texels, bricks of 64, half a joint 1.8
     for (int i = 0; i < 256; ++i)
         EXPECT_EQ(map.texel(i, 32), 1.0f); // the joint between the first two rows
@@ -166,7 +166,7 @@ TEST(GeneratedMapFormulas, BricksRunInBond) {
         }
 }
 
-RC_GTEST_PROP(SineOfTurns, IsTheSine, (const int numerator)) {
+RC_GTEST_PROP(SineOfTurns, AnyTurn_EqualsStdSin, (const int numerator)) {
     const double turns = numerator / 65536.0; // exact, up to 32768 turns
     // Taylor's remainder (pi/2)^19 / 19! = 4e-14, and std::sin's argument is off by 2 pi turns 2^-53.
     RC_ASSERT(std::abs(sineOfTurns(turns) - std::sin(2 * kPi * (turns - std::floor(turns)))) < 1e-13);
@@ -176,7 +176,7 @@ std::string refusal(const std::string& kind, int size) {
     return inputErrorOf([&] { generate(kind, size); });
 }
 
-TEST(GeneratedMapErrors, NameTheChoices) {
+TEST(GeneratedMapErrors, UnknownKind_ListsChoices) {
     const std::string kinds = "cobbles, bricks, pyramids, pins, fins, waves, ramp or noise";
     EXPECT_EQ(refusal("brick", 64),
               "generate: kind 'brick' is unknown; expected " + kinds + "; did you mean 'bricks'?");

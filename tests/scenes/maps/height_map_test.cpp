@@ -14,7 +14,7 @@ HeightMap twoByTwo(Wrap wrap = Wrap::Repeat) {
     return HeightMap("map", 2, 2, {0, 1, 0.5f, 0.25f}, wrap, wrap);
 }
 
-TEST(HeightMap, TexelCentresAreExact) {
+TEST(HeightMap, TexelCenter_IsExact) {
     const HeightMap map = twoByTwo();
     EXPECT_EQ(map.depth({0.25, 0.25}), 0);
     EXPECT_EQ(map.depth({0.75, 0.25}), 1);
@@ -22,7 +22,7 @@ TEST(HeightMap, TexelCentresAreExact) {
     EXPECT_EQ(map.depth({0.75, 0.75}), 0.25);
 }
 
-TEST(HeightMap, BilinearBetweenCentres) {
+TEST(HeightMap, BetweenCenters_IsBilinear) {
     const HeightMap map = twoByTwo();
     EXPECT_EQ(map.depth({0.5, 0.25}), 0.5);
     EXPECT_EQ(map.depth({0.5, 0.5}), (0 + 1 + 0.5 + 0.25) / 4);
@@ -30,7 +30,7 @@ TEST(HeightMap, BilinearBetweenCentres) {
     EXPECT_EQ(map.depth({0.375, 0.5}), 0.34375);
 }
 
-TEST(HeightMap, RepeatBlendsAcrossTheSeam) {
+TEST(HeightMap, RepeatAcrossSeam_Blends) {
     const HeightMap map = twoByTwo();
     EXPECT_EQ(map.depth({0, 0.25}), 0.5); // halfway between the last texel and the first
     EXPECT_EQ(map.depth({1, 0.25}), 0.5);
@@ -39,7 +39,7 @@ TEST(HeightMap, RepeatBlendsAcrossTheSeam) {
     EXPECT_EQ(map.depth({-1e-30, 0.25}), 0.5); // -1e-30 - floor(-1e-30) rounds to 1
 }
 
-TEST(HeightMap, ClampHoldsTheBorder) {
+TEST(HeightMap, ClampBeyondBorder_HoldsBorder) {
     const HeightMap map = twoByTwo(Wrap::Clamp);
     EXPECT_EQ(map.depth({0, 0.25}), 0);
     EXPECT_EQ(map.depth({-1e300, 0.25}), 0);
@@ -49,21 +49,21 @@ TEST(HeightMap, ClampHoldsTheBorder) {
     EXPECT_EQ(map.sample({1.5, 0.25}).gradient, Vec2(0, 0.0 + (0.25 - 1) * 2)); // flat along s out there
 }
 
-TEST(HeightMap, WrapIsPerAxis) {
+TEST(HeightMap, MixedWrap_IsPerAxis) {
     const HeightMap map("map", 2, 1, {0, 1}, Wrap::Clamp, Wrap::Repeat);
     EXPECT_EQ(map.depth({1.25, 5}), 1);
     EXPECT_TRUE(std::isnan(map.depth({0.5, kInfinity})));
     EXPECT_EQ(map.depth({kInfinity, 0.5}), 1);
 }
 
-TEST(HeightMap, WhatIsNoPlaceGivesNan) {
+TEST(HeightMap, NonFiniteSt_GivesNan) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_TRUE(std::isnan(twoByTwo().depth({nan, 0})));
     EXPECT_TRUE(std::isnan(twoByTwo().depth({0, kInfinity})));
     EXPECT_TRUE(std::isnan(twoByTwo(Wrap::Clamp).sample({nan, 0}).gradient.x));
 }
 
-TEST(HeightMap, HugeCoordinatesRepeat) {
+TEST(HeightMap, HugeSt_Repeats) {
     const HeightMap map = twoByTwo();
     // Doubles from 2^52 on are whole numbers, so they look like s = 0.
     EXPECT_EQ(map.depth({std::ldexp(1.0, 60), 0.25}), 0.5);
@@ -71,14 +71,14 @@ TEST(HeightMap, HugeCoordinatesRepeat) {
     EXPECT_EQ(map.depth({std::ldexp(1.0, 40) + 0.25, 0.25}), 0);
 }
 
-TEST(HeightMap, GradientOfAPatch) {
+TEST(HeightMap, InsidePatch_GradientIsBilinears) {
     const HeightMap::Sample sample = twoByTwo().sample({0.5, 0.5});
     // Per texel: s: ((1 - 0) + (0.25 - 0.5)) / 2 = 0.375; t: (0.5 + 0.25 - 0 - 1) / 2 = -0.125; 2 texels a
     // unit.
     EXPECT_EQ(sample.gradient, Vec2(0.75, -0.25));
 }
 
-TEST(HeightMap, OnACreaseTheGradientIsThatOfTheRightAndUpperPatch) {
+TEST(HeightMap, OnCrease_GradientIsRightUpperPatchs) {
     const HeightMap ramp("ramp", 4, 1, {0, 0.5f, 0.5f, 1}, Wrap::Clamp, Wrap::Clamp);
     EXPECT_EQ(ramp.sample({0.375, 0.5}).gradient, Vec2(0, 0)); // texel 1: flat to its right
     EXPECT_EQ(ramp.sample({0.625, 0.5}).gradient, Vec2(2, 0)); // texel 2: 0.5 a texel, 4 texels
@@ -87,13 +87,13 @@ TEST(HeightMap, OnACreaseTheGradientIsThatOfTheRightAndUpperPatch) {
     EXPECT_EQ(ramp.sample({std::nextafter(0.125, 0.0), 0.5}).gradient, Vec2(0, 0));
 }
 
-TEST(HeightMap, ConstantIsTheSameEverywhere) {
+TEST(HeightMap, Constant_IsSameEverywhere) {
     const HeightMap map = HeightMap::constant("half", 0.3f);
     EXPECT_EQ(map.depth({0.123, 45.6}), static_cast<double>(0.3f));
     EXPECT_EQ(map.sample({-7, 0.5}).gradient, Vec2(0, 0));
 }
 
-TEST(HeightMap, TexelWraps) {
+TEST(HeightMap, TexelOutside_Wraps) {
     const HeightMap map = twoByTwo();
     EXPECT_EQ(map.texel(-1, 0), 1);
     EXPECT_EQ(map.texel(2, 3), 0.5f);
@@ -101,7 +101,7 @@ TEST(HeightMap, TexelWraps) {
     EXPECT_EQ(twoByTwo(Wrap::Clamp).texel(100, -100), 1);
 }
 
-TEST(HeightMap, RefusesValuesThatAreNoDepths) {
+TEST(HeightMap, InvalidDepths_AreRefused) {
     EXPECT_EQ(
         inputErrorOf([] {
             HeightMap("m", 2, 2, {0, 1, 1.5f, kNanF});
@@ -129,7 +129,7 @@ double tentSum(const HeightMap& map, double s, double t) {
     return sum;
 }
 
-RC_GTEST_PROP(HeightMapProperty, IsASumOfTents, ()) {
+RC_GTEST_PROP(HeightMapProperty, AnyMap_IsSumOfTents, ()) {
     const int width = *rc::gen::inRange(1, 8), height = *rc::gen::inRange(1, 8);
     std::vector<float> depths(static_cast<size_t>(width * height));
     for (float& d : depths)
@@ -142,7 +142,7 @@ RC_GTEST_PROP(HeightMapProperty, IsASumOfTents, ()) {
     RC_ASSERT(std::abs(map.depth(st) - tentSum(map, st.x, st.y)) < 1e-13);
 }
 
-RC_GTEST_PROP(HeightMapProperty, GradientIsTheSlope, ()) {
+RC_GTEST_PROP(HeightMapProperty, AnyPlace_GradientIsSlope, ()) {
     const int width = *rc::gen::inRange(1, 8), height = *rc::gen::inRange(1, 8);
     std::vector<float> depths(static_cast<size_t>(width * height));
     for (float& d : depths)
@@ -158,7 +158,7 @@ RC_GTEST_PROP(HeightMapProperty, GradientIsTheSlope, ()) {
     RC_ASSERT(map.sample(st).depth == map.depth(st));
 }
 
-RC_GTEST_PROP(HeightMapProperty, AnyBitsAreSafe, (double s, double t)) {
+RC_GTEST_PROP(HeightMapProperty, AnyFloatBits_StayInRange, (double s, double t)) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {
         const double depth = twoByTwo(wrap).depth({s, t});
         const bool place = std::isfinite(s) && std::isfinite(t);

@@ -68,7 +68,7 @@ void expectSurface(const ControlMesh& mesh, Scheme scheme) {
     EXPECT_LE(found.gap, 1e-12 * sizeOf(mesh)) << what;
 }
 
-TEST(AnyMesh, BoundariesNgonsTrianglesAndHighValencesHaveASurface) {
+TEST(AnyMesh, OddFacesAndValences_HaveLimit) {
     std::vector<ControlMesh> meshes{bumpyGrid(5), cubeMesh(), triangulated(bumpyGrid(4)),
                                     triangulated(prismMesh(7))};
     for (const int count : {3, 4, 5, 7, 12, 33, 64}) {
@@ -82,7 +82,7 @@ TEST(AnyMesh, BoundariesNgonsTrianglesAndHighValencesHaveASurface) {
     }
 }
 
-TEST(AnyMesh, CreasesOfAnySharpnessHaveASurface) {
+TEST(AnyMesh, AnyCreaseSharpness_HasLimit) {
     for (const double sharpness : {0.3, 1.0, 2.7, 8.0, 9.9, 10.0, 1e6})
         for (ControlMesh mesh : {fanMesh(9), fanMesh(64), prismMesh(5), cubeMesh()}) {
             const int to =
@@ -97,7 +97,7 @@ TEST(AnyMesh, CreasesOfAnySharpnessHaveASurface) {
         }
 }
 
-TEST(AnyMesh, TwistedStripHasASurface) { // Moebius': it has but one side, so somewhere neighbours disagree
+TEST(AnyMesh, TwistedStrip_HasLimit) { // Moebius': it has but one side, so somewhere neighbours disagree
     ControlMesh mesh;
     mesh.name = "strip";
     constexpr int kCount = 8;
@@ -117,7 +117,7 @@ TEST(AnyMesh, TwistedStripHasASurface) { // Moebius': it has but one side, so so
         expectSurface(mesh, scheme);
 }
 
-TEST(AnyMesh, WhatIsLargerThanOpenSubdivTakesIsRefused) {
+TEST(AnyMesh, AboveOpenSubdivsLimits_IsRefused) {
     const auto messageFor = [](const ControlMesh& mesh) {
         EXPECT_NO_THROW(BaseSurface(mesh, Scheme::None));
         return inputErrorOf([&] { BaseSurface(mesh, Scheme::CatmullClark); });
@@ -140,7 +140,7 @@ TEST(AnyMesh, WhatIsLargerThanOpenSubdivTakesIsRefused) {
     EXPECT_EQ(messageFor(book).find("book: face 1: vertex 1 has 20001 edges"), 0u);
 }
 
-TEST(AnyMesh, FacesThatDoNotMeetAreRefused) {
+TEST(AnyMesh, LimitPatchesWithGaps_AreRefused) {
     // A tetrahedron (0 1 2 3) and a fin on its edge from 0 to 1. Vertices 2 and 3 have three triangles each,
     // and OpenSubdiv 3.5 joins faces 1 and 2 over that edge, which for the others is a crease: 0.041 apart. A
     // version that does better may pass.
@@ -196,7 +196,7 @@ ControlMesh randomMesh(std::mt19937& random, Scheme scheme) {
     return mesh;
 }
 
-TEST(AnyMesh, RandomConnectivityIsEvaluatedOrRefused) {
+TEST(AnyMesh, RandomConnectivity_IsEvaluatedOrRefused) {
     Relief relief;
     relief.map = std::make_shared<HeightMap>("map", 2, 2, std::vector<float>{0, 1, 0.5, 0.25});
     relief.depth = 0.1;

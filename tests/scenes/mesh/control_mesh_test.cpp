@@ -23,12 +23,12 @@ std::string messageFor(const ControlMesh& mesh, Scheme scheme = Scheme::CatmullC
     return inputErrorOf([&] { checkControlMesh(mesh, scheme); });
 }
 
-TEST(ControlMesh, AGoodOnePasses) {
+TEST(ControlMesh, ValidMesh_Passes) {
     EXPECT_NO_THROW(checkControlMesh(quad(), Scheme::CatmullClark));
     EXPECT_NO_THROW(checkControlMesh(quad(), Scheme::None));
 }
 
-TEST(ControlMesh, FaultsAreNamed) {
+TEST(ControlMesh, InvalidMesh_NamesFault) {
     ControlMesh mesh = quad();
     mesh.faceVertices[2] = 4;
     EXPECT_EQ(messageFor(mesh), "quad: face 1: vertex index 5 is out of range; expected 1 to 4");
@@ -67,7 +67,7 @@ TEST(ControlMesh, FaultsAreNamed) {
     EXPECT_THAT(messageFor(ControlMesh()), HasSubstr("no face"));
 }
 
-TEST(SceneObject, RotatesAboutXThenYThenZ) {
+TEST(SceneObject, RotateDegrees_AreAboutXThenYThenZ) {
     SceneObject object;
     object.mesh = quad();
     object.mesh.normals = {{0, 0, 1}};
@@ -90,7 +90,7 @@ TEST(SceneObject, RotatesAboutXThenYThenZ) {
     EXPECT_NEAR(object.meshWorld().points[1].y, 2, 1e-14);
 }
 
-TEST(ColorMap, BlendsLinearlyAndRepeats) {
+TEST(ColorMap, BetweenAndBeyondTexels_BlendsAndRepeats) {
     ColorMap map;
     map.width = 2;
     map.height = 1;

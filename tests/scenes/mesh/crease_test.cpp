@@ -31,7 +31,7 @@ Vec3 bSpline(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d, double 
            6.0;
 }
 
-TEST(Crease, InfinitelySharpIsTheCubicBSplineOfItsVertices) {
+TEST(Crease, InfinitelySharp_IsCubicBSpline) {
     ControlMesh mesh = bumpyGrid(6);
     for (int i = 0; i < 5; ++i)
         mesh.tags.creases.push_back({12 + i, 13 + i, kInfinitelySharp}); // along j = 2
@@ -55,7 +55,7 @@ TEST(Crease, InfinitelySharpIsTheCubicBSplineOfItsVertices) {
     EXPECT_LT(glm::length(evaluate(triangles, Scheme::Loop, 15, 0.5, 0.5).position - middle), 1e-14);
 }
 
-TEST(Crease, CubeOfSharpEdgesIsTheCube) {
+TEST(Crease, CubeWithSharpEdges_StaysCube) {
     // Every vertex has three infinitely sharp edges, so it is a corner; edges are straight, faces bilinear.
     ControlMesh mesh = cubeMesh();
     for (int k = 0; k < 8; ++k)
@@ -69,7 +69,7 @@ TEST(Crease, CubeOfSharpEdgesIsTheCube) {
         }
 }
 
-TEST(Crease, SharpVertexIsACorner) {
+TEST(Crease, SharpVertex_IsCorner) {
     ControlMesh mesh = cubeMesh();
     mesh.tags.corners.push_back({7, kInfinitelySharp});
     EXPECT_LT(glm::length(evaluate(mesh, Scheme::CatmullClark, 1, 1, 1).position - Vec3(1)), 1e-14);
@@ -80,7 +80,7 @@ TEST(Crease, SharpVertexIsACorner) {
     EXPECT_LT(glm::length(evaluate(mesh, Scheme::CatmullClark, 1, 1, 1).position - Vec3(2.0 / 3)), 1e-14);
 }
 
-TEST(Crease, BoundaryCornersAreKeptOrRounded) {
+TEST(Crease, BoundaryCorners_FollowTheirTag) {
     // A single square from (-1,-1) to (1,1), its boundary the closed cubic B-spline of four points when
     // corners are round: at a vertex (v1 + 4 v + v3) / 6 = (4 - 1 + 1, ...)/6: for v = (1,1), v1 = (-1,1), v3
     // = (1,-1): (4/6, 4/6).
@@ -94,7 +94,7 @@ TEST(Crease, BoundaryCornersAreKeptOrRounded) {
               1e-14);
 }
 
-TEST(Hole, ShapesItsNeighboursAndIsNoPartOfTheSurface) {
+TEST(Hole, TaggedFace_ShapesNeighborsAndIsNotDrawn) {
     ControlMesh mesh = cubeMesh();
     const Vec3 whole = evaluate(mesh, Scheme::CatmullClark, 2, 0.5, 0.5).position;
     mesh.tags.holes.push_back({1});
@@ -146,7 +146,7 @@ double distanceToNearest(const std::vector<Vec3>& sortedByZ, const Vec3& point) 
     return nearest;
 }
 
-TEST(Crease, SemiSharpAgreesWithRefinementUntilItIsSmooth) {
+TEST(Crease, SemiSharp_EqualsRefinedMesh) {
     // From the level at which all sharpness is used up, limits of refined vertices are exact: samples of ours
     // at dyadic places are among them to rounding. 7.5 takes 8 levels; 9.5 isn't used up at 8: the vertices
     // are off by the rest, below the mesh of that level (2 / 2^8 = 0.008).
@@ -171,7 +171,7 @@ TEST(Crease, SemiSharpAgreesWithRefinementUntilItIsSmooth) {
     }
 }
 
-TEST(Crease, SharpnessChangesTheSurfaceMonotonically) {
+TEST(Crease, RisingSharpness_MovesSurfaceMonotonically) {
     // The rim of the top of a cube rises with its sharpness; smooth: 0.5 in z at a corner (Halstead et al.
     // 1993).
     double last = 0.5;

@@ -41,14 +41,14 @@ ControlMesh withSecondShell(ControlMesh mesh, const Vec3& offset, double scale) 
     return mesh;
 }
 
-TEST(MeshDefects, GoodMeshesHaveNone) {
+TEST(MeshDefects, CleanMesh_HasNoWarning) {
     for (const ControlMesh& mesh : {cubeMesh(), bumpyGrid(4), fanMesh(64), prismMesh(5),
                                     withSecondShell(cubeMesh(), Vec3(5, 0, 0), 1), triangulated(cubeMesh())})
         for (const Scheme scheme : {Scheme::CatmullClark, Scheme::None})
             EXPECT_THAT(warningsOf(mesh, scheme), IsEmpty()) << mesh.name;
 }
 
-TEST(MeshDefects, ThreeFacesOnAnEdge) {
+TEST(MeshDefects, ThreeFacesOnAnEdge_Warns) {
     ControlMesh mesh = bumpyGrid(5); // a fin on the edges from vertex 10 to 14 of it
     for (int i = 0; i < 5; ++i)
         mesh.points.push_back(Vec3(i, 3 + 0.1 * i, -2));
@@ -70,7 +70,7 @@ TEST(MeshDefects, ThreeFacesOnAnEdge) {
     EXPECT_LT(glm::length(limitAt(mesh, 17, 1, 0) - onCrease), 1e-14);
 }
 
-TEST(MeshDefects, NeighboursInTheSameDirection) {
+TEST(MeshDefects, EqualEdgeDirections_Warn) {
     ControlMesh mesh = bumpyGrid(5);
     for (int face = 8; face < 16; ++face)
         reverseFace(mesh, face);
@@ -85,7 +85,7 @@ TEST(MeshDefects, NeighboursInTheSameDirection) {
                 ElementsAre(testing::EndsWith(": one of them is inside out (and 3 more)")));
 }
 
-TEST(MeshDefects, FacesThatTouchInAVertex) {
+TEST(MeshDefects, FacesSharingOneVertex_Warn) {
     ControlMesh mesh = bumpyGrid(5);
     for (const Vec3& point : {Vec3(3, 5, -2), Vec3(3, 5, -3), Vec3(2, 5, -3)})
         mesh.points.push_back(point);
@@ -95,7 +95,7 @@ TEST(MeshDefects, FacesThatTouchInAVertex) {
     EXPECT_LT(glm::length(limitAt(mesh, 5, 1, 1) - mesh.points[12]), 1e-14);
 }
 
-TEST(MeshDefects, FacesWithoutArea) {
+TEST(MeshDefects, FacesWithoutArea_Warn) {
     ControlMesh mesh = cubeMesh();
     mesh.points[1] = mesh.points[0];
     EXPECT_THAT(
@@ -116,7 +116,7 @@ TEST(MeshDefects, FacesWithoutArea) {
     EXPECT_THAT(warningsOf(crossed), Not(testing::Contains(HasSubstr("no area"))));
 }
 
-TEST(MeshDefects, ShellsThatLookInwards) {
+TEST(MeshDefects, InwardShells_Warn) {
     ControlMesh mesh = cubeMesh();
     for (int face = 0; face < 6; ++face)
         reverseFace(mesh, face);
@@ -137,7 +137,7 @@ TEST(MeshDefects, ShellsThatLookInwards) {
     EXPECT_THAT(warningsOf(mesh), IsEmpty());
 }
 
-TEST(MeshDefects, UnusedVerticesAndTagsWithoutEffect) {
+TEST(MeshDefects, UnusedVerticesAndTags_Warn) {
     ControlMesh mesh = cubeMesh();
     mesh.points.insert(mesh.points.begin(), Vec3(9));
     for (int& vertex : mesh.faceVertices)
@@ -151,7 +151,7 @@ TEST(MeshDefects, UnusedVerticesAndTagsWithoutEffect) {
                 testing::Contains("cube: 1 creases and corners have no effect under scheme \"none\""));
 }
 
-TEST(MeshDefects, TheSameFaceTwiceIsRefused) {
+TEST(MeshDefects, DuplicateFace_IsRefused) {
     ControlMesh mesh = cubeMesh();
     addFace(mesh, {7, 6, 4, 5}); // face 2, begun elsewhere
     EXPECT_EQ(inputErrorOf([&] { checkControlMesh(mesh, Scheme::None); }),
@@ -161,7 +161,7 @@ TEST(MeshDefects, TheSameFaceTwiceIsRefused) {
     EXPECT_THAT(warningsOf(mesh), IsEmpty());
 }
 
-TEST(MeshDefects, ZeroNormalsAreRefusedWhereTheyMatter) {
+TEST(MeshDefects, ZeroNormals_AreRefusedUnderSchemeNone) {
     ControlMesh mesh = bumpyGrid(2);
     mesh.normals = {Vec3(0, 1, 0), Vec3(0)};
     mesh.faceNormals = {0, 0, 1, 0};
@@ -170,7 +170,7 @@ TEST(MeshDefects, ZeroNormalsAreRefusedWhereTheyMatter) {
                 HasSubstr("grid: face 1: normal 2 is zero; expected a direction"));
 }
 
-TEST(LimitCheck, DoubletsBesideSharpEdgesAreRefused) {
+TEST(LimitCheck, DoubletBesideSharpEdge_IsRefused) {
     // A pillow: two squares back to back, so that every vertex has two faces alone. Fine by itself.
     ControlMesh pillow;
     pillow.name = "pillow";
@@ -188,7 +188,7 @@ TEST(LimitCheck, DoubletsBesideSharpEdgesAreRefused) {
     EXPECT_NO_THROW(BaseSurface(pillow, Scheme::CatmullClark));
 }
 
-TEST(VertexNormals, AreTheFacesOwnWhereTheyCancel) {
+TEST(VertexNormals, CancelingNormals_FallBackToFaces) {
     ControlMesh sheet = bumpyGrid(2);
     for (Vec3& point : sheet.points)
         point.y = 0;

@@ -30,7 +30,7 @@ std::string messageFor(const std::string& text) {
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 
-TEST(ObjFile, PolygonsAndIndicesOfTheirOwnAreKept) {
+TEST(ObjFile, SeparateIndices_AreKept) {
     const ControlMesh mesh = readText(kSquare + "v 2 2 0\n"
                                                 "vt 0 0\nvt 1 0\nvt 0.5 1 0\nvn 0 0 2\n"
                                                 "o first\nf 1/1/1 2/2/1 3/3/1 4/1/1 5/2/1\n"
@@ -45,12 +45,12 @@ TEST(ObjFile, PolygonsAndIndicesOfTheirOwnAreKept) {
     EXPECT_EQ(mesh.normals[0], Vec3(0, 0, 1)); // made unit
 }
 
-TEST(ObjFile, NegativeIndicesCountBackFromTheLatest) {
+TEST(ObjFile, NegativeIndices_CountFromEnd) {
     const ControlMesh mesh = readText(kSquare + "f -4 -3 -2\nv 5 5 5\nf -1 1 2\n");
     EXPECT_THAT(mesh.faceVertices, ElementsAre(0, 1, 2, 4, 0, 1));
 }
 
-TEST(ObjFile, LineEndsCommentsAndContinuations) {
+TEST(ObjFile, LineEndsCommentsContinuations_AreRead) {
     const std::string expected = "f 1 2 3";
     for (const char* text :
          {"v 0 0 0 # c\r\nv 1 0 0\r\nv 1 1 0\r\n\r\nf 1 2 3 # end",    // DOS, no last line end
@@ -65,7 +65,7 @@ TEST(ObjFile, LineEndsCommentsAndContinuations) {
               "a.obj:7: vertex index 9 is out of range; expected 1 to 3");
 }
 
-TEST(ObjFile, FacesLargerThanAByte) {
+TEST(ObjFile, FacesOver255Vertices_AreRead) {
     std::string text, face = "f";
     for (int k = 0; k < 300; ++k) {
         text += fmt::format("v {} {} 0\n", std::cos(2 * kPi * k / 300), std::sin(2 * kPi * k / 300));
@@ -76,7 +76,7 @@ TEST(ObjFile, FacesLargerThanAByte) {
     EXPECT_EQ(mesh.faceVertices.back(), 299);
 }
 
-TEST(ObjFile, FaultsHaveTheirLine) {
+TEST(ObjFile, Faults_NameTheirLine) {
     const std::pair<std::string, std::string> cases[] = {
         {"v 0 0 nan\n", "a.obj:1: 'nan' is not a finite number"},
         {"v 0 0 inf\n", "a.obj:1: 'inf' is not a finite number"},
@@ -112,7 +112,7 @@ TEST(ObjFile, FaultsHaveTheirLine) {
     EXPECT_THAT(inputErrorOf([] { readObj("/"); }), HasSubstr("is not a file"));
 }
 
-TEST(ObjFile, SubdivisionTagsAreKept) {
+TEST(ObjFile, SubdivisionTags_AreKept) {
     // Vertices and faces of `t` lines count from 0. Tags may stand before what they speak of.
     const ControlMesh mesh =
         readText("t crease 2/1/0 0 1 2.5\n" + kSquare + "f 1 2 3 4\n" +
@@ -143,7 +143,7 @@ TEST(ObjFile, SubdivisionTagsAreKept) {
     EXPECT_FALSE(readText(kSquare + "f 1 2 3 4\nt interpolateboundary 1/0/0 1\n").tags.boundaryCornersRound);
 }
 
-TEST(ObjFile, FaultyTagsHaveTheirLine) {
+TEST(ObjFile, FaultyTags_NameTheirLine) {
     const std::string square = kSquare + "f 1 2 3 4\n";
     const std::pair<std::string, std::string> cases[] = {
         {"t", "a.obj:6: a subdivision tag without its counts; expected t crease 2/1/0 …"},
@@ -185,12 +185,12 @@ TEST(ObjFile, FaultyTagsHaveTheirLine) {
         EXPECT_THAT(messageFor(square + tag + "\n"), HasSubstr(message)) << tag;
 }
 
-TEST(ObjFile, TagsMayRepeatThemselves) {
+TEST(ObjFile, RepeatedTags_AreRead) {
     EXPECT_NO_THROW(readText(
         kSquare + "f 1 2 3 4\nt crease 2/1/0 0 1 2\nt crease 3/1/0 2 1 0 2\nt corner 2/1/0 3 3 1\n"));
 }
 
-TEST(ObjFile, UvsOnSomeFacesAloneAreNoUvsAndSayWhy) {
+TEST(ObjFile, PartialUvs_CountAsNoneWithReason) {
     const ControlMesh mesh = readText(kSquare + "vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\nf 1//1 3//1 4//1\n");
     EXPECT_FALSE(mesh.hasUvs());
     EXPECT_EQ(mesh.uvsMissing, "the face in line 8 has no uv indices, though others have");
@@ -203,7 +203,7 @@ std::string smallObj() {
                      "-2/-2/-1 -1/-1/-1\n";
 }
 
-TEST(ObjFile, CutAnywhereIsReadOrRefused) {
+TEST(ObjFile, TruncatedAnywhere_IsReadOrRefused) {
     const std::string whole = smallObj();
     for (size_t length = 0; length <= whole.size(); ++length) {
         const bool read = worksOrIsRefused([&] { readText(whole.substr(0, length)); });
@@ -214,7 +214,7 @@ TEST(ObjFile, CutAnywhereIsReadOrRefused) {
     }
 }
 
-TEST(ObjFile, DamagedAnywhereIsReadOrRefused) {
+TEST(ObjFile, DamagedAnywhere_IsReadOrRefused) {
     std::mt19937 random(5);
     for (int i = 0; i < 3000; ++i) {
         std::string text = smallObj() + "t crease 2/1/0 0 1 2.5\nt corner 1/1/0 2 10\nt hole 1/0/0 0\n";
@@ -227,14 +227,14 @@ TEST(ObjFile, DamagedAnywhereIsReadOrRefused) {
     }
 }
 
-RC_GTEST_PROP(ObjFileProperty, NumbersSurvive, ()) {
+RC_GTEST_PROP(ObjFileProperty, WrittenNumbers_ReadBackEqual, ()) {
     const double x =
         static_cast<double>(*rc::gen::arbitrary<int64_t>()) * std::pow(10.0, *rc::gen::inRange(-25, -6));
     const ControlMesh mesh = readText(fmt::format("v {:.17g} 0 0\nv 1 0 0\nv 1 1 0\nf 1 2 3\n", x));
     RC_ASSERT(mesh.points[0].x == x);
 }
 
-TEST(ObjFile, SpotControlMesh) {
+TEST(ObjFile, Spot_HasItsCounts) {
     const std::filesystem::path file = std::filesystem::path(PLUMBLINE_SHARED_DATA) / "spot_control_mesh.obj";
     if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not here";
     const ControlMesh mesh = readObj(file);

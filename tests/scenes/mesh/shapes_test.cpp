@@ -43,7 +43,7 @@ constexpr double kRounding = 1e-13;
 // What interpolateLimit promises, relative to sizes near 2 here.
 constexpr double kInterpolated = 5e-12;
 
-TEST(Shapes, PlaneIsItsRectangle) {
+TEST(Shapes, Plane_IsRectangle) {
     const ControlMesh mesh = makePlane(3, 2, 4, 5);
     const Topology topology = topologyOf(mesh);
     EXPECT_EQ(topology.faces, 20);
@@ -56,7 +56,7 @@ TEST(Shapes, PlaneIsItsRectangle) {
     });
 }
 
-TEST(Shapes, QuadricIsExactEverywhere) {
+TEST(Shapes, Quadric_LimitIsExact) {
     const double a = 0.7, b = -0.3, halfSize = 1.25;
     for (const int segments : {1, 2, 5}) {
         const ControlMesh mesh = makeQuadric(a, b, halfSize, segments);
@@ -76,7 +76,7 @@ TEST(Shapes, QuadricIsExactEverywhere) {
     }
 }
 
-TEST(Shapes, TorusLimitsLieOnTheTorus) {
+TEST(Shapes, TorusVertices_LimitsLieOnTorus) {
     EXPECT_LT(worst(makeTorus(1, 0.4, 16, 8), 1, torusError), kRounding);
     EXPECT_LT(worst(makeTorus(1, 0.4, 3, 3), 1, torusError), kRounding);
     // In between, the interpolation error of cubic splines is of fourth order, h^4 (1 + c h^2): twice the
@@ -89,7 +89,7 @@ TEST(Shapes, TorusLimitsLieOnTheTorus) {
     EXPECT_LT(worst(makeTorus(1, 0.4, 16, 8), 8, torusError), 0.0015 * 0.4);
 }
 
-TEST(Shapes, TorusTopologyAndUvs) {
+TEST(Shapes, Torus_HasTopologyAndUvs) {
     const Topology topology = topologyOf(makeTorus(1, 0.4, 16, 8));
     EXPECT_EQ(topology.faces, 128);
     EXPECT_EQ(topology.euler(), 0);
@@ -108,7 +108,7 @@ TEST(Shapes, TorusTopologyAndUvs) {
     });
 }
 
-TEST(Shapes, CylinderLimitsLieOnTheCylinder) {
+TEST(Shapes, CylinderVertices_LimitsLieOnCylinder) {
     const ControlMesh mesh = makeCylinder(2, 3, 8, 3);
     const Topology topology = topologyOf(mesh);
     EXPECT_EQ(topology.euler(), 0);
@@ -129,7 +129,7 @@ TEST(Shapes, CylinderLimitsLieOnTheCylinder) {
     });
 }
 
-TEST(Shapes, SphereLimitsLieOnTheSphere) {
+TEST(Shapes, SphereVertices_LimitsLieOnSphere) {
     const auto error = [](const BasePoint& p) { return glm::length(p.position) - 1.5; };
     for (const int segments : {1, 2, 3, 8}) {
         const ControlMesh mesh = makeSphere(1.5, segments);
@@ -148,7 +148,7 @@ TEST(Shapes, SphereLimitsLieOnTheSphere) {
     EXPECT_LT(worst(makeSphere(1.5, 4), 8, error), 0.0024 * 1.5); // the header's 0.24 %
 }
 
-TEST(Shapes, BoxHasHardEdgesUnderNone) {
+TEST(Shapes, BoxUnderNone_HasHardEdges) {
     const ControlMesh mesh = makeBox({1, 2, 3}, 2);
     const Topology topology = topologyOf(mesh);
     EXPECT_EQ(topology.euler(), 2);
@@ -169,13 +169,13 @@ TEST(Shapes, BoxHasHardEdgesUnderNone) {
     EXPECT_EQ(corners, 24); // each of eight from three faces
 }
 
-TEST(Shapes, OutwardFaces) {
+TEST(Shapes, ClosedShapes_FaceOutward) {
     EXPECT_GT(partVolumes(makeSphere(1, 2)).front(), 0);
     EXPECT_GT(partVolumes(makeTorus(1, 0.4, 8, 6)).front(), 0);
     EXPECT_GT(partVolumes(makeCylinder(1, 1, 6, 2)).front(), 0);
 }
 
-TEST(LimitPoints, AreThoseOfOpenSubdiv) {
+TEST(LimitPoints, BuiltInShapes_EqualOpenSubdiv) {
     // An n-gon of every kind, boundaries, corners and poles: the teapot's coarsest mesh, and a few n-gons.
     // OpenSubdiv refines ten times on the way to an extraordinary vertex, coordinates up to 4 here.
     const double bound = 10 * 4 * kRounding;
@@ -235,7 +235,7 @@ bool sameCurve(const std::array<Vec3, 4>& a, const std::array<Vec3, 4>& b) {
     return forward || backward;
 }
 
-TEST(Teapot, ThirtyTwoPatchesMeetInTheirBorders) {
+TEST(Teapot, ThirtyTwoPatches_ShareBorders) {
     const auto patches = teapotPatches();
     ASSERT_EQ(patches.size(), 32u);
     int open = 0, poles = 0;
@@ -268,7 +268,7 @@ std::array<Vec3, 4> innerRow(const std::array<Vec3, 16>& patch, int k) {
     return result;
 }
 
-TEST(Teapot, PatchesContinueEachOthersTangents) {
+TEST(Teapot, PatchBorders_AreTangentContinuous) {
     // Newell's patches are smooth across every shared border: the control points on either side of it lie on
     // a line through it. A number mistyped anywhere near a border breaks this.
     const auto patches = teapotPatches();
@@ -294,7 +294,7 @@ TEST(Teapot, PatchesContinueEachOthersTangents) {
     EXPECT_EQ(borders, 128 - 8 - 16);
 }
 
-TEST(Teapot, BoundingBoxOfTheClassicData) {
+TEST(Teapot, Bounds_AreThoseOfClassicData) {
     Bounds bounds;
     for (const auto& patch : teapotPatches())
         for (int j = 0; j <= 64; ++j)
@@ -310,7 +310,7 @@ TEST(Teapot, BoundingBoxOfTheClassicData) {
     EXPECT_NEAR(bounds.high.z, 2, 1e-9);
 }
 
-TEST(Teapot, FourParts) {
+TEST(Teapot, Shells_AreFour) {
     for (const int segments : {2, 4}) {
         const ControlMesh mesh = makeTeapot(segments);
         const Topology topology = topologyOf(mesh);
@@ -325,13 +325,13 @@ TEST(Teapot, FourParts) {
     }
 }
 
-TEST(Teapot, UvsAreContinuousModuloOneExceptAtPoles) {
+TEST(Teapot, Uvs_AreContinuousExceptAtPoles) {
     const int segments = 3;
     // At a pole each triangle has its own u: 4 x segments edges end there, lid and bottom.
     EXPECT_EQ(topologyOf(makeTeapot(segments)).seamEdges, 2 * 4 * segments);
 }
 
-TEST(Teapot, LimitsAtVerticesLieOnTheBezierPatches) {
+TEST(Teapot, Vertices_LimitsLieOnBezierPatches) {
     const int segments = 3;
     std::vector<Vec3> lattice;
     for (const auto& patch : teapotPatches())
@@ -354,7 +354,7 @@ TEST(Teapot, LimitsAtVerticesLieOnTheBezierPatches) {
 
 // ------------------------------------------------------------------------------------------------- errors
 
-TEST(ShapeErrors, SayWhichShapeAndParameter) {
+TEST(ShapeErrors, BadParameter_NamesShapeAndParameter) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     EXPECT_EQ(inputErrorOf([] { makePlane(0, 1, 1, 1); }),
               "shape 'plane': width = 0; expected a positive, finite number");

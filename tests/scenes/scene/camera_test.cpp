@@ -21,7 +21,7 @@ void expectNear(const Vec3& a, const Vec3& b, double tolerance) {
         EXPECT_NEAR(a[axis], b[axis], tolerance) << "axis " << axis;
 }
 
-TEST(Camera, RayOfTheTopLeftPixel) {
+TEST(Camera, TopLeftPixel_HasExactRay) {
     const CameraRays rays(squareRootFreeCamera());
     const Ray ray = rays.ray(0.5, 0.5);
     expectNear(ray.origin, {0, 0, 3}, 0);
@@ -29,13 +29,13 @@ TEST(Camera, RayOfTheTopLeftPixel) {
     expectNear(ray.direction, glm::normalize(Vec3(-1.5, 0.5, -1)), 1e-15);
 }
 
-TEST(Camera, PixelOfAWorldPoint) {
+TEST(Camera, WorldPoint_HasExactPixel) {
     // (1, -0.5, 1) lies 2 in front of the camera at (0,0,3); at depth 1 that is (0.5, -0.25): half a pixel
     // right of the middle (2, 1), a quarter below.
     expectNear(pixelFromWorld(squareRootFreeCamera(), {1, -0.5, 1}), {2.5, 1.25, 2}, 1e-15);
 }
 
-TEST(Camera, OrthographicPixel) {
+TEST(Camera, Orthographic_HasExactPixel) {
     Camera camera = squareRootFreeCamera();
     camera.projection = Camera::Projection::Orthographic;
     camera.viewHeight = 4; // a pixel is 2 x 2 world units
@@ -45,7 +45,7 @@ TEST(Camera, OrthographicPixel) {
     expectNear(ray.direction, {0, 0, -1}, 1e-15);
 }
 
-TEST(Camera, UpSaysWhichWayThePictureTurns) {
+TEST(Camera, Up_TurnsImage) {
     Camera camera = squareRootFreeCamera();
     camera.upWorld = {2, 0,
                       0}; // +X is up, so +Y points to the left of the picture: right = forward x up = -Y
@@ -53,7 +53,7 @@ TEST(Camera, UpSaysWhichWayThePictureTurns) {
     expectNear(pixel, {2 - 1, 1, 1}, 1e-15);
 }
 
-TEST(Camera, ClipSpaceHasNearAtMinusOneAndFarAtPlusOne) {
+TEST(Camera, NearAndFar_AreMinusOneAndOneInClipSpace) {
     for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic}) {
         Camera camera = squareRootFreeCamera();
         camera.projection = projection;
@@ -65,7 +65,7 @@ TEST(Camera, ClipSpaceHasNearAtMinusOneAndFarAtPlusOne) {
     }
 }
 
-TEST(Camera, TowardsCamera) {
+TEST(Camera, TowardsCamera_IsUnitAndOpposite) {
     Camera camera = squareRootFreeCamera();
     expectNear(CameraRays(camera).towardsCamera({4, 0, 0}), {-0.8, 0, 0.6}, 1e-15); // 3-4-5 triangle
     camera.projection = Camera::Projection::Orthographic;
@@ -92,7 +92,7 @@ Camera arbitraryCamera() {
 /// A few thousand roundings of doubles at coordinates up to about 2000 pixels.
 constexpr double kPixelTolerance = 1e-7;
 
-RC_GTEST_PROP(CameraProperty, PointOnAPixelsRayProjectsToThatPixel, ()) {
+RC_GTEST_PROP(CameraProperty, PointOnPixelRay_ProjectsToPixel, ()) {
     const Camera camera = arbitraryCamera();
     const double x = *rc::gen::inRange(0, camera.width * 16) / 16.0;
     const double y = *rc::gen::inRange(0, camera.height * 16) / 16.0;
@@ -107,7 +107,7 @@ RC_GTEST_PROP(CameraProperty, PointOnAPixelsRayProjectsToThatPixel, ()) {
     RC_ASSERT(std::abs(pixel.z - rays.planarDepth(point)) < 1e-10);
 }
 
-RC_GTEST_PROP(CameraProperty, ClipSpaceAgreesWithPixels, ()) {
+RC_GTEST_PROP(CameraProperty, ClipSpace_AgreesWithPixels, ()) {
     const Camera camera = arbitraryCamera();
     const double x = *rc::gen::inRange(0, camera.width * 16) / 16.0;
     const double y = *rc::gen::inRange(0, camera.height * 16) / 16.0;
@@ -118,7 +118,7 @@ RC_GTEST_PROP(CameraProperty, ClipSpaceAgreesWithPixels, ()) {
     RC_ASSERT(std::abs(clip.y / clip.w - (1 - 2 * y / camera.height)) < 1e-9);
 }
 
-RC_GTEST_PROP(CameraProperty, ViewIsARotation, ()) {
+RC_GTEST_PROP(CameraProperty, View_IsRotation, ()) {
     const Camera camera = arbitraryCamera();
     const Mat3 rotation(viewFromWorld(camera));
     RC_ASSERT(std::abs(glm::determinant(rotation) - 1) < 1e-12);

@@ -23,7 +23,7 @@ Bounds boundsWorld(const SceneObject& object) {
     return bounds;
 }
 
-TEST(Library, HasTheScenesOthersRelyOn) {
+TEST(Library, RequiredScenes_ArePresent) {
     EXPECT_THAT(libraryNames(),
                 testing::IsSupersetOf({"stone_torus", "small_torus", "brick_cylinder", "pyramid_plane",
                                        "cobble_sphere", "teapot", "room", "relief_room_shadows"}));
@@ -33,7 +33,7 @@ class LibraryScenes : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(All, LibraryScenes, testing::ValuesIn(libraryNames()),
                          [](const auto& scene) { return scene.param; });
 
-TEST_P(LibraryScenes, LoadsAndShowsItsObjects) {
+TEST_P(LibraryScenes, EveryScene_ShowsItsObjects) {
     const Scene scene = readScene(findScene(GetParam()));
     EXPECT_GT(scene.purpose.size(), 20u);
     EXPECT_FALSE(scene.lights.empty());
@@ -70,7 +70,7 @@ TEST_P(LibraryScenes, LoadsAndShowsItsObjects) {
     }
 }
 
-TEST_P(LibraryScenes, HasMapsThatCloseAroundItsObjects) {
+TEST_P(LibraryScenes, EveryScene_MapsAreSeamlessOnObjects) {
     // Where u wraps, the tile count must be whole, or the map has a cliff there that is not in it. Planes and
     // boxes are open; of a cylinder only u closes.
     const Scene scene = readScene(findScene(GetParam()));

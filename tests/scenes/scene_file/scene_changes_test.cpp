@@ -19,7 +19,7 @@ class ChangedScene : public SceneFile {
     }
 };
 
-TEST_F(ChangedScene, FieldsAreReadAsChanged) {
+TEST_F(ChangedScene, ChangedField_IsRead) {
     const Scene scene = readChanged(
         {"camera.width=300", "object.torus.relief.depth=0.25", "object.0.color_map=\"quad.obj\"",
          "object.quad.color_map=\"maps/stone.png\"", "light.lamp.position=[4, 5, 6]",
@@ -34,7 +34,7 @@ TEST_F(ChangedScene, FieldsAreReadAsChanged) {
     EXPECT_EQ(scene.changes.size(), 8u);
 }
 
-TEST_F(ChangedScene, TheHashTellsChangesApart) {
+TEST_F(ChangedScene, DifferentChanges_HaveDifferentHashes) {
     const std::string plain = readChanged({}).hash;
     EXPECT_EQ(plain, read(kWholeScene).hash);
     const std::string narrow = readChanged({"camera.width=300"}).hash;
@@ -50,7 +50,7 @@ TEST_F(ChangedScene, TheHashTellsChangesApart) {
     EXPECT_NE(readChanged({"purpose=\"1\""}).hash, readChanged({"purpose=\"1.0\""}).hash); // texts stay texts
 }
 
-TEST_F(ChangedScene, MistakesAreToldByTheirChange) {
+TEST_F(ChangedScene, FaultyChange_IsNamedInError) {
     EXPECT_EQ(messageOfChange("camera.width"),
               "--scene-set camera.width: has no '='; expected PATH=VALUE, for example camera.width=400");
     EXPECT_EQ(messageOfChange("camera.width=-1"),
@@ -86,7 +86,7 @@ TEST_F(ChangedScene, MistakesAreToldByTheirChange) {
 
 const char* const kPlace = "position = [0, 1.2, 3]\ntarget = [0, 0.5, 0]\nup = [0, 1, 0.5]\n";
 
-TEST_F(SceneFile, AnOrbitPlacesTheCameraAroundItsTarget) {
+TEST_F(SceneFile, Orbit_PlacesCameraAroundTarget) {
     const auto camera = [&](const std::string& orbit) {
         return read(with(kPlace, "target = [1, 0.5, 0]\norbit = " + orbit + "\n")).camera;
     };
@@ -108,7 +108,7 @@ TEST_F(SceneFile, AnOrbitPlacesTheCameraAroundItsTarget) {
     EXPECT_NEAR(glm::dot(slanted.upWorld, slanted.positionWorld - slanted.targetWorld), 0, 1e-14);
 }
 
-TEST_F(SceneFile, AnOrbitStandsAlone) {
+TEST_F(SceneFile, OrbitWithPosition_IsRefused) {
     EXPECT_EQ(messageFor(with("up = [0, 1, 0.5]", "orbit = { distance = 2, polar_degrees = 10 }")),
               "scene.toml:5: camera.position: stands beside orbit; expected one of the two");
     EXPECT_EQ(messageFor(with(kPlace, "target = [0, 1, 0]\norbit = { distance = 1e9, polar_degrees = 0 }\n")),

@@ -16,7 +16,7 @@ std::string withCreases(const std::string& creases) {
     return with("color = [0.8, 0.75, 0.7]\n", "creases = " + creases + "\n");
 }
 
-TEST_F(SceneFile, CreasesArrive) {
+TEST_F(SceneFile, Creases_AreRead) {
     const SubdivisionTags tags =
         read(withCreases("[{ edges = [1, 2, 3], sharpness = 2.5 }, { vertex = 72, sharpness = 10 },\n"
                          "  { edges = [3, 2], sharpness = 4 }]")) // the latest counts
@@ -33,7 +33,7 @@ TEST_F(SceneFile, CreasesArrive) {
     EXPECT_TRUE(read(withCreases("[]")).objects[1].mesh.tags.creases.empty());
 }
 
-TEST_F(SceneFile, CreasesOfTheSceneFileStandBesideThoseOfTheMesh) {
+TEST_F(SceneFile, SceneCreases_AddToMeshs) {
     writeFile(folder_ / "quad.obj",
               std::string(kQuad) + "t crease 4/3/0 0 1 2 3 1 2 3\nt corner 1/1/0 0 1\n");
     const SubdivisionTags tags =
@@ -50,7 +50,7 @@ TEST_F(SceneFile, CreasesOfTheSceneFileStandBesideThoseOfTheMesh) {
     EXPECT_EQ(tags.corners[1].sharpness, 9);
 }
 
-TEST_F(SceneFile, FaultyCreasesHaveTheirLine) {
+TEST_F(SceneFile, FaultyCreases_NameTheirLine) {
     const std::pair<const char*, const char*> cases[] = {
         {"3", "scene.toml:45: object.creases: is 3; expected tables [[object.creases]]"},
         {"[1]", "object.creases: holds 1"},
@@ -80,7 +80,7 @@ TEST_F(SceneFile, FaultyCreasesHaveTheirLine) {
                 HasSubstr("scene.toml:34: object.creases: has no meaning under scheme \"none\""));
 }
 
-TEST_F(SceneFile, SeamsAreWeldedUnlessLeftOpen) {
+TEST_F(SceneFile, Seams_DefaultToWeld) {
     EXPECT_EQ(read(kWholeScene).objects[0].relief->seams, Seams::Weld);
     EXPECT_EQ(read(with("depth = 0.08", "depth = 0.08, seams = \"weld\"")).objects[0].relief->seams,
               Seams::Weld);
@@ -88,7 +88,7 @@ TEST_F(SceneFile, SeamsAreWeldedUnlessLeftOpen) {
               Seams::Open);
 }
 
-TEST_F(SceneFile, WarningsNameTheObject) {
+TEST_F(SceneFile, MeshWarnings_NameObject) {
     EXPECT_TRUE(read(kWholeScene).warnings.empty());
     writeFile(folder_ / "quad.obj", std::string(kQuad) + "v 9 9 9\nt facevaryingpropagatecorners 1/0/0 1\n");
     const std::vector<std::string> warnings = read(kWholeScene).warnings;
@@ -99,7 +99,7 @@ TEST_F(SceneFile, WarningsNameTheObject) {
     EXPECT_THAT(warnings[1], HasSubstr("quad.obj: vertex 5 belongs to no face: left out"));
 }
 
-TEST_F(SceneFile, CornersOfABoxAreNumberedAsTheReadmeSays) {
+TEST_F(SceneFile, BoxCorners_AreNumberedAsInReadme) {
     // Edges of its front face, z = 1.5: infinitely sharp, their limit stays in that plane.
     const Scene scene =
         read(with("kind = \"torus\", major = 1.0, minor = 0.25, segments = [12, 6] }",

@@ -14,7 +14,7 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-TEST_F(SceneFile, EveryFieldArrives) {
+TEST_F(SceneFile, EveryField_IsRead) {
     const Scene scene = read(kWholeScene);
     EXPECT_EQ(scene.name, "scene");
     EXPECT_EQ(scene.purpose, "A test");
@@ -61,7 +61,7 @@ TEST_F(SceneFile, EveryFieldArrives) {
     EXPECT_EQ(torus.color, Vec3(0.8, 0.75, 0.7));
 }
 
-TEST_F(SceneFile, OneMapByItsName) {
+TEST_F(SceneFile, MapByName_IsReadAlone) {
     read(kWholeScene); // writes it
     const auto stone = readSceneMap(folder_ / "scene.toml", "stone");
     EXPECT_THAT(stone->depths(), ElementsAre(1, 0.8f));
@@ -72,7 +72,7 @@ TEST_F(SceneFile, OneMapByItsName) {
                           "you mean 'stone'?"));
 }
 
-TEST_F(SceneFile, TheShortestSceneTakesItsDefaults) {
+TEST_F(SceneFile, ShortestScene_HasDefaults) {
     const Scene scene = read("purpose = 'p'\n[camera]\nposition = [0, 0, 3]\n[[object]]\nname = 'o'\n"
                              "shape = { kind = 'sphere' }\n");
     EXPECT_EQ(scene.background, Vec3(0));
@@ -91,7 +91,7 @@ TEST_F(SceneFile, TheShortestSceneTakesItsDefaults) {
 
 // The axis is the object's +z, turned by its rotation (10, 20, 30 degrees about x, y, z) but not scaled: cos
 // 20 cos 10 along z.
-TEST_F(SceneFile, ReliefsGoAlongNormalsUnlessAlongTheAxis) {
+TEST_F(SceneFile, Along_DefaultsToNormal) {
     EXPECT_FALSE(read(kWholeScene).objects[0].relief->axisWorld);
     EXPECT_FALSE(read(with("depth = 0.08", "depth = 0.08, along = \"normal\"")).objects[0].relief->axisWorld);
     const Scene scene = read(with("depth = 0.08", "depth = 0.08, along = \"axis\""));
@@ -104,7 +104,7 @@ TEST_F(SceneFile, ReliefsGoAlongNormalsUnlessAlongTheAxis) {
     EXPECT_FALSE(sceneMetadata(scene).count("object.2.relief_axis"));
 }
 
-TEST_F(SceneFile, RequirementsArriveWithTheirPlace) {
+TEST_F(SceneFile, Requirements_KeepTheirLine) {
     EXPECT_TRUE(read(kWholeScene).requirements.empty());
     const Scene scene = read(std::string(kWholeScene) + R"(
 [require]
@@ -126,13 +126,13 @@ TEST_F(SceneFile, RequirementsArriveWithTheirPlace) {
                 HasSubstr("is 0.99; expected a text or an array of texts"));
 }
 
-TEST_F(SceneFile, Orthographic) {
+TEST_F(SceneFile, Orthographic_IsRead) {
     const std::string text = with("fov_y_degrees = 35", "projection = \"orthographic\"\nview_height = 2.5");
     EXPECT_EQ(read(text).camera.projection, Camera::Projection::Orthographic);
     EXPECT_EQ(read(text).camera.viewHeight, 2.5);
 }
 
-TEST_F(SceneFile, EveryShapeAndGeneratedMapCanBeNamed) {
+TEST_F(SceneFile, EveryShapeAndMapKind_IsRead) {
     for (const char* shape :
          {"kind = 'plane', width = 3, depth = 2, segments = [4, 2]",
           "kind = 'quadric', a = 0.5, b = -0.25, half_size = 2", "kind = 'sphere', radius = 2, segments = 3",
@@ -144,7 +144,7 @@ TEST_F(SceneFile, EveryShapeAndGeneratedMapCanBeNamed) {
         EXPECT_NO_THROW(read(with("cobbles", kind))) << kind;
 }
 
-TEST_F(SceneFile, FaultsHaveLineFieldAndHint) {
+TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
     struct Case {
         const char *from, *to, *message;
     };
@@ -240,7 +240,7 @@ TEST_F(SceneFile, FaultsHaveLineFieldAndHint) {
         EXPECT_THAT(messageFor(with(c.from, c.to)), HasSubstr(c.message)) << c.to;
 }
 
-TEST_F(SceneFile, WhatIsNoSceneFile) {
+TEST_F(SceneFile, NoSceneFile_IsRefused) {
     EXPECT_THAT(inputErrorOf([&] { readScene(folder_ / "none.toml"); }), HasSubstr("no such file"));
     EXPECT_THAT(inputErrorOf([&] { readScene(folder_.path()); }), HasSubstr("is not a file"));
     EXPECT_THAT(messageFor(""), HasSubstr("is empty"));
@@ -255,7 +255,7 @@ TEST_F(SceneFile, WhatIsNoSceneFile) {
     EXPECT_THAT(messageFor(lights), HasSubstr("is one of 17 lights; expected at most 16"));
 }
 
-TEST_F(SceneFile, ReliefAndColourMapNeedUvs) {
+TEST_F(SceneFile, ReliefOrColorMapWithoutUvs_IsRefused) {
     writeFile(folder_ / "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n");
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("object.relief: "));
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("quad.obj has no uvs; expected"));
@@ -268,14 +268,14 @@ TEST_F(SceneFile, ReliefAndColourMapNeedUvs) {
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("has no uvs: the face in line 10 has no uv indices"));
 }
 
-TEST_F(SceneFile, PartialNormalsMatterUnderSchemeNoneAlone) {
+TEST_F(SceneFile, PartialNormals_AreRefusedOnlyUnderNone) {
     writeFile(folder_ / "quad.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvn 0 0 1\n"
                                     "f 1/1/1 2/1/1 3/1/1\nf 1/1 3/1 4/1\n");
     EXPECT_THAT(messageFor(kWholeScene), HasSubstr("the face in line 8 has no normal indices"));
     EXPECT_NO_THROW(read(with("scheme = \"none\"", "scheme = \"catmull-clark\"")));
 }
 
-TEST_F(SceneFile, HashFollowsEveryByteThatMatters) {
+TEST_F(SceneFile, Hash_FollowsEveryRelevantByte) {
     const std::string hash = read(kWholeScene).hash;
     EXPECT_EQ(hash.size(), 32u);
     EXPECT_EQ(read(kWholeScene).hash, hash);
@@ -293,20 +293,20 @@ TEST_F(SceneFile, HashFollowsEveryByteThatMatters) {
 }
 
 // It changes no picture: results before and after stay comparable.
-TEST_F(SceneFile, HashLeavesOutWhatMustBeReached) {
+TEST_F(SceneFile, Hash_IgnoresRequirements) {
     const std::string hash = read(kWholeScene).hash, bound = "\"silhouette.iou\" = \">= 0.99\"";
     EXPECT_EQ(read(std::string(kWholeScene) + "[require]\n" + bound + "\n").hash, hash);
     EXPECT_EQ(read(std::string(kWholeScene) + "\n[ require ]\n" + bound + "\n").hash, hash);
     EXPECT_EQ(read("require = { " + bound + " }\n" + kWholeScene).hash, hash);
 }
 
-TEST_F(SceneFile, CutAnywhereIsReadOrRefused) {
+TEST_F(SceneFile, TruncatedAnywhere_IsReadOrRefused) {
     const std::string whole = kWholeScene;
     for (size_t length = 0; length < whole.size(); length += 3)
         worksOrIsRefused([&] { read(whole.substr(0, length)); });
 }
 
-TEST_F(SceneFile, DamagedAnywhereIsReadOrRefused) {
+TEST_F(SceneFile, DamagedAnywhere_IsReadOrRefused) {
     std::mt19937 random(17);
     int refused = 0;
     for (int i = 0; i < 400; ++i) {
@@ -319,7 +319,7 @@ TEST_F(SceneFile, DamagedAnywhereIsReadOrRefused) {
     EXPECT_GT(refused, 200);
 }
 
-TEST(SceneLibrary, NamesPathsAndHints) {
+TEST(SceneLibrary, UnknownName_HasHint) {
     const std::vector<LibraryScene> scenes = libraryScenes();
     for (size_t i = 0; i < scenes.size(); ++i) {
         EXPECT_FALSE(scenes[i].purpose.empty());
@@ -337,7 +337,7 @@ TEST(SceneLibrary, NamesPathsAndHints) {
                 HasSubstr("did you mean '" + scenes[0].name + "'?"));
 }
 
-TEST(SceneLibrary, EverySceneReads) {
+TEST(SceneLibrary, EveryScene_IsRead) {
     for (const LibraryScene& scene : libraryScenes())
         EXPECT_THAT(readScene(scene.file).warnings, testing::IsEmpty()) << scene.name;
 }

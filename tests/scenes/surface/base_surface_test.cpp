@@ -44,7 +44,7 @@ double bumpyHeight(int i, int j) {
     return std::sin(1.7 * i + 0.3 * j * j) + 0.25 * i * j;
 }
 
-TEST(BaseSurface, RegularPatchIsTheBicubicBSpline) {
+TEST(BaseSurface, RegularPatch_IsBicubicBSpline) {
     ControlMesh mesh = gridMesh(4, bumpyHeight);
     mesh.boundaryFacesSupportOnly = true;
     const BaseSurface surface(mesh, Scheme::CatmullClark);
@@ -63,7 +63,7 @@ TEST(BaseSurface, RegularPatchIsTheBicubicBSpline) {
         }
 }
 
-TEST(BaseSurface, CubeCornerGoesToTheLimitOfHalstead1993) {
+TEST(BaseSurface, CubeCorner_HasHalstead1993Limit) {
     // Halstead et al. 1993, appendix: limit of a vertex of valence n = (n^2 v + 4 sum(e) + sum(f)) / (n (n +
     // 5)), e its edge neighbours, f the far corners of its quads. Cube of +-1, corner (1,1,1): sum(e) =
     // (1,1,1), sum(f) =
@@ -77,7 +77,7 @@ TEST(BaseSurface, CubeCornerGoesToTheLimitOfHalstead1993) {
               1e-6); // the level-10 patch beside the vertex
 }
 
-TEST(BaseSurface, NormalDerivativesMatchDifferences) {
+TEST(BaseSurface, NormalDerivatives_MatchDifferences) {
     const BaseSurface surface(gridMesh(5, bumpyHeight), Scheme::CatmullClark);
     BaseSurface::Evaluator evaluator(surface);
     // Central difference: truncation h^2 n'''/6 ~ 1e-9, rounding 1e-16/h ~ 1e-11.
@@ -103,7 +103,7 @@ TEST(BaseSurface, NormalDerivativesMatchDifferences) {
 }
 
 /// Patches of n-gons and triangles: derivatives against differences, in patch coordinates.
-TEST(BaseSurface, SubFacesAreParametrisedPerPatch) {
+TEST(BaseSurface, SubFaces_AreParameterizedPerPatch) {
     ControlMesh mesh;
     mesh.name = "pentagon pyramid";
     for (int k = 0; k < 5; ++k)
@@ -137,7 +137,7 @@ TEST(BaseSurface, SubFacesAreParametrisedPerPatch) {
     }
 }
 
-TEST(BaseSurface, LoopTriangleIsFlatWhereItsCageIs) {
+TEST(BaseSurface, LoopOnFlatCage_IsFlat) {
     ControlMesh mesh;
     mesh.name = "hexagon";
     mesh.points.push_back(Vec3(0));
@@ -157,7 +157,7 @@ TEST(BaseSurface, LoopTriangleIsFlatWhereItsCageIs) {
     EXPECT_LT(glm::length(evaluator.point(0.25, 0.25).normal - Vec3(0, 0, 1)), 1e-14);
 }
 
-TEST(BaseSurface, PolygonsTakeTheFilesNormalsElseAngleWeighted) {
+TEST(BaseSurface, Polygons_TakeFileNormalsElseAngleWeighted) {
     // A roof: two unit squares over z in [-1,0] and [0,1], folded along x at 90 degrees. At the ridge both
     // faces have an angle of 90 degrees, so the normal is their mean, straight up; at the eaves it is the
     // face's own.
@@ -183,7 +183,7 @@ TEST(BaseSurface, PolygonsTakeTheFilesNormalsElseAngleWeighted) {
     EXPECT_EQ(evaluatorGiven.point(0.5, 0.5).normal, Vec3(1, 0, 0));
 }
 
-TEST(BaseSurface, SharedSamplesMeetFromBothSides) {
+TEST(BaseSurface, SharedSamples_AgreeFromBothSides) {
     const BaseSurface surface(gridMesh(5, bumpyHeight), Scheme::CatmullClark);
     const int rate = 4;
     const SharedSamples shared(surface, rate);
@@ -209,7 +209,7 @@ TEST(BaseSurface, SharedSamplesMeetFromBothSides) {
     EXPECT_EQ(met, 4 * 4 * 4 * rate - (5 * 5 + 40 * (rate - 1))); // 16 faces; 25 vertices, 40 edges
 }
 
-TEST(DisplacedSurface, RampOnAPlaneTiltsIt) {
+TEST(DisplacedSurface, RampOnPlane_TiltsIt) {
     // d = s over one texel pair: map {0, 1} of width 2, centres at 1/4 and 3/4, so between them d = 2 (s -
     // 1/4) and d_s = 2. On the plane y = 0 with uv = (x, -z), depth 0.5: y = -0.5 d, slope -1 along x, normal
     // (1, 1, 0)/sqrt 2.
@@ -233,7 +233,7 @@ TEST(DisplacedSurface, RampOnAPlaneTiltsIt) {
     EXPECT_LT(glm::length(tiled.normal - glm::normalize(Vec3(2, 1, 0))), 1e-15);
 }
 
-TEST(DisplacedSurface, NormalMatchesDifferencesOnACurvedBase) {
+TEST(DisplacedSurface, CurvedBase_NormalMatchesDifferences) {
     const BaseSurface surface(gridMesh(5, bumpyHeight), Scheme::CatmullClark);
     std::vector<float> depths;
     for (int k = 0; k < 64; ++k)

@@ -49,7 +49,7 @@ std::vector<SceneObject> objects() {
 
 /// Patch k of the proxy base is triangle k of the proxy; at its corners everything is the proxy's own, to the
 /// bit.
-TEST(ProxyBase, CornersAreTheProxysVertices) {
+TEST(ProxyBase, Corners_AreProxyVertices) {
     for (const SceneObject& object : objects()) {
         SCOPED_TRACE(object.name);
         const ProxyMesh proxy = buildProxyMesh(object);
@@ -70,7 +70,7 @@ TEST(ProxyBase, CornersAreTheProxysVertices) {
     }
 }
 
-TEST(ProxyBase, ClosesWhereTheLimitDoes) {
+TEST(ProxyBase, ClosedLimit_HasClosedProxy) {
     for (const SceneObject& object : objects()) {
         SCOPED_TRACE(object.name);
         const Topology polygons = topologyOf(proxyPolygons(object));
@@ -85,7 +85,7 @@ TEST(ProxyBase, ClosesWhereTheLimitDoes) {
     }
 }
 
-TEST(ProxyBase, OfAPlaneIsThePlane) {
+TEST(ProxyBase, Plane_IsPlane) {
     const SceneObject object = reliefObject(makePlane(2, 3, 2, 1), Scheme::CatmullClark, 2);
     const std::unique_ptr<BaseSurface> limit = makeBaseSurface(object),
                                        proxy = makeBaseSurface(object, Base::Proxy);
@@ -141,7 +141,7 @@ double distanceFromLimit(SceneObject object, int proxyRate) {
 }
 
 // A chord leaves its curve by h^2 / 8 of the curvature: each doubling of the rate leaves a quarter.
-TEST(ProxyBase, ConvergesToTheLimitWithTheSecondOrder) {
+TEST(ProxyBase, RisingRate_ConvergesWithSecondOrder) {
     const SceneObject torus = reliefObject(makeTorus(1, 0.4, 6, 5), Scheme::CatmullClark, 1);
     double coarse = distanceFromLimit(torus, 8);
     for (const int rate : {16, 32, 64}) {
@@ -153,7 +153,7 @@ TEST(ProxyBase, ConvergesToTheLimitWithTheSecondOrder) {
 }
 
 // Bfr cuts a triangle under the bilinear scheme through sub-faces, whatever the rate; here it is one patch.
-TEST(ProxyBase, TrianglesOfPolygonsAreCutWithoutGaps) {
+TEST(ProxyBase, Polygons_AreTriangulatedWithoutGaps) {
     ControlMesh mesh;
     mesh.name = "triangle";
     mesh.points = {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}};

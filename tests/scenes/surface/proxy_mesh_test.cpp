@@ -44,7 +44,7 @@ SceneObject cylinder(int around, int up, double radius, double height) {
     return object;
 }
 
-TEST(ProxyMesh, QuadricOfACylinderIsHalfItsCurvature) {
+TEST(ProxyMesh, Cylinder_HasHalfItsCurvature) {
     // In the frame of a vertex a neighbour at angle h around is x = R sin h (the tangent of the polygon is
     // not exactly e_x, but by symmetry of the ring only x^2 enters), z = -R (1 - cos h). So A = (1 - cos h) /
     // (R sin^2 h) where x is measured in the tangent plane: with h = 2 pi / 64 that is 1/(2R) to within h^2/4
@@ -61,7 +61,7 @@ TEST(ProxyMesh, QuadricOfACylinderIsHalfItsCurvature) {
 }
 
 // The ring of a quadric's apex lies on the quadric, and the fit has nothing left over.
-TEST(ProxyMesh, QuadricOfAQuadricsApexIsExact) {
+TEST(ProxyMesh, QuadricApex_IsExact) {
     SceneObject object;
     object.name = "patch";
     object.mesh = makeQuadric(-2.5, 0.4, 0.5, 4);
@@ -76,7 +76,7 @@ TEST(ProxyMesh, QuadricOfAQuadricsApexIsExact) {
     EXPECT_EQ(apexes, 4); // of the four faces
 }
 
-TEST(ProxyMesh, MappingScalesAreTheSizeOfATile) {
+TEST(ProxyMesh, MappingScales_AreTileSize) {
     SceneObject object = cylinder(64, 6, 2.0, 3.0);
     object.relief->tile = Vec2(8, 3);
     const ProxyMesh proxy = buildProxyMesh(object);
@@ -88,7 +88,7 @@ TEST(ProxyMesh, MappingScalesAreTheSizeOfATile) {
     }
 }
 
-TEST(ProxyMesh, OffsetPushesOutAndKeepsItClosed) {
+TEST(ProxyMesh, Offset_PushesOutAndKeepsClosed) {
     SceneObject object = cylinder(16, 2, 1.0, 1.0);
     object.relief->offset = 0.25;
     object.proxyRate = 2;
@@ -123,7 +123,7 @@ TEST(ProxyMesh, OffsetPushesOutAndKeepsItClosed) {
 }
 
 // Along an axis the offset moves the whole proxy, and changes nothing else of it.
-TEST(ProxyMesh, OffsetAlongAnAxisMovesIt) {
+TEST(ProxyMesh, OffsetAlongAxis_TranslatesProxy) {
     SceneObject object = cylinder(16, 2, 1.0, 1.0);
     const ProxyMesh there = buildProxyMesh(object);
     object.relief->axisWorld = Vec3(0, 0.6, 0.8);
@@ -140,7 +140,7 @@ TEST(ProxyMesh, OffsetAlongAnAxisMovesIt) {
     }
 }
 
-TEST(ProxyMesh, FacesOfAnySizeAtAnyRate) {
+TEST(ProxyMesh, AnyFaceSizeAndRate_Works) {
     SceneObject object;
     object.name = "prism";
     object.mesh.name = "pentagon prism";
@@ -170,7 +170,7 @@ TEST(ProxyMesh, FacesOfAnySizeAtAnyRate) {
         }
 }
 
-TEST(ProxyMesh, ReliefWithoutUvsIsRefused) {
+TEST(ProxyMesh, ReliefWithoutUvs_IsRefused) {
     SceneObject object = cylinder(8, 1, 1, 1);
     object.mesh.uvs.clear();
     object.mesh.faceUvs.clear();

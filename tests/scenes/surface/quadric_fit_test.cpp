@@ -30,7 +30,7 @@ QuadricFrame frameAt(double angle, double apart = kPi / 2) {
             3.0 * Vec3(std::cos(angle + apart), std::sin(angle + apart), 0), Vec3(0, 0, 1)};
 }
 
-TEST(QuadricFit, FindsTheQuadricThePointsLieOn) {
+TEST(QuadricFit, PointsOnQuadric_GiveItsCoefficients) {
     // z = -(0.3 x^2 - 0.2 x y - 0.1 y^2), in its own frame to rounding, at every scale: coefficients go with
     // 1 / size.
     for (const double size : {1e-3, 1.0, 1e3}) {
@@ -56,7 +56,7 @@ TEST(QuadricFit, FindsTheQuadricThePointsLieOn) {
     }
 }
 
-TEST(QuadricFit, OfASaddleXYNeedsTheCrossTerm) {
+TEST(QuadricFit, SaddleXY_NeedsCrossTerm) {
     // z = x y has no curvature along its axes; turned by 45 degrees it is (x^2 - y^2) / 2.
     const auto ring = ringOn([](double x, double y) { return x * y; }, 0.1, 8);
     const RingFit along = fitQuadric(frameAt(0), ring), turned = fitQuadric(frameAt(kPi / 4), ring);
@@ -68,7 +68,7 @@ TEST(QuadricFit, OfASaddleXYNeedsTheCrossTerm) {
     EXPECT_NEAR(turned.threeTerms.c, 0, 1e-12);
 }
 
-TEST(QuadricFit, SaysWhatARingDoesntDetermine) {
+TEST(QuadricFit, UndeterminedRing_IsReported) {
     const auto bowl = [](double x, double y) { return -(x * x + y * y); };
     // On the axes x y = 0: A and B are known, C isn't. x^2 y^2 = 0: the best condition there is.
     const RingFit axes = fitQuadric(frameAt(0), ringOn(bowl, 0.1, 4, 0));
@@ -91,7 +91,7 @@ TEST(QuadricFit, SaysWhatARingDoesntDetermine) {
               kInfinity); // tangents as good as one
 }
 
-TEST(QuadricFit, OfDerivativesArePushedOutUpToTheCentreOfCurvature) {
+TEST(QuadricFit, DerivativesPushedOut_StopAtCenterOfCurvature) {
     // Radii 2 and 4 along s and t, of tangents of any length. Pushed in by 1 they are 1 and 3; by 2, and
     // there is no number for the first.
     const auto pushed = [](double offset) {
@@ -115,7 +115,7 @@ SceneObject reliefOn(ControlMesh mesh, int rate, double offset = 0) {
     return object;
 }
 
-TEST(ProxyQuadrics, OfASphereAreHalfItsCurvature) {
+TEST(ProxyQuadrics, Sphere_HasHalfItsCurvature) {
     // z = -(X^2 + Y^2) / (2 R) in right-angled coordinates, so with tangents whose cosine is g A = B = 1 / (2
     // R) and C = g / R. A ring at distance r falls by r^2 / (2 R) (1 + r^2 / (4 R^2)): r <= 0.07 adds 0.1 %.
     // The limit surface of a sphere of 16 segments an edge has the curvature of one to 3 % where we look,
@@ -143,7 +143,7 @@ TEST(ProxyQuadrics, OfASphereAreHalfItsCurvature) {
     EXPECT_GT(square, 50);
 }
 
-TEST(ProxyQuadrics, OfAPatchScaledAreScaled) {
+TEST(ProxyQuadrics, ScaledPatch_HasScaledCoefficients) {
     for (const double size : {1e-3, 1e3}) {
         SceneObject one = reliefOn(makeQuadric(0.4, -0.2, 1, 6), 2), scaled = one;
         scaled.scale = size;
@@ -160,7 +160,7 @@ TEST(ProxyQuadrics, OfAPatchScaledAreScaled) {
     }
 }
 
-TEST(ProxyQuadrics, OfASaddleTurnedBy45DegreesHaveACrossTerm) {
+TEST(ProxyQuadrics, SaddleTurned45Degrees_HasCrossTerm) {
     // The uvs of the patch z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t it doesn't bend, only
     // across.
     ControlMesh mesh = makeQuadric(0.3, -0.3, 1, 8);
@@ -190,7 +190,7 @@ glm::dmat2 shapeOperator(const ProxyVertex& vertex) {
     return glm::inverse(glm::dmat2(1, cosine, cosine, 1)) * glm::dmat2(2 * q.a, q.c, q.c, 2 * q.b);
 }
 
-TEST(ProxyQuadrics, OfTheLimitAreThoseOfTheSurfacePushedOut) {
+TEST(ProxyQuadrics, LimitCoefficients_AreThoseOfOffsetSurface) {
     // Pushed out by o, radii of curvature grow by o in the directions they have: dn = W dP = W' dP' with P' =
     // P + o n, so that W' (1 + o W) = W in any tangents; a vertex has those of P. Uvs turned as well: their
     // tangents aren't the principal directions.

@@ -50,7 +50,7 @@ ControlMesh twoSquares(const Vec2& jump) {
     return mesh;
 }
 
-TEST(Seams, WholeTilesTearNothing) {
+TEST(Seams, JumpByWholeTiles_TearsNothing) {
     const Relief relief = rampRelief();
     EXPECT_EQ(tornOf(twoSquares({0, 0}), Scheme::None, relief).byMap, 0);
     EXPECT_EQ(tornOf(twoSquares({3, -2}), Scheme::None, relief).byMap, 0);
@@ -69,7 +69,7 @@ TEST(Seams, WholeTilesTearNothing) {
     EXPECT_EQ(tornOf(twoSquares({0, 3}), Scheme::None, clamped).byMap, 0);
 }
 
-TEST(Seams, DifferencesBelowAStepOfAnEightBitMapTearNothing) {
+TEST(Seams, DifferenceBelowOneCode_TearsNothing) {
     // The ramp rises by 1/15 in a sixteenth of the map: 16/15 per unit of u. 1/256 of the depth is du =
     // 0.00366.
     const Relief relief = rampRelief();
@@ -80,7 +80,7 @@ TEST(Seams, DifferencesBelowAStepOfAnEightBitMapTearNothing) {
     EXPECT_EQ(tornOf(twoSquares({0.25, 0}), Scheme::None, flat).byMap, 0);
 }
 
-TEST(Seams, OneTexelThatDiffersIsFound) {
+TEST(Seams, OneDifferentTexel_IsFound) {
     // 512 rows, all 0 but one at the middle of the map's height in its right half; the edge runs along t.
     // Sides at u = 0.25 and 0.75 differ over two texels of 512, which 32 places wouldn't meet.
     constexpr int kSize = 512;
@@ -94,7 +94,7 @@ TEST(Seams, OneTexelThatDiffersIsFound) {
     EXPECT_EQ(tornOf(twoSquares({0.125, 0}), Scheme::None, relief).byMap, 0);
 }
 
-TEST(Seams, UvsThatRunTheOtherWayAreHeldAgainstTheSamePlace) {
+TEST(Seams, ReversedUvs_AreComparedAtSamePlace) {
     // The right square's v runs downwards: the sides agree in the middle of the edge alone, where the map
     // varies with t.
     ControlMesh mesh = twoSquares({0, 0});
@@ -108,7 +108,7 @@ TEST(Seams, UvsThatRunTheOtherWayAreHeldAgainstTheSamePlace) {
     EXPECT_EQ(tornOf(mesh, Scheme::None, relief).byMap, 1);
 }
 
-TEST(Seams, BuiltInShapesCloseWhereTheySaySo) {
+TEST(Seams, BuiltInShapes_CloseAsDocumented) {
     Relief relief = rampRelief();
     relief.tile = {8, 3};
     const TornEdges torus = tornOf(makeTorus(1, 0.4, 16, 8), Scheme::CatmullClark, relief);
@@ -118,7 +118,7 @@ TEST(Seams, BuiltInShapesCloseWhereTheySaySo) {
     EXPECT_EQ(tornOf(makeTorus(1, 0.4, 16, 8), Scheme::CatmullClark, relief).byMap, 8);
 }
 
-TEST(Seams, SharpEdgesTearByTheirNormals) {
+TEST(Seams, SharpEdges_TearByNormals) {
     Relief relief;
     relief.map = std::make_shared<HeightMap>(HeightMap::constant("constant", 0.5f));
     relief.depth = 0.1;
@@ -142,7 +142,7 @@ TEST(Seams, SharpEdgesTearByTheirNormals) {
     EXPECT_EQ(tornOf(creased, Scheme::CatmullClark, relief).byNormals, 2);
 }
 
-TEST(Seams, NgonsAndTrianglesAreComparedAlongTheirWholeEdges) {
+TEST(Seams, NgonAndTriangleEdges_AreComparedInFull) {
     // A prism over a pentagon without normals: angle-weighted ones are one a vertex. Normals of the faces
     // tear all 15.
     ControlMesh mesh = prismMesh(5);
@@ -160,7 +160,7 @@ TEST(Seams, NgonsAndTrianglesAreComparedAlongTheirWholeEdges) {
     EXPECT_EQ(tornOf(triangles, Scheme::Loop, relief).byNormals, 5);
 }
 
-TEST(Seams, WarningsSayWhatBecomesOfThem) {
+TEST(Seams, Warning_NamesTreatment) {
     SceneObject object;
     object.name = "squares";
     object.mesh = twoSquares({0.25, 0});

@@ -13,7 +13,7 @@ TomlTable parse(const std::string& text) {
     return TomlTable::parse("a.toml", text);
 }
 
-TEST(TomlTable, ReadsWhatIsAskedFor) {
+TEST(TomlTable, RequestedFields_AreRead) {
     const TomlTable root = parse("name = 'n'\nflag = true\ncount = 3\nsize = 2\nplace = [1, 2.5, -3]\n"
                                  "[camera]\nwidth = 8\n[[light]]\nname='a'\n[[light]]\nname='b'\n");
     EXPECT_EQ(root.text("name"), "n");
@@ -27,7 +27,7 @@ TEST(TomlTable, ReadsWhatIsAskedFor) {
     EXPECT_NO_THROW(root.finish());
 }
 
-TEST(TomlTable, ArraysOfWholeNumbersAndInlineTables) {
+TEST(TomlTable, ArraysAndInlineTables_AreRead) {
     const TomlTable root = parse("a = [3, 1, 2]\nb = []\nc = [1, 2.5]\nt = [{ x = 1 },\n{ x = 2, y = 3 }]\n");
     EXPECT_THAT(root.integers("a", 1, 3), ElementsAre(3, 1, 2));
     EXPECT_TRUE(root.integers("b", 1, 3).empty());
@@ -41,7 +41,7 @@ TEST(TomlTable, ArraysOfWholeNumbersAndInlineTables) {
     EXPECT_EQ(inputErrorOf([&] { tables[1].finish(); }), "a.toml:5: t.y: unknown field; expected x");
 }
 
-TEST(TomlTable, FallbacksStandForMissingFieldsAlone) {
+TEST(TomlTable, Fallback_ReplacesOnlyMissingField) {
     const TomlTable root = parse("a = 1\n");
     EXPECT_EQ(root.integer("b", 0, 9, 5), 5);
     EXPECT_EQ(root.number("b", 0, 9, 0.5), 0.5);
@@ -53,7 +53,7 @@ TEST(TomlTable, FallbacksStandForMissingFieldsAlone) {
               "a.toml:1: b: is missing; expected a whole number from 0 to 9");
 }
 
-TEST(TomlTable, WrongTypesAndRanges) {
+TEST(TomlTable, WrongTypeOrRange_IsRefused) {
     const TomlTable root = parse("a = 1.5\nb = 'text'\nc = [1, 2]\nd = nan\ne = inf\nf = 2024-01-01\n"
                                  "g = 99999999999\nh = [1, 'x', 3]\n[t]\nu = -1\n");
     EXPECT_EQ(inputErrorOf([&] { root.integer("a", 0, 9); }),
@@ -74,7 +74,7 @@ TEST(TomlTable, WrongTypesAndRanges) {
     EXPECT_THAT(inputErrorOf([&] { root.boolean("a"); }), HasSubstr("true or false"));
 }
 
-TEST(TomlTable, UnknownFieldsAreErrors) {
+TEST(TomlTable, UnknownField_IsRefusedWithHint) {
     const TomlTable root = parse("widht = 3\n");
     root.integer("width", 0, 9, 1);
     root.integer("height", 0, 9, 1);
@@ -82,7 +82,7 @@ TEST(TomlTable, UnknownFieldsAreErrors) {
               "a.toml:1: widht: unknown field; expected height or width; did you mean 'width'?");
 }
 
-TEST(TomlTable, TextsOfOneLine) {
+TEST(TomlTable, MultilineText_IsRefused) {
     const TomlTable root = parse("a = 'one'\nb = ''\nc = \"x\\ny\"\nd = 3\n");
     EXPECT_EQ(root.line("a"), "one");
     EXPECT_EQ(inputErrorOf([&] { root.line("b"); }), "a.toml:2: b: is empty; expected a text of one line");
@@ -92,7 +92,7 @@ TEST(TomlTable, TextsOfOneLine) {
     EXPECT_EQ(inputErrorOf([&] { root.line("e"); }), "a.toml:1: e: is missing; expected a text of one line");
 }
 
-TEST(TomlTable, ElementsOfListsAreNamedWithTheirOwnLine) {
+TEST(TomlTable, FaultyElement_NamesItsLine) {
     TomlTable root = parse("a = [\n  'x',\n  'y',\n]\nb = ['x',\n'x']\nc = ['x',\n'']\nd = ['x',\n3]\n");
     const std::vector<std::string> known{"x", "yes"};
     EXPECT_THAT(root.distinctTexts("a"), ElementsAre("x", "y"));
@@ -111,14 +111,14 @@ TEST(TomlTable, ElementsOfListsAreNamedWithTheirOwnLine) {
               "--scene-set: holds the text \"y\"; expected x or yes");
 }
 
-TEST(TomlTable, ChoicesHaveHints) {
+TEST(TomlTable, UnknownChoice_HasHint) {
     EXPECT_EQ(inputErrorOf([] {
                   parse("\nwrap = 'repaet'").choice("wrap", {"repeat", "clamp"});
               }),
               "a.toml:2: wrap: is the text \"repaet\"; expected repeat or clamp; did you mean 'repeat'?");
 }
 
-TEST(TomlTable, SyntaxErrorsHaveTheirLine) {
+TEST(TomlTable, SyntaxError_NamesItsLine) {
     EXPECT_THAT(inputErrorOf([] { parse("a = 1\nb = = 2\n"); }), HasSubstr("a.toml:2: is not valid TOML"));
     EXPECT_THAT(inputErrorOf([] { parse("a = 1\na = 2\n"); }), HasSubstr("a.toml:2"));
     EXPECT_THAT(inputErrorOf([] { parse("a = \"\xff\xfe\"\n"); }), HasSubstr("not valid TOML"));
@@ -126,7 +126,7 @@ TEST(TomlTable, SyntaxErrorsHaveTheirLine) {
     EXPECT_THAT(inputErrorOf([] { parse("a = " + std::string(100000, '[')); }), HasSubstr("not valid TOML"));
 }
 
-TEST(TomlTable, KeysAreNoDeeperThanTheParserCanGo) {
+TEST(TomlTable, DeepKeys_AreRefusedBeforeParsing) {
     const auto deep = [](int parts) {
         std::string key = "a";
         for (int i = 1; i < parts; ++i)

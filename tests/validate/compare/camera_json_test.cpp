@@ -28,7 +28,7 @@ Scene describedScene() {
 }
 
 /// By nothing but the file's own numbers and its words about them.
-TEST(CameraJson, ItsMatrixAndFieldOfViewProjectAsTheCameraDoes) {
+TEST(CameraJson, MatrixAndFov_ProjectAsCamera) {
     const Scene scene = describedScene();
     const auto json = nlohmann::json::parse(cameraJson(scene));
     const Vec4 world(0.3, 0.4, -0.5, 1);
@@ -52,7 +52,7 @@ TEST(CameraJson, ItsMatrixAndFieldOfViewProjectAsTheCameraDoes) {
     EXPECT_FALSE(json.contains("view_height"));
 }
 
-TEST(CameraJson, LightsObjectsAndTheOtherProjection) {
+TEST(CameraJson, LightsObjectsOrthographic_AreWritten) {
     Scene scene = describedScene();
     scene.camera.projection = Camera::Projection::Orthographic;
     scene.camera.viewHeight = 2.5;
@@ -70,7 +70,7 @@ TEST(CameraJson, LightsObjectsAndTheOtherProjection) {
     EXPECT_FALSE(json["objects"][0].contains("relief_depth"));
 }
 
-TEST(CameraJson, NamesThatAreNoTextDoNotStopIt) {
+TEST(CameraJson, NonUtf8Names_AreWritten) {
     Scene scene = describedScene();
     scene.lights[0].name = "s\xffn";
     EXPECT_EQ(nlohmann::json::parse(cameraJson(scene))["lights"][0]["name"], "s\xef\xbf\xbdn");

@@ -18,7 +18,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-RC_GTEST_PROP(CompareProperty, PooledCountsAreTheSumsOfTheReliefObjects, ()) {
+RC_GTEST_PROP(CompareProperty, PooledCounts_AreSumsOfReliefObjects, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     auto objects = threeObjects();
     objects[1].reliefDepth = 0; // object 2 has no relief: in the list, not in the pool
@@ -30,7 +30,7 @@ RC_GTEST_PROP(CompareProperty, PooledCountsAreTheSumsOfTheReliefObjects, ()) {
         RC_ASSERT(*result.pooled.figure(key, "sun") == *one.figure(key, "sun") + *three.figure(key, "sun"));
 }
 
-TEST(Compare, AFrameWithItself) {
+TEST(Compare, FrameWithItself_HasNoError) {
     Frame frame = emptyFrame(8, 8);
     paintRectangle(frame, 1, 1, 6, 7);
     set(frame, "shadow.sun", 3, 3, 1);
@@ -50,7 +50,7 @@ TEST(Compare, AFrameWithItself) {
         EXPECT_TRUE(metrics.figure(key, "sun")) << key;
 }
 
-TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
+TEST(Compare, MissingChannels_AreNoted) {
     Frame reference = emptyFrame(2, 1);
     paintRectangle(reference, 0, 0, 2, 1);
     Frame test(2, 1);
@@ -70,7 +70,7 @@ TEST(Compare, SaysWhatIsMissingAndWhatThatRulesOut) {
     EXPECT_FALSE(result.pooled.figure("shadow.agreement", "sun"));
 }
 
-TEST(Compare, SaysThatThereAreNoIntervals) {
+TEST(Compare, NoUncertainChannels_AreNoted) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
     frame.metadata["light.sun"] = "to_light 0 0 1";
@@ -81,7 +81,7 @@ TEST(Compare, SaysThatThereAreNoIntervals) {
                             "the reference frame has no channel uncertain: no intervals"));
 }
 
-TEST(Compare, NothingMissingMeansNoNotes) {
+TEST(Compare, CompleteFrames_HaveNoNotes) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
     addUncertainty(frame);
@@ -91,7 +91,7 @@ TEST(Compare, NothingMissingMeansNoNotes) {
 
 // paintPixel's normal is +z, the camera stands there too: a light from the front leaves nothing attached, one
 // from behind all.
-TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
+TEST(Compare, Lights_ComeFromReferencesHeaderFirst) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
     Frame lit = frame, dark = frame;
@@ -114,7 +114,7 @@ TEST(Compare, LightsComeFromTheReferencesHeaderOrElseTheTests) {
 }
 
 // Whatever runs side by side writes its own figures: one thread gives the same as all.
-TEST(Compare, ThreadsChangeNothing) {
+TEST(Compare, AnyThreadCount_GivesEqualResult) {
     Frame reference = emptyFrame(64, 48);
     paintRectangle(reference, 5, 5, 40, 40, 1);
     paintRectangle(reference, 20, 10, 60, 30, 2);
@@ -134,7 +134,7 @@ TEST(Compare, ThreadsChangeNothing) {
 }
 
 // Camera at (0, 0, 3) looking down -z: the point (5, 7, 1) has the planar depth 2, wherever it is sideways.
-TEST(PlanarDepth, FromPositionsAndTheCamera) {
+TEST(PlanarDepth, NoZ_UsesPositionsAndCamera) {
     Frame frame(1, 1);
     frame.add("P.X")[0] = 5;
     frame.add("P.Y")[0] = 7;

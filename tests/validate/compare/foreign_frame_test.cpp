@@ -148,7 +148,7 @@ void expectVectors(const Frame& frame, const std::string& prefix) {
         }
 }
 
-TEST_F(ForeignFrames, OfBlender) {
+TEST_F(ForeignFrames, Blender_IsImported) {
     const Frame frame = settled(blenderPlanes());
     expectCoverage(frame);
     EXPECT_TRUE(frame.has("id"));
@@ -160,7 +160,7 @@ TEST_F(ForeignFrames, OfBlender) {
     EXPECT_THAT(notes_, Contains(HasSubstr("normals are taken as in a world with Y up")));
 }
 
-TEST_F(ForeignFrames, OfBlenderWithoutNumbersAreCoveredWhereTheDepthIs) {
+TEST_F(ForeignFrames, BlenderWithoutIndex_IsCoveredByDepth) {
     Planes planes = blenderPlanes();
     planes["ViewLayer.IndexOB.X"] = plane(0, [](const Hit&) { return 0; });
     Frame frame = settled(planes);
@@ -175,7 +175,7 @@ TEST_F(ForeignFrames, OfBlenderWithoutNumbersAreCoveredWhereTheDepthIs) {
     expectCoverage(settled(planes));
 }
 
-TEST_F(ForeignFrames, OfBlenderWithSomeNumbersSayWhatIsLost) {
+TEST_F(ForeignFrames, BlenderWithPartialIndex_NotesLoss) {
     Planes planes = blenderPlanes();
     auto& id = planes["ViewLayer.IndexOB.X"];
     *std::find(id.begin(), id.end(), 1.0f) = 0;
@@ -184,7 +184,7 @@ TEST_F(ForeignFrames, OfBlenderWithSomeNumbersSayWhatIsLost) {
 }
 
 // Whoever writes our names may still write 1e10 for nothing; this program doesn't.
-TEST_F(ForeignFrames, OfStrangersWithOurNamesHaveNoDepthOfNothing) {
+TEST_F(ForeignFrames, OwnNamesFromOtherProgram_LoseInfiniteDepth) {
     Planes planes{{"Z", plane(1e10, [](const Hit& hit) { return hit.depth; })},
                   {"id", plane(1, [](const Hit&) { return 1; })}};
     ForeignFrame foreign = read(planes);
@@ -199,7 +199,7 @@ TEST_F(ForeignFrames, OfStrangersWithOurNamesHaveNoDepthOfNothing) {
     EXPECT_EQ(own.frame.channel("Z")[0], 1e10f);
 }
 
-TEST_F(ForeignFrames, ADepthOfNothingUnderANumberIsNoDepth) {
+TEST_F(ForeignFrames, InfiniteDepthUnderId_IsNoDepth) {
     Planes planes = blenderPlanes();
     const auto& id = planes["ViewLayer.IndexOB.X"];
     const auto covered = static_cast<size_t>(std::find(id.begin(), id.end(), 1.0f) - id.begin());
@@ -209,7 +209,7 @@ TEST_F(ForeignFrames, ADepthOfNothingUnderANumberIsNoDepth) {
     EXPECT_TRUE(std::isinf(frame.channel("Z")[covered])); // counted as invalid, no error of 1e10
 }
 
-TEST_F(ForeignFrames, TheSpaceOfPositionsIsMeasured) {
+TEST_F(ForeignFrames, PositionSpace_IsMeasured) {
     Planes planes = blenderPlanes();
     addVector(planes, "ViewLayer.Position", [](const Hit& hit) { return zUp(hit.position); });
     addVector(planes, "ViewLayer.Normal", [](const Hit& hit) { return zUp(hit.normal); });
@@ -230,7 +230,7 @@ TEST_F(ForeignFrames, TheSpaceOfPositionsIsMeasured) {
                 HasSubstr("pixels beside their own in the median; expected the reference's camera"));
 }
 
-TEST_F(ForeignFrames, OfMitsubaWithDistances) {
+TEST_F(ForeignFrames, MitsubaDistances_AreImported) {
     const double near = 0.01; // the default of near_clip
     const CameraRays rays(sphereCamera());
     const auto fromNearPlane = [&](const Hit& hit) { return hit.distance * (1 - near / hit.depth); };
@@ -250,7 +250,7 @@ TEST_F(ForeignFrames, OfMitsubaWithDistances) {
     expectDepth(settled(planes, {"dd.y.T=distance+0.01"}));
 }
 
-TEST_F(ForeignFrames, OfMitsubaWithPositionsTakeDepthFromThose) {
+TEST_F(ForeignFrames, MitsubaPositions_GiveDepth) {
     Planes planes{{"dd.T", plane(0, [](const Hit& hit) { return hit.distance; })}};
     addVector(planes, "position", positionOf);
     const Frame frame = settled(planes);
@@ -275,7 +275,7 @@ Planes pbrtPlanes(bool cameraSpace) {
     return planes;
 }
 
-TEST_F(ForeignFrames, OfPbrtInEitherSpace) {
+TEST_F(ForeignFrames, PbrtInEitherSpace_IsImported) {
     for (const bool cameraSpace : {true, false}) {
         const Frame frame = settled(pbrtPlanes(cameraSpace));
         expectCoverage(frame);
@@ -291,7 +291,7 @@ TEST_F(ForeignFrames, OfPbrtInEitherSpace) {
     }
 }
 
-TEST_F(ForeignFrames, WithOurNamesAreTakenAsTheyAre) {
+TEST_F(ForeignFrames, OwnNames_AreUnchanged) {
     Planes planes{
         {"Z", plane(kInfinity, [](const Hit& hit) { return hit.depth; })},
         {"A", plane(0, [](const Hit&) { return 1; })},
@@ -307,14 +307,14 @@ TEST_F(ForeignFrames, WithOurNamesAreTakenAsTheyAre) {
 }
 
 /// A single layer of Blender: A is 1 all over, the depth of nothing 1e10.
-TEST_F(ForeignFrames, ADepthOfNothingIsNoCoverage) {
+TEST_F(ForeignFrames, InfiniteDepth_IsNoCoverage) {
     const Planes planes{{"Z", plane(1e10, [](const Hit& hit) { return hit.depth; })},
                         {"A", plane(1, [](const Hit&) { return 1; })}};
     expectCoverage(settled(planes));
     EXPECT_THAT(notes_, Contains(HasSubstr("pixels have A = 1 and the depth of nothing")));
 }
 
-TEST_F(ForeignFrames, MapsNameAndTurnChannels) {
+TEST_F(ForeignFrames, ChannelMap_RenamesAndNegates) {
     Planes planes{{"depth=m", plane(0, [](const Hit& hit) { return hit.depth; })},
                   {"mask", plane(0, [](const Hit&) { return 1; })}};
     addVector(planes, "nrm", [](const Hit& hit) { return zUp(hit.normal); });
@@ -326,7 +326,7 @@ TEST_F(ForeignFrames, MapsNameAndTurnChannels) {
                 Contains(HasSubstr("A is mask, N.X is nrm.X, N.Y is nrm.Z, N.Z is -nrm.Y, Z is depth=m")));
 }
 
-TEST_F(ForeignFrames, MapsThatCanNotBeMeant) {
+TEST_F(ForeignFrames, InvalidChannelMap_IsRefused) {
     const auto error = [](const std::string& text) {
         return inputErrorOf([&] { parseChannelMap(std::vector{text}); });
     };
@@ -344,7 +344,7 @@ TEST_F(ForeignFrames, MapsThatCanNotBeMeant) {
     EXPECT_THAT(missing, HasSubstr("did you mean 'ViewLayer.Depth.Z'?"));
 }
 
-TEST_F(ForeignFrames, TwoLayersNeedAChoice) {
+TEST_F(ForeignFrames, TwoLayers_NeedMap) {
     Planes planes = blenderPlanes();
     planes["Other.Depth.Z"] = planes["ViewLayer.Depth.Z"];
     EXPECT_THAT(errorOf(planes), HasSubstr("both Other.Depth.Z and ViewLayer.Depth.Z could be Z"));
@@ -354,7 +354,7 @@ TEST_F(ForeignFrames, TwoLayersNeedAChoice) {
     settled(planes); // is none
 }
 
-TEST_F(ForeignFrames, WithoutAnythingOfAFrameAreRefused) {
+TEST_F(ForeignFrames, NoUsableChannel_IsRefused) {
     const std::string error = errorOf({{"albedo.R", plane(0, [](const Hit&) { return 1; })}});
     EXPECT_THAT(error, HasSubstr("has no channel of a frame; its channels are albedo.R"));
     EXPECT_THAT(error, HasSubstr("--map THEIRS=OURS"));

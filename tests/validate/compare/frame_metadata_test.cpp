@@ -38,7 +38,7 @@ Frame frameOf(const Scene& scene) {
     return frame;
 }
 
-TEST(FrameMetadata, ObjectsComeBackAsTheyWere) {
+TEST(FrameMetadata, Objects_RoundTrip) {
     const Scene scene = twoObjects();
     const auto written = objectsOf(scene), read = objectsFromHeader(frameOf(scene), "a.exr");
     ASSERT_EQ(written.size(), 2u);
@@ -57,7 +57,7 @@ TEST(FrameMetadata, ObjectsComeBackAsTheyWere) {
     EXPECT_FALSE(read[1].map->repeatT);
 }
 
-TEST(FrameMetadata, LightsComeBackAsTheyWere) {
+TEST(FrameMetadata, Lights_RoundTrip) {
     Scene scene = twoObjects();
     scene.lights.resize(2);
     scene.lights[0].name = "sun";
@@ -89,7 +89,7 @@ TEST(FrameMetadata, LightsComeBackAsTheyWere) {
     }
 }
 
-TEST(FrameMetadata, CameraComesBackAsItWas) {
+TEST(FrameMetadata, Camera_RoundTrips) {
     Scene scene = twoObjects();
     for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic}) {
         scene.camera.projection = projection;
@@ -103,7 +103,7 @@ TEST(FrameMetadata, CameraComesBackAsItWas) {
     }
 }
 
-TEST(FrameMetadata, ForeignFramesSayNothing) {
+TEST(FrameMetadata, ImportedFrame_HasNone) {
     Frame frame(1, 1);
     frame.metadata["object.color"] = "red";
     frame.metadata["object.x.relief_depth"] = "0.1";
@@ -113,7 +113,7 @@ TEST(FrameMetadata, ForeignFramesSayNothing) {
     EXPECT_FALSE(cameraFromHeader(frame, "a.exr"));
 }
 
-TEST(FrameMetadata, UnreadableFieldsOfStrangersAreLeftOut) {
+TEST(FrameMetadata, UnreadableFieldsOfImportedFrame_AreLeftOut) {
     Frame frame(1, 1);
     frame.metadata = {{"object.1.name", "box"},
                       {"object.1.relief_depth", "0.1 m"},
@@ -128,7 +128,7 @@ TEST(FrameMetadata, UnreadableFieldsOfStrangersAreLeftOut) {
     EXPECT_THAT(leftOutFields(frame, "a.exr"), ElementsAre("object.1.map_texels", "object.1.relief_depth"));
 }
 
-TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
+TEST(FrameMetadata, UnreadableOwnFields_AreRefusedByName) {
     const auto message = [](const std::string& key, const std::string& value) -> std::string {
         Frame frame(1, 1);
         frame.metadata["program"] = "plumbline 0.1.0";
@@ -173,7 +173,7 @@ TEST(FrameMetadata, UnreadableValuesAreRefusedByName) {
                 HasSubstr("is of a picture of 2 x 1 pixels, the frame has 1 x 1"));
 }
 
-TEST(FrameMetadata, StrangersWordsThatAreLeftOutAreNamed) {
+TEST(FrameMetadata, IgnoredFields_AreListed) {
     Frame frame(1, 1);
     frame.add("shadow.sun");
     frame.metadata = {{"camera", "Cam01"}, {"light.sun", "bright"}, {"light.fill", "no shadow of it"}};

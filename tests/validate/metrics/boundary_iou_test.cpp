@@ -25,7 +25,7 @@ BoundaryIou pooled(const Frame& reference, const Frame& test) {
     return boundaryOf(pair, allOf(pair));
 }
 
-TEST(BoundaryIou, IdenticalSquares) {
+TEST(BoundaryIou, IdenticalSquares_AreOne) {
     Frame frame = emptyFrame(20, 20);
     paintRectangle(frame, 4, 4, 14, 14);
     const BoundaryIou result = pooled(frame, frame);
@@ -42,7 +42,7 @@ TEST(BoundaryIou, IdenticalSquares) {
 // Columns and rows 4 … 13 against columns 5 … 14. Rims of 1 px: the squares' contours, 36 pixels each. Both
 // have columns 5 … 13 of rows 4 and 13: 18 pixels, and nothing else: column 4 is outside the test, 14 outside
 // the reference; columns 5 and 13 of rows 5 … 12 are rim of one only. IoU 18 / (36 + 36 - 18) = 1/3.
-TEST(BoundaryIou, SquareShiftedByOnePixel) {
+TEST(BoundaryIou, SquareShiftedByOne_EqualsHandComputed) {
     Frame reference = emptyFrame(20, 20);
     paintRectangle(reference, 4, 4, 14, 14);
     const BoundaryIou result = pooled(reference, shiftedRight(reference));
@@ -54,7 +54,7 @@ TEST(BoundaryIou, SquareShiftedByOnePixel) {
 // A pixel of nothing in a field 9 x 9 of the object. Rim of 2 px: those at most 2 away from it, by the
 // circle: 4 straight, 4 at sqrt(2), 4 at 2; not the 8 at sqrt(5). A square of erosion would take all 24. Rim
 // of 1 px: 4. The picture's border is none.
-TEST(BoundaryIou, DistanceIsEuclidean) {
+TEST(BoundaryIou, Distance_IsEuclidean) {
     Frame frame = emptyFrame(9, 9);
     paintRectangle(frame, 0, 0, 9, 9);
     set(frame, "id", 4, 4, 0);
@@ -65,13 +65,13 @@ TEST(BoundaryIou, DistanceIsEuclidean) {
 }
 
 // 300 x 400: the diagonal is 500, 2 % of it 10 px exactly; column 0 … 9 is outside, 10 … 19 the rim.
-TEST(BoundaryIou, TwoPercentOfTheDiagonal) {
+TEST(BoundaryIou, TwoPercent_IsOfDiagonal) {
     Frame frame = emptyFrame(400, 300);
     paintRectangle(frame, 10, 0, 400, 300);
     EXPECT_EQ(pooled(frame, frame).at[k2pct].unionPx, 10u * 300u);
 }
 
-TEST(BoundaryIou, OnePixelMasks) {
+TEST(BoundaryIou, OnePixelMasks_AreDefined) {
     Frame a = emptyFrame(9, 9), b = emptyFrame(9, 9);
     paintPixel(a, 0, 0, 1, 2); // in the corner
     paintPixel(b, 1, 0, 1, 2);
@@ -80,7 +80,7 @@ TEST(BoundaryIou, OnePixelMasks) {
     EXPECT_EQ(pooled(a, b).at[k4px].unionPx, 2u);
 }
 
-TEST(BoundaryIou, WithoutAnOutlineItIsAbsent) {
+TEST(BoundaryIou, NoOutline_IsAbsent) {
     const Frame empty = emptyFrame(6, 5);
     Frame full = empty, square = empty;
     paintRectangle(full, 0, 0, 6, 5);
@@ -100,7 +100,7 @@ TEST(BoundaryIou, WithoutAnOutlineItIsAbsent) {
 }
 
 // Objects 1 and 2 side by side: the line between them is outline of both, pooled too.
-TEST(BoundaryIou, ObjectsHaveRimsOfTheirOwn) {
+TEST(BoundaryIou, TwoObjects_HaveOwnRims) {
     Frame frame = emptyFrame(8, 4);
     paintRectangle(frame, 0, 0, 4, 4, 1);
     paintRectangle(frame, 4, 0, 8, 4, 2);
@@ -108,7 +108,7 @@ TEST(BoundaryIou, ObjectsHaveRimsOfTheirOwn) {
     EXPECT_EQ(boundaryOf(pair, allOf(pair)).at[k1px].unionPx, 8u);
 }
 
-TEST(BoundaryIou, WithoutUncertaintyThereIsNoInterval) {
+TEST(BoundaryIou, NoUncertainChannel_HasNoInterval) {
     Frame frame = emptyFrame(6, 6);
     paintRectangle(frame, 2, 2, 4, 4);
     EXPECT_THAT(pooled(frame, frame).at[k1px].range.low.reason(), HasSubstr("no channel uncertain"));
@@ -185,14 +185,14 @@ Frame boxesFrame() {
     return frame;
 }
 
-RC_GTEST_PROP(BoundaryIouProperty, EqualsAllPairsOfPixels, ()) {
+RC_GTEST_PROP(BoundaryIouProperty, RandomFrames_EqualAllPairs, ()) {
     const bool boxes = *rc::gen::arbitrary<bool>();
     const Frame a = boxes ? boxesFrame() : randomFrame(), b = boxes ? boxesFrame() : randomFrame();
     expectSlowVersion(a, b, {0, 1, 2});
     expectSlowVersion(a, b, {1});
 }
 
-RC_GTEST_PROP(BoundaryIouProperty, SymmetricAndTheSameWhenFlipped, ()) {
+RC_GTEST_PROP(BoundaryIouProperty, SwappedOrFlipped_IsEqual, ()) {
     const Frame a = boxesFrame(), b = boxesFrame();
     const BoundaryIou result = pooled(a, b);
     for (const BoundaryIou& other : {pooled(b, a), pooled(flippedHorizontally(a), flippedHorizontally(b)),
@@ -205,7 +205,7 @@ RC_GTEST_PROP(BoundaryIouProperty, SymmetricAndTheSameWhenFlipped, ()) {
 
 // Wider rims hold narrower ones, so the sums grow; the silhouettes hold all of them. The rim of 1 px is the
 // contour.
-RC_GTEST_PROP(BoundaryIouProperty, SumsGrowWithTheWidth, ()) {
+RC_GTEST_PROP(BoundaryIouProperty, WiderRim_HasLargerSums, ()) {
     const Frame a = boxesFrame(), b = boxesFrame();
     const FramePair pair(a, b, threeObjects());
     const size_t first = 0;
@@ -237,7 +237,7 @@ std::vector<std::vector<int>> trueImages(const Frame& reference) {
     return images;
 }
 
-RC_GTEST_PROP(BoundaryIouProperty, NoTrueImageLiesOutsideTheInterval, ()) {
+RC_GTEST_PROP(BoundaryIouProperty, TrueImages_LieInInterval, ()) {
     Frame reference = randomFrame();
     const Frame test = randomFrame();
     addUncertainty(reference);

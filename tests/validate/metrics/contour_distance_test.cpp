@@ -31,7 +31,7 @@ Frame disc(int size, double radius) {
 }
 
 // A 4 x 4 square's contour is all of it but the 2 x 2 inside.
-TEST(ContourDistance, IdenticalSquaresAreZeroApart) {
+TEST(ContourDistance, IdenticalSquares_AreZero) {
     Frame frame = emptyFrame(10, 10);
     paintRectangle(frame, 3, 2, 7, 6);
     const ContourDistance result = pooled(frame, frame);
@@ -49,7 +49,7 @@ TEST(ContourDistance, IdenticalSquaresAreZeroApart) {
 //     moved right
 //         column, 3 away: 1 2 3 3 3 3 2 1 = 18
 // 54 each way by symmetry (turned by 180 degrees): mean 108 / 112. Rank ceil(0.95 * 56) = 54 of 56: 3.
-TEST(ContourDistance, RectangleShiftedByThreePixels) {
+TEST(ContourDistance, RectangleShiftedByThree_HasHandComputedDistance) {
     Frame reference = emptyFrame(40, 20), test = emptyFrame(40, 20);
     paintRectangle(reference, 5, 5, 25, 15);
     paintRectangle(test, 8, 5, 28, 15);
@@ -64,7 +64,7 @@ TEST(ContourDistance, RectangleShiftedByThreePixels) {
 // is outside. So no two pixels of the contours of r and r + k are k - 1 apart or less. From a pixel of the
 // one walk outwards or inwards: where the nearest pixel centres change from inside the other disc to outside,
 // at r + k +- sqrt(2) / 2, there is one of its contour within sqrt(2) / 2: at most k + 1 + sqrt(2).
-TEST(ContourDistance, ConcentricDiscsAreTheDifferenceOfTheirRadiiApart) {
+TEST(ContourDistance, ConcentricDiscs_AreRadiusDifference) {
     for (const int k : {2, 5, 12}) {
         const ContourDistance result = pooled(disc(81, 20), disc(81, 20 + k));
         EXPECT_GT(*result.meanPx, k - 1);
@@ -74,7 +74,7 @@ TEST(ContourDistance, ConcentricDiscsAreTheDifferenceOfTheirRadiiApart) {
 }
 
 // 3 right and 4 down: 5.
-TEST(ContourDistance, OnePixelEach) {
+TEST(ContourDistance, OnePixelEach_IsTheirDistance) {
     Frame reference = emptyFrame(9, 9), test = emptyFrame(9, 9);
     paintPixel(reference, 2, 1, 1, 2);
     paintPixel(test, 5, 5, 1, 2);
@@ -88,7 +88,7 @@ TEST(ContourDistance, OnePixelEach) {
 // ceil(0.95 * 40) = 38: 0. Mean 10 / 79. With 19 pixels rank ceil(0.95 * 20) = 19 of 20: 0 still; with 18,
 // ceil(18.05) = 19 of 19: 10. The directed percentiles are never pooled: 10 would be the last of 37, rank
 // ceil(35.15) = 36: 0.
-TEST(ContourDistance, HausdorffIsTheLargerOfTheTwoDirectedPercentiles) {
+TEST(ContourDistance, Hausdorff_IsLargerDirectedPercentile) {
     for (const auto& [count, expected] : {std::pair(39, 0.0), {19, 0.0}, {18, 10.0}}) {
         Frame reference = emptyFrame(45, 14);
         paintRectangle(reference, 1, 1, 1 + count, 2);
@@ -104,7 +104,7 @@ TEST(ContourDistance, HausdorffIsTheLargerOfTheTwoDirectedPercentiles) {
 
 // Columns 0 … 2 against 0 … 4 of a picture 8 x 6, all rows: the border has no contour, so each has one column
 // of 6 pixels, two apart.
-TEST(ContourDistance, ThePicturesBorderIsNoContour) {
+TEST(ContourDistance, ImageBorder_IsNoContour) {
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     paintRectangle(reference, 0, 0, 3, 6);
     paintRectangle(test, 0, 0, 5, 6);
@@ -116,14 +116,14 @@ TEST(ContourDistance, ThePicturesBorderIsNoContour) {
 }
 
 // Neighbours across a corner are none: of a 3 x 3 square with a corner missing the middle is inside.
-TEST(ContourDistance, DiagonalNeighboursDontMakeAContour) {
+TEST(ContourDistance, DiagonalNeighbors_MakeNoContour) {
     Frame frame = emptyFrame(5, 5);
     paintRectangle(frame, 1, 1, 4, 4);
     set(frame, "id", 1, 1, 0);
     EXPECT_EQ(pooled(frame, frame).referencePx, 7u);
 }
 
-TEST(ContourDistance, WithoutAContourThereIsAReason) {
+TEST(ContourDistance, NoContour_IsAbsentWithReason) {
     Frame some = emptyFrame(4, 3), full = emptyFrame(4, 3);
     const Frame nothing = emptyFrame(4, 3);
     paintPixel(some, 1, 1, 1, 2);
@@ -143,7 +143,7 @@ TEST(ContourDistance, WithoutAContourThereIsAReason) {
 }
 
 // Two squares side by side that change places: as one mask nothing moved, each by itself moved by its width.
-TEST(ContourDistance, OfSeveralObjectsTheUnion) {
+TEST(ContourDistance, SeveralObjects_PoolTheUnion) {
     Frame reference = emptyFrame(8, 4), test = emptyFrame(8, 4);
     paintRectangle(reference, 2, 1, 4, 3, 1);
     paintRectangle(reference, 4, 1, 6, 3, 2);
@@ -211,7 +211,7 @@ void expectSlowVersions(const Frame& reference, const Frame& test, const Contour
     RC_ASSERT(std::abs(*result.hausdorff95Px - hausdorff) < kRounding);
 }
 
-RC_GTEST_PROP(ContourDistanceProperty, EqualsAllPairsOfDenseMasks, ()) {
+RC_GTEST_PROP(ContourDistanceProperty, DenseMasks_EqualAllPairs, ()) {
     const Frame reference = randomFrame(), test = randomFrame();
     const FramePair pair(reference, test, threeObjects());
     expectSlowVersions(reference, test, computeContourDistance(pair, allOf(pair)), {1, 2, 3});
@@ -233,12 +233,12 @@ Frame sparseFrame() {
     return frame;
 }
 
-RC_GTEST_PROP(ContourDistanceProperty, EqualsAllPairsOfSparseMasks, ()) {
+RC_GTEST_PROP(ContourDistanceProperty, SparseMasks_EqualAllPairs, ()) {
     const Frame reference = sparseFrame(), test = sparseFrame();
     expectSlowVersions(reference, test, pooled(reference, test), {1});
 }
 
-RC_GTEST_PROP(ContourDistanceProperty, SwappingTheFramesSwapsTheCounts, ()) {
+RC_GTEST_PROP(ContourDistanceProperty, SwappedFrames_SwapCounts, ()) {
     const Frame a = sparseFrame(), b = sparseFrame();
     const ContourDistance there = pooled(a, b), back = pooled(b, a);
     RC_ASSERT(bool(there.meanPx) == bool(back.meanPx));
@@ -250,7 +250,7 @@ RC_GTEST_PROP(ContourDistanceProperty, SwappingTheFramesSwapsTheCounts, ()) {
     RC_ASSERT(there.testPx == back.referencePx);
 }
 
-RC_GTEST_PROP(ContourDistanceProperty, FlippingBothFramesChangesNothing, ()) {
+RC_GTEST_PROP(ContourDistanceProperty, FlippedFrames_AreEqual, ()) {
     const Frame a = sparseFrame(), b = sparseFrame();
     const ContourDistance result = pooled(a, b);
     for (const auto flipped : {flippedHorizontally, flippedVertically}) {

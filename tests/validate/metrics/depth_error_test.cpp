@@ -18,7 +18,7 @@ DepthError pooled(const Frame& reference, const Frame& test, std::vector<ObjectI
     return computeDepthError(pair, allOf(pair), reference.channel("Z"), test.channel("Z"));
 }
 
-TEST(NearestRank, SmallestValueThatEnoughDoNotExceed) {
+TEST(NearestRank, Percentile_IsSmallestValueReached) {
     std::vector<double> values(100);
     std::iota(values.begin(), values.end(), 1.0); // 1 … 100: the p-th percentile is p
     for (const unsigned percent : {1u, 50u, 95u, 99u, 100u})
@@ -35,7 +35,7 @@ TEST(NearestRank, SmallestValueThatEnoughDoNotExceed) {
 //   bias = 0.5/4 = 0.125     MAE = 1/4 = 0.25     RMSE = sqrt((1/16 + 1/16 + 1/4)/4) = sqrt(3/32)
 //   |e| sorted: 0 1/4 1/4 1/2, so p50 = 1/4 (rank 2), p95 = p99 = max = 1/2 (rank 4)
 //   above 1 % and 5 %: three pixels; above 25 %: only 1/2, as 1/4 itself is not above.
-TEST(DepthError, FourPixelsByHand) {
+TEST(DepthError, FourPixels_EqualHandComputed) {
     Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
     paintRectangle(reference, 0, 0, 4, 1, 1, 2.0f);
     const float depths[] = {2.25f, 1.75f, 2.5f, 2.0f};
@@ -58,7 +58,7 @@ TEST(DepthError, FourPixelsByHand) {
 }
 
 // The same error of 1/4 on two objects whose reliefs are 1/2 and 1 deep: 0.5 and 0.25 of the relief.
-TEST(DepthError, RelativeFiguresUseEachPixelsOwnObject) {
+TEST(DepthError, RelativeFigures_UsePixelsObject) {
     Frame reference = emptyFrame(2, 1), test = emptyFrame(2, 1);
     for (int x = 0; x < 2; ++x) {
         paintPixel(reference, x, 0, x + 1, 2.0f);
@@ -71,7 +71,7 @@ TEST(DepthError, RelativeFiguresUseEachPixelsOwnObject) {
     EXPECT_EQ(result.bad25pctPx, 1u); // 0.5 > 0.25, and 0.25 is not
 }
 
-TEST(DepthError, PixelsOnlyOneFrameCoversAreCounted) {
+TEST(DepthError, PixelsOfOneFrame_AreCounted) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
     paintRectangle(reference, 0, 0, 3, 1); // columns 0 1 2
     paintRectangle(test, 2, 0, 6, 1);      // columns 2 3 4 5
@@ -81,7 +81,7 @@ TEST(DepthError, PixelsOnlyOneFrameCoversAreCounted) {
     EXPECT_EQ(result.onlyTestPx, 3u);
 }
 
-TEST(DepthError, DifferentObjectsAreNotCompared) {
+TEST(DepthError, DifferentObjects_AreNotCompared) {
     Frame reference = emptyFrame(1, 1), test = emptyFrame(1, 1);
     paintPixel(reference, 0, 0, 1, 2);
     paintPixel(test, 0, 0, 2, 3);
@@ -91,7 +91,7 @@ TEST(DepthError, DifferentObjectsAreNotCompared) {
     EXPECT_THAT(result.world.max.reason(), HasSubstr("same object"));
 }
 
-TEST(DepthError, ValuesThatAreNotFiniteAreCountedAndLeftOut) {
+TEST(DepthError, NonFiniteDepths_AreCountedApart) {
     Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
     paintRectangle(reference, 0, 0, 4, 1);
     paintRectangle(test, 0, 0, 4, 1);
@@ -111,14 +111,14 @@ TEST(DepthError, ValuesThatAreNotFiniteAreCountedAndLeftOut) {
     EXPECT_FALSE(none.badpix5pct);
 }
 
-TEST(DepthError, LargestFloatsStayFinite) {
+TEST(DepthError, LargestFloats_StayFinite) {
     Frame reference = emptyFrame(1, 1), test = emptyFrame(1, 1);
     paintPixel(reference, 0, 0, 1, -3e38f);
     paintPixel(test, 0, 0, 1, 3e38f);
     EXPECT_NEAR(*pooled(reference, test, {objectWithRelief(1, 0.1)}).world.rmse, 6e38, 1e33);
 }
 
-TEST(DepthError, WithoutAReliefDepthOnlyWorldFigures) {
+TEST(DepthError, NoReliefDepth_GivesWorldFiguresOnly) {
     Frame frame = emptyFrame(2, 2);
     paintRectangle(frame, 0, 0, 2, 2);
     const DepthError none = pooled(frame, frame, {objectWithRelief(1, 0)});
@@ -130,7 +130,7 @@ TEST(DepthError, WithoutAReliefDepthOnlyWorldFigures) {
     EXPECT_THAT(unknown.badpix1pct.reason(), HasSubstr("not known"));
 }
 
-TEST(DepthError, NothingInSight) {
+TEST(DepthError, NothingCovered_IsAbsent) {
     const Frame nothing = emptyFrame(3, 3);
     const DepthError result = pooled(nothing, nothing, {objectWithRelief(1, 0.1)});
     EXPECT_EQ(result.domainPx, 0u);
@@ -139,7 +139,7 @@ TEST(DepthError, NothingInSight) {
         EXPECT_FALSE(figure);
 }
 
-TEST(DepthError, WithoutDepthEveryFigureSaysWhy) {
+TEST(DepthError, NoDepthChannel_IsAbsentWithReason) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
     const FramePair pair(frame, frame, {objectWithRelief(1, 0.1)});
@@ -161,7 +161,7 @@ double percentileByCounting(const std::vector<double>& values, double percent) {
     return best;
 }
 
-RC_GTEST_PROP(DepthErrorProperty, EqualsThePlainVersion, ()) {
+RC_GTEST_PROP(DepthErrorProperty, RandomFrames_EqualPlainVersion, ()) {
     const Frame reference = randomFrame(), test = randomFrame();
     const auto objects = threeObjects();
     std::vector<double> magnitudes;
@@ -196,7 +196,7 @@ RC_GTEST_PROP(DepthErrorProperty, EqualsThePlainVersion, ()) {
     RC_ASSERT(*result.world.max == percentileByCounting(magnitudes, 100));
 }
 
-RC_GTEST_PROP(DepthErrorProperty, SwappingTheFramesNegatesTheBiasAlone, ()) {
+RC_GTEST_PROP(DepthErrorProperty, SwappedFrames_NegateBiasOnly, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     const DepthError there = pooled(a, b, threeObjects()), back = pooled(b, a, threeObjects());
     RC_ASSERT(there.domainPx == back.domainPx);
@@ -206,7 +206,7 @@ RC_GTEST_PROP(DepthErrorProperty, SwappingTheFramesNegatesTheBiasAlone, ()) {
     if (there.world.bias) RC_ASSERT(*there.world.bias == -*back.world.bias);
 }
 
-RC_GTEST_PROP(DepthErrorProperty, IdentityIsZeroAndFlipsChangeNothing, ()) {
+RC_GTEST_PROP(DepthErrorProperty, IdentityAndFlips_KeepZero, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     const DepthError self = pooled(a, a, threeObjects());
     if (self.world.max) RC_ASSERT(*self.world.max == 0.0);

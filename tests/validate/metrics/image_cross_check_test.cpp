@@ -36,7 +36,7 @@ OIIO::ImageBuf codesOf(const Frame& frame) {
     return buffer;
 }
 
-TEST(ImageErrorCrossCheck, RmseAndPsnrAreThoseOfOpenImageIO) {
+TEST(ImageErrorCrossCheck, RmseAndPsnr_EqualOpenImageIO) {
     for (const auto& [seed, noise] : {std::pair(1u, 0.001f), {2u, 0.02f}, {3u, 0.6f}}) {
         const Frame reference = picture(1, 0), test = picture(seed, noise);
         const ImageError ours = computeImageError(FramePair(reference, test, {}));

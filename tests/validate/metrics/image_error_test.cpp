@@ -30,7 +30,7 @@ ImageError errorOf(const Frame& reference, const Frame& test) {
     return computeImageError(FramePair(reference, test, {}));
 }
 
-TEST(ImageError, EqualPicturesHaveNoPsnr) {
+TEST(ImageError, EqualImages_HaveNoPsnr) {
     Frame frame = emptyFrame(4, 3);
     paintCodes(frame, 1, 1, 100, 150, 200);
     const ImageError result = errorOf(frame, frame);
@@ -43,7 +43,7 @@ TEST(ImageError, EqualPicturesHaveNoPsnr) {
 
 // Four pixels, twelve codes: one pixel differs by 3, 4 and 0, another by 0, 0 and 12. Squares: 9 + 16 + 144 =
 // 169; RMSE = sqrt(169 / 12) / 255.
-TEST(ImageError, CountsCodesOfEveryPixelAndChannel) {
+TEST(ImageError, KnownCodes_EqualHandComputed) {
     Frame reference = emptyFrame(2, 2), test = emptyFrame(2, 2);
     paintCodes(reference, 0, 0, 100, 150, 200);
     paintCodes(test, 0, 0, 103, 146, 200);
@@ -59,7 +59,7 @@ TEST(ImageError, CountsCodesOfEveryPixelAndChannel) {
 
 // Every code off by 255: RMSE 1, which is 0 dB. One pixel of 100 off by 255: RMSE sqrt(1 / 100) = 0.1, which
 // is 20 dB.
-TEST(ImageError, DecibelsOfBlackAndWhite) {
+TEST(ImageError, BlackAndWhite_IsZeroDecibels) {
     Frame black = emptyFrame(10, 10), white = emptyFrame(10, 10), dot = emptyFrame(10, 10);
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 10; ++x)
@@ -74,7 +74,7 @@ TEST(ImageError, DecibelsOfBlackAndWhite) {
 }
 
 // A pixel counts once, however many of its channels differ, and not for two codes.
-TEST(ImageError, MoreThanTwoCodesIsStrictly) {
+TEST(ImageError, TwoCodes_AreNotCounted) {
     Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
     for (int x = 0; x < 4; ++x)
         paintCodes(reference, x, 0, 100, 100, 100);
@@ -86,7 +86,7 @@ TEST(ImageError, MoreThanTwoCodesIsStrictly) {
 }
 
 // 1 and 7 are both white, -1 and 0 both black: what a PNG can't show is no difference.
-TEST(ImageError, ClampsAsThePicturesDo) {
+TEST(ImageError, OutOfRangeColors_AreClamped) {
     Frame reference = emptyFrame(2, 1), test = emptyFrame(2, 1);
     set(reference, "R", 0, 0, 1);
     set(test, "R", 0, 0, 7);
@@ -95,7 +95,7 @@ TEST(ImageError, ClampsAsThePicturesDo) {
     EXPECT_EQ(errorOf(reference, test).psnrDb.reason(), "the pictures are equal");
 }
 
-TEST(ImageError, ColoursThatAreNoNumbersAreCountedApart) {
+TEST(ImageError, NanColors_AreCountedApart) {
     Frame reference = emptyFrame(3, 1), test = emptyFrame(3, 1);
     set(reference, "R", 0, 0, kNanF);
     set(test, "B", 1, 0, kInfinityF);
@@ -109,7 +109,7 @@ TEST(ImageError, ColoursThatAreNoNumbersAreCountedApart) {
     EXPECT_EQ(errorOf(reference, test).invalidPx, 3u);
 }
 
-TEST(ImageError, AFrameWithoutColourSaysSo) {
+TEST(ImageError, NoColor_IsAbsentWithReason) {
     const Frame frame = emptyFrame(2, 1);
     Frame grey(2, 1);
     grey.add("A");
@@ -129,7 +129,7 @@ Frame randomPicture() {
     return frame;
 }
 
-RC_GTEST_PROP(ImageErrorProperty, EqualsTheDifferenceOfTheReportsPictures, ()) {
+RC_GTEST_PROP(ImageErrorProperty, RandomFrames_EqualReportsImages, ()) {
     const Frame a = randomPicture(), b = randomPicture();
     const Picture shownA = colorPicture(a), shownB = colorPicture(b);
     double sum = 0;
@@ -140,7 +140,7 @@ RC_GTEST_PROP(ImageErrorProperty, EqualsTheDifferenceOfTheReportsPictures, ()) {
               1e-12);
 }
 
-RC_GTEST_PROP(ImageErrorProperty, SwappingOrFlippingChangesNothing, ()) {
+RC_GTEST_PROP(ImageErrorProperty, SwappedOrFlipped_IsEqual, ()) {
     const Frame a = randomPicture(), b = randomPicture();
     const ImageError result = errorOf(a, b);
     for (const ImageError& other : {errorOf(b, a), errorOf(flippedHorizontally(a), flippedHorizontally(b)),

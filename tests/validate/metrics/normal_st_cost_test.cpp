@@ -39,7 +39,7 @@ void setNormal(Frame& frame, int x, float nx, float ny, float nz) {
 }
 
 // Against +z: the same direction twice as long 0, +x 90, -z 180, and (0, 1, 1) 45 degrees. Mean 315/4.
-TEST(NormalAngle, FourDirectionsByHand) {
+TEST(NormalAngle, FourDirections_EqualHandComputed) {
     const Frame reference = covered(4);
     Frame test = covered(4);
     setNormal(test, 0, 0, 0, 2);
@@ -53,14 +53,14 @@ TEST(NormalAngle, FourDirectionsByHand) {
 }
 
 // acos(1 - 5e-13) would have lost all digits here; the tangent of the angle is 1e-6.
-TEST(NormalAngle, SmallAnglesKeepTheirDigits) {
+TEST(NormalAngle, SmallAngles_KeepDigits) {
     const Frame reference = covered(1);
     Frame test = covered(1);
     setNormal(test, 0, 1e-6f, 0, 1);
     EXPECT_NEAR(*normals(reference, test).meanDegrees, degrees(static_cast<double>(1e-6f)), 1e-15);
 }
 
-TEST(NormalAngle, UnusableNormalsAreCountedAndLeftOut) {
+TEST(NormalAngle, UnusableNormals_AreCountedApart) {
     const Frame reference = covered(3);
     Frame test = covered(3);
     setNormal(test, 0, 0, 0, 0);
@@ -76,14 +76,14 @@ TEST(NormalAngle, UnusableNormalsAreCountedAndLeftOut) {
     EXPECT_EQ(normals(reference, without).meanDegrees.reason(), "the test frame has no channel N.X");
 }
 
-RC_GTEST_PROP(NormalAngleProperty, SymmetricAndZeroAgainstItself, ()) {
+RC_GTEST_PROP(NormalAngleProperty, SwappedIsEqual_IdenticalIsZero, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     RC_ASSERT(normals(a, b).meanDegrees == normals(b, a).meanDegrees);
     if (const Figure self = normals(a, a).p95Degrees) RC_ASSERT(*self == 0.0);
 }
 
 // The map has 100 x 50 texels: 0.03 in s is 3 texels, 0.08 in t is 4; together hypot = 5.
-TEST(StError, ThreeFourFive) {
+TEST(StError, ThreeFourFive_IsFiveTexels) {
     const Frame reference = covered(1);
     Frame test = covered(1);
     set(test, "st.S", 0, 0, 0.53f);
@@ -93,7 +93,7 @@ TEST(StError, ThreeFourFive) {
     EXPECT_NEAR(*result.meanTexels, 5, 5e-6); // 0.53f and 0.42f are off by up to 3e-8, times 100 texels
 }
 
-TEST(StError, SeamOfARepeatingMapIsNoError) {
+TEST(StError, RepeatSeam_IsNoError) {
     Frame reference = covered(1), test = covered(1);
     set(reference, "st.S", 0, 0, 7.75f);
     set(test, "st.S", 0, 0, 0.25f); // 7.5 tiles away, which is half a tile
@@ -105,7 +105,7 @@ TEST(StError, SeamOfARepeatingMapIsNoError) {
     EXPECT_EQ(*coordinates(reference, test, clamped).meanTexels, 800);
 }
 
-TEST(StError, AbsentWithItsReason) {
+TEST(StError, NoSt_IsAbsentWithReason) {
     const Frame frame = covered(2);
     ObjectInfo unknown = objectWithRelief(1, 0.1);
     unknown.map.reset();
@@ -120,7 +120,7 @@ TEST(StError, AbsentWithItsReason) {
     EXPECT_THAT(none.p95Texels.reason(), HasSubstr("finite"));
 }
 
-RC_GTEST_PROP(StErrorProperty, SymmetricAndAtMostHalfATileOnARepeatingMap, ()) {
+RC_GTEST_PROP(StErrorProperty, Repeating_IsSymmetricAndBounded, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     const FramePair there(a, b, threeObjects()), back(b, a, threeObjects());
     const StError result = computeStError(there, allOf(there));
@@ -129,7 +129,7 @@ RC_GTEST_PROP(StErrorProperty, SymmetricAndAtMostHalfATileOnARepeatingMap, ()) {
 }
 
 // Costs 10 … 10, 20 on ten covered pixels; a missed pixel's look-ups are not a covered pixel's cost.
-TEST(FetchCost, MeanAndPercentileOverCoveredPixels) {
+TEST(FetchCost, CoveredPixels_GiveMeanAndPercentile) {
     const Frame reference = emptyFrame(11, 1);
     Frame test = emptyFrame(11, 1);
     paintRectangle(test, 0, 0, 10, 1);
@@ -145,7 +145,7 @@ TEST(FetchCost, MeanAndPercentileOverCoveredPixels) {
 }
 
 // Ten covered pixels spend 3 of the height map and 2 of a baked one, the last 13 and 12.
-TEST(FetchCost, ByKindOfMap) {
+TEST(FetchCost, MapKinds_AreSeparate) {
     const Frame reference = emptyFrame(11, 1);
     Frame test = emptyFrame(11, 1);
     paintRectangle(test, 0, 0, 10, 1);
@@ -161,7 +161,7 @@ TEST(FetchCost, ByKindOfMap) {
 }
 
 // Rounds 0 1 1 4 on four covered pixels; 99 on a missed one.
-TEST(SearchIterations, MeanMostAndHistogramOverCoveredPixels) {
+TEST(SearchIterations, CoveredPixels_GiveMeanAndHistogram) {
     const Frame reference = emptyFrame(5, 1);
     Frame test = emptyFrame(5, 1);
     paintRectangle(test, 0, 0, 4, 1);
@@ -178,7 +178,7 @@ TEST(SearchIterations, MeanMostAndHistogramOverCoveredPixels) {
     EXPECT_EQ(result.histogram, (std::vector<uint64_t>{1, 2, 0, 0, 1}));
 }
 
-TEST(SearchIterations, TheLastBinIsOpen) {
+TEST(SearchIterations, LastBin_IsOpen) {
     const Frame reference = emptyFrame(3, 1);
     Frame test = emptyFrame(3, 1);
     paintRectangle(test, 0, 0, 3, 1);
@@ -192,7 +192,7 @@ TEST(SearchIterations, TheLastBinIsOpen) {
     EXPECT_EQ(*result.most, 4000);
 }
 
-TEST(SearchIterations, AbsentWithItsReason) {
+TEST(SearchIterations, NoChannel_IsAbsentWithReason) {
     const Frame frame = covered(2);
     const FramePair pair(frame, frame, {});
     EXPECT_THAT(computeSearchIterations(pair, allOf(pair)).mean.reason(),
@@ -204,7 +204,7 @@ TEST(SearchIterations, AbsentWithItsReason) {
     EXPECT_THAT(computeSearchIterations(missed, allOf(missed)).most.reason(), HasSubstr("covers no pixel"));
 }
 
-TEST(FetchCost, AbsentWithItsReason) {
+TEST(FetchCost, NoChannel_IsAbsentWithReason) {
     const Frame frame = covered(2);
     const FramePair pair(frame, frame, {});
     EXPECT_THAT(computeFetchCost(pair, allOf(pair)).mean.reason(), HasSubstr("cost.fetches"));

@@ -29,7 +29,7 @@ Frame shadowRow(const std::string& row) {
 // Reference  # # # # . . . . . .     TP = 3 (0 1 2), FN = 1 (3), FP = 2 (4 5), TN = 4 (6 7 8 9)
 // Test       # # # . # # . . . .
 //   agreement 7/10    IoU 3/6    F1 6/9    BER = (2/6 + 1/4) / 2 = 7/24
-TEST(ShadowAgreement, TenPixelsByHand) {
+TEST(ShadowAgreement, TenPixels_EqualHandComputed) {
     const ShadowAgreement result = pooled(shadowRow("####......"), shadowRow("###.##...."));
     EXPECT_EQ(result.domainPx, 10u);
     EXPECT_EQ(result.bothShadowPx, 3u);
@@ -42,7 +42,7 @@ TEST(ShadowAgreement, TenPixelsByHand) {
     EXPECT_DOUBLE_EQ(*result.ber, 7.0 / 24.0);
 }
 
-TEST(ShadowAgreement, IdenticalFrames) {
+TEST(ShadowAgreement, IdenticalFrames_AreOne) {
     const Frame frame = shadowRow("##..");
     const ShadowAgreement result = pooled(frame, frame);
     EXPECT_EQ(*result.agreement, 1.0);
@@ -51,7 +51,7 @@ TEST(ShadowAgreement, IdenticalFrames) {
     EXPECT_EQ(*result.ber, 0.0);
 }
 
-TEST(ShadowAgreement, AllLitHasNoIouAndNoErrorRate) {
+TEST(ShadowAgreement, AllLit_HasNoIouOrErrorRate) {
     const Frame lit = shadowRow("....");
     const ShadowAgreement result = pooled(lit, lit);
     EXPECT_EQ(*result.agreement, 1.0);
@@ -62,7 +62,7 @@ TEST(ShadowAgreement, AllLitHasNoIouAndNoErrorRate) {
     EXPECT_EQ(*pooled(shadowRow("####"), lit).iou, 0.0);
 }
 
-TEST(ShadowAgreement, PenumbraIsCutAtItsMiddle) {
+TEST(ShadowAgreement, Penumbra_IsCutAtHalf) {
     Frame soft = shadowRow("...");
     set(soft, "shadow.sun", 0, 0, 0.5f);
     set(soft, "shadow.sun", 1, 0, 0.499f);
@@ -71,7 +71,7 @@ TEST(ShadowAgreement, PenumbraIsCutAtItsMiddle) {
     EXPECT_EQ(result.bothShadowPx, 1u);
 }
 
-TEST(ShadowAgreement, OnlySharedPixelsWithAValueCount) {
+TEST(ShadowAgreement, PixelsWithoutValue_AreLeftOut) {
     Frame reference = shadowRow("####"), test = shadowRow("....");
     set(test, "id", 0, 0, 0);             // not covered
     set(test, "id", 1, 0, 2);             // another object
@@ -82,7 +82,7 @@ TEST(ShadowAgreement, OnlySharedPixelsWithAValueCount) {
     EXPECT_EQ(result.falseLitPx, 1u);
 }
 
-TEST(ShadowAgreement, AbsentWithItsReason) {
+TEST(ShadowAgreement, NoChannel_IsAbsentWithReason) {
     const Frame frame = shadowRow("#.");
     Frame lightless(2, 1);
     const auto id = lightless.add("id");
@@ -97,7 +97,7 @@ TEST(ShadowAgreement, AbsentWithItsReason) {
     EXPECT_THAT(pooled(frame, spoiled).agreement.reason(), HasSubstr("finite"));
 }
 
-RC_GTEST_PROP(ShadowAgreementProperty, EqualsThePlainVersion, ()) {
+RC_GTEST_PROP(ShadowAgreementProperty, RandomFrames_EqualPlainVersion, ()) {
     const Frame reference = randomFrame(), test = randomFrame();
     // counts[in the reference][in the test], 0 lit, 1 dark
     uint64_t counts[2][2] = {};
@@ -117,7 +117,7 @@ RC_GTEST_PROP(ShadowAgreementProperty, EqualsThePlainVersion, ()) {
     }
 }
 
-RC_GTEST_PROP(ShadowAgreementProperty, SwappingTheFramesSwapsTheErrors, ()) {
+RC_GTEST_PROP(ShadowAgreementProperty, SwappedFrames_SwapErrors, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     const ShadowAgreement there = pooled(a, b), back = pooled(b, a);
     RC_ASSERT(there.falseShadowPx == back.falseLitPx);

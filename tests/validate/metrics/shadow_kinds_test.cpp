@@ -45,7 +45,7 @@ struct Facet {
 //     n = 1 1 1 1 1     towards the light: 2 of them dark; the test agrees on 3: one false shadow, one false
 //     lit: 3/5
 // The test's normals say the opposite and don't count.
-TEST(ShadowKinds, NinePixelsByHand) {
+TEST(ShadowKinds, NinePixels_EqualHandComputed) {
     const std::vector<Facet> facets{{-1, 1, 1}, {-1, 1, 1}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 1},
                                     {1, 1, 0},  {1, 0, 1},  {1, 0, 0},  {1, 0, 0}};
     Frame reference = emptyFrame(9, 1);
@@ -72,7 +72,7 @@ TEST(ShadowKinds, NinePixelsByHand) {
 
 // A normal that points away from the camera stands for the other side: (1, 0, -1) is seen as (-1, 0, 1), dark
 // by a light along +x.
-TEST(ShadowKinds, TheSideThatTheCameraSeesDecides) {
+TEST(ShadowKinds, BackSide_UsesNormalTowardCamera) {
     Frame frame = emptyFrame(1, 1);
     paintPixel(frame, 0, 0, 1, 2);
     set(frame, "N.X", 0, 0, 1);
@@ -83,7 +83,7 @@ TEST(ShadowKinds, TheSideThatTheCameraSeesDecides) {
 
 // Points at x = -2 and 2 of a plane with the normal (1, 0, 1), a light at the origin: towards it (1, 0, 0)
 // and (-1, 0, 0).
-TEST(ShadowKinds, ANearLightIsSeenFromThePoint) {
+TEST(ShadowKinds, PointLight_IsSeenFromPoint) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
     for (int x = 0; x < 2; ++x) {
@@ -102,7 +102,7 @@ TEST(ShadowKinds, ANearLightIsSeenFromThePoint) {
     EXPECT_EQ(*kindsOf(far, frame, light).cast.domainPx, 2);
 }
 
-TEST(ShadowKinds, PixelsWithoutANormalAreCountedApart) {
+TEST(ShadowKinds, PixelsWithoutNormal_AreCountedApart) {
     Frame frame = emptyFrame(3, 1);
     paintRectangle(frame, 0, 0, 3, 1);
     set(frame, "N.X", 0, 0, kNanF);
@@ -114,7 +114,7 @@ TEST(ShadowKinds, PixelsWithoutANormalAreCountedApart) {
     EXPECT_THAT(result.attached.agreement.reason(), HasSubstr("turned away from the light"));
 }
 
-TEST(ShadowKinds, AbsentWithItsReason) {
+TEST(ShadowKinds, NoLights_IsAbsentWithReason) {
     Frame frame = emptyFrame(1, 1);
     paintPixel(frame, 0, 0, 1, 2);
     const FramePair pair(frame, frame, {});
@@ -142,7 +142,7 @@ TEST(ShadowKinds, AbsentWithItsReason) {
     EXPECT_THAT(reason(FramePair(bare, frame, {}), "sun", lamp, camera), HasSubstr("no channel P.X"));
 }
 
-RC_GTEST_PROP(ShadowKindsProperty, ThePartsMakeUpTheDomain, ()) {
+RC_GTEST_PROP(ShadowKindsProperty, Parts_SumToDomain, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     const FramePair pair(a, b, threeObjects());
     const ShadowAgreement whole = computeShadowAgreement(pair, allOf(pair), "sun");

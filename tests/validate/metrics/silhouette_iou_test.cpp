@@ -19,7 +19,7 @@ SilhouetteIou pooled(const Frame& reference, const Frame& test, std::vector<Obje
     return computeSilhouetteIou(pair, allOf(pair));
 }
 
-TEST(SilhouetteIou, IdenticalSquaresAgreeEverywhere) {
+TEST(SilhouetteIou, IdenticalSquares_AreOne) {
     Frame frame = emptyFrame(10, 10);
     paintRectangle(frame, 3, 2, 7, 6); // 4 x 4
     const SilhouetteIou result = pooled(frame, frame);
@@ -34,7 +34,7 @@ TEST(SilhouetteIou, IdenticalSquaresAgreeEverywhere) {
 
 // A 4 x 4 square moved by one pixel: 3 columns of 4 stay shared, one column is missing, one extra: 12 /
 // (12+4+4).
-TEST(SilhouetteIou, SquareShiftedByOnePixel) {
+TEST(SilhouetteIou, SquareShiftedByOne_EqualsHandComputed) {
     Frame frame = emptyFrame(10, 10);
     paintRectangle(frame, 3, 2, 7, 6);
     const SilhouetteIou result = pooled(frame, shiftedRight(frame));
@@ -43,7 +43,7 @@ TEST(SilhouetteIou, SquareShiftedByOnePixel) {
     EXPECT_EQ(result.extraPx, 4u);
 }
 
-TEST(SilhouetteIou, OnePixelAndItsNeighbourShareNothing) {
+TEST(SilhouetteIou, NeighboringPixels_AreZero) {
     Frame left = emptyFrame(2, 1), right = emptyFrame(2, 1);
     paintPixel(left, 0, 0, 1, 2);
     paintPixel(right, 1, 0, 1, 2);
@@ -52,14 +52,14 @@ TEST(SilhouetteIou, OnePixelAndItsNeighbourShareNothing) {
     EXPECT_EQ(result.unionPx, 2u);
 }
 
-TEST(SilhouetteIou, OnePixelFrames) {
+TEST(SilhouetteIou, OnePixelFrames_AreDefined) {
     Frame covered = emptyFrame(1, 1);
     paintPixel(covered, 0, 0, 1, 2);
     EXPECT_EQ(*pooled(covered, covered).iou, 1.0);
     EXPECT_EQ(*pooled(covered, emptyFrame(1, 1)).iou, 0.0);
 }
 
-TEST(SilhouetteIou, EmptyInBothIsAbsentNotZero) {
+TEST(SilhouetteIou, EmptyInBoth_IsAbsentNotZero) {
     const Frame nothing = emptyFrame(4, 4);
     const SilhouetteIou result = pooled(nothing, nothing, {objectWithRelief(1, 0.1)});
     EXPECT_FALSE(result.iou);
@@ -69,7 +69,7 @@ TEST(SilhouetteIou, EmptyInBothIsAbsentNotZero) {
 
 // Two squares side by side that change places: nothing of either is where it should be, though coverage is
 // equal.
-TEST(SilhouetteIou, AnotherObjectIsMissingAndExtra) {
+TEST(SilhouetteIou, OtherObject_IsMissingAndExtra) {
     Frame reference = emptyFrame(4, 2), test = emptyFrame(4, 2);
     paintRectangle(reference, 0, 0, 2, 2, 1);
     paintRectangle(reference, 2, 0, 4, 2, 2);
@@ -81,7 +81,7 @@ TEST(SilhouetteIou, AnotherObjectIsMissingAndExtra) {
     EXPECT_EQ(result.extraPx, 8u);
 }
 
-TEST(SilhouetteIou, CoverageStandsInForAMissingId) {
+TEST(SilhouetteIou, NoId_UsesCoverage) {
     Frame reference = emptyFrame(4, 1);
     paintRectangle(reference, 0, 0, 2, 1, 5);
     Frame test(4, 1);
@@ -97,14 +97,14 @@ TEST(SilhouetteIou, CoverageStandsInForAMissingId) {
     EXPECT_EQ(result.unionPx, 2u);
 }
 
-TEST(FramePair, IdThatIsNoNumberIsAMiss) {
+TEST(FramePair, NanId_IsMiss) {
     Frame frame = emptyFrame(2, 1);
     paintPixel(frame, 0, 0, 1, 2);
     set(frame, "id", 1, 0, kNanF);
     EXPECT_EQ(pooled(frame, frame).unionPx, 1u);
 }
 
-TEST(FramePair, RefusesWhatCannotBeCompared) {
+TEST(FramePair, IncomparableFrames_AreRefused) {
     const Frame good = emptyFrame(2, 2);
     const auto message = [](const Frame& reference, const Frame& test) -> std::string {
         try {
@@ -126,7 +126,7 @@ TEST(FramePair, RefusesWhatCannotBeCompared) {
     }
 }
 
-TEST(FramePair, ObjectsUnknownToTheTableAreAddedByNumber) {
+TEST(FramePair, UnknownObjects_AreNamedByNumber) {
     Frame frame = emptyFrame(2, 1);
     paintPixel(frame, 0, 0, 7, 2);
     const FramePair pair(frame, frame, {objectWithRelief(1, 0.1)});
@@ -135,7 +135,7 @@ TEST(FramePair, ObjectsUnknownToTheTableAreAddedByNumber) {
     EXPECT_FALSE(pair.objects()[1].reliefDepth);
 }
 
-TEST(FramePair, PoolsTheObjectsWithARelief) {
+TEST(FramePair, Pool_HoldsReliefObjects) {
     const Frame frame = emptyFrame(1, 1);
     EXPECT_EQ(FramePair(frame, frame, {objectWithRelief(1, 0), objectWithRelief(2, 0.1)}).reliefObjects(),
               std::vector<size_t>{1});
@@ -153,7 +153,7 @@ std::set<std::pair<int, int>> pixelsShowing(const Frame& frame, int id) {
     return pixels;
 }
 
-RC_GTEST_PROP(SilhouetteIouProperty, EqualsSetsOfPixels, ()) {
+RC_GTEST_PROP(SilhouetteIouProperty, RandomFrames_EqualPixelSets, ()) {
     const Frame reference = randomFrame(), test = randomFrame();
     size_t shared = 0, either = 0;
     for (int id = 1; id <= 3; ++id) {
@@ -173,7 +173,7 @@ RC_GTEST_PROP(SilhouetteIouProperty, EqualsSetsOfPixels, ()) {
         RC_ASSERT(!result.iou);
 }
 
-RC_GTEST_PROP(SilhouetteIouProperty, SwappingTheFramesSwapsMissingAndExtra, ()) {
+RC_GTEST_PROP(SilhouetteIouProperty, SwappedFrames_SwapMissingAndExtra, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     const SilhouetteIou there = pooled(a, b), back = pooled(b, a);
     RC_ASSERT(there.iou == back.iou);
@@ -181,7 +181,7 @@ RC_GTEST_PROP(SilhouetteIouProperty, SwappingTheFramesSwapsMissingAndExtra, ()) 
     RC_ASSERT(there.extraPx == back.missingPx);
 }
 
-RC_GTEST_PROP(SilhouetteIouProperty, FlippingBothFramesChangesNothing, ()) {
+RC_GTEST_PROP(SilhouetteIouProperty, FlippedFrames_AreEqual, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     const Figure iou = pooled(a, b).iou;
     RC_ASSERT(pooled(flippedHorizontally(a), flippedHorizontally(b)).iou == iou);

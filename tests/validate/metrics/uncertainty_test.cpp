@@ -122,7 +122,7 @@ std::vector<size_t> randomSelection() {
     return selection;
 }
 
-RC_GTEST_PROP(UncertaintyProperty, SilhouetteRangeIsThatOfAllTrueImages, ()) {
+RC_GTEST_PROP(UncertaintyProperty, SilhouetteInterval_EqualsAllTrueImages, ()) {
     const Frame reference = randomReference(), test = randomRow();
     const std::vector<size_t> selection = randomSelection();
     Extremes iou;
@@ -134,7 +134,7 @@ RC_GTEST_PROP(UncertaintyProperty, SilhouetteRangeIsThatOfAllTrueImages, ()) {
     requireEqual(result.iouRange, result.iou, iou);
 }
 
-RC_GTEST_PROP(UncertaintyProperty, ShadowRangesAreThoseOfAllTrueImages, ()) {
+RC_GTEST_PROP(UncertaintyProperty, ShadowIntervals_EqualAllTrueImages, ()) {
     const Frame reference = randomReference(), test = randomRow();
     const std::vector<size_t> selection = randomSelection();
     Extremes agreement, iou, f1;
@@ -151,7 +151,7 @@ RC_GTEST_PROP(UncertaintyProperty, ShadowRangesAreThoseOfAllTrueImages, ()) {
     requireEqual(result.f1Range, result.f1, f1);
 }
 
-RC_GTEST_PROP(UncertaintyProperty, CertainFramesHaveIntervalsOfNoWidth, ()) {
+RC_GTEST_PROP(UncertaintyProperty, CertainFrames_HaveZeroWidth, ()) {
     Frame reference = randomFrame();
     const Frame test = randomFrame();
     addUncertainty(reference);
@@ -169,7 +169,7 @@ RC_GTEST_PROP(UncertaintyProperty, CertainFramesHaveIntervalsOfNoWidth, ()) {
 
 // Reference 1 1 1 . . .    IoU 2/4: shared 1 2, missing 0, extra 3. Uncertain: 2 (shared), 3 (extra), 5
 // (nothing). Test      . 1 1 1 . .    low: 2 and 3 aren't it, 5 is: 1/5.  high: 2 and 3 are it, 5 isn't: 3/4.
-TEST(Uncertainty, SilhouetteByHand) {
+TEST(Uncertainty, Silhouette_EqualsHandComputed) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
     paintRectangle(reference, 0, 0, 3, 1);
     paintRectangle(test, 1, 0, 4, 1);
@@ -188,7 +188,7 @@ TEST(Uncertainty, SilhouetteByHand) {
 
 // With two objects in the pool an uncertain pixel may show the other one: missing from it and extra in the
 // one drawn. Three pixels of object 1 in both frames, one uncertain: at worst 2/4; of object 1 alone 2/3.
-TEST(Uncertainty, AnotherObjectOfThePoolCountsTwice) {
+TEST(Uncertainty, OtherPooledObject_CountsTwice) {
     Frame reference = emptyFrame(3, 1), test = emptyFrame(3, 1);
     paintRectangle(reference, 0, 0, 3, 1);
     paintRectangle(test, 0, 0, 3, 1);
@@ -204,7 +204,7 @@ TEST(Uncertainty, AnotherObjectOfThePoolCountsTwice) {
 // it, may enter.
 //   agreement: high 4/4; low: 0 wrong, 1 out, 4 in and wrong: 2/4.
 //   IoU is absent: no shadow in either frame; so is its interval, for that reason.
-TEST(Uncertainty, ShadowByHand) {
+TEST(Uncertainty, Shadow_EqualsHandComputed) {
     Frame reference = emptyFrame(5, 1), test = emptyFrame(5, 1);
     paintRectangle(reference, 0, 0, 4, 1);
     paintRectangle(test, 0, 0, 5, 1);
@@ -221,7 +221,7 @@ TEST(Uncertainty, ShadowByHand) {
     EXPECT_EQ(result.iouRange.low.reason(), result.iou.reason());
 }
 
-TEST(Uncertainty, AValueThatIsNoNumberIsUncertain) {
+TEST(Uncertainty, NanValue_IsUncertain) {
     Frame reference = emptyFrame(3, 1), test = emptyFrame(3, 1);
     paintRectangle(reference, 0, 0, 3, 1);
     addUncertainty(reference);
@@ -231,7 +231,7 @@ TEST(Uncertainty, AValueThatIsNoNumberIsUncertain) {
     EXPECT_EQ(FramePair(reference, test, {}).uncertainPixels().size(), 2u);
 }
 
-TEST(Uncertainty, WithoutTheChannelsThereIsNoInterval) {
+TEST(Uncertainty, NoChannels_HaveNoInterval) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
     const auto silhouette = [](const FramePair& pair) { return computeSilhouetteIou(pair, allOf(pair)); };

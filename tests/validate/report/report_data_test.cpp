@@ -30,7 +30,7 @@ std::vector<uint8_t> bytesOf(const std::string& text) {
 }
 
 // RFC 4648, section 10.
-TEST(Base64, TestVectorsOfTheRfc) {
+TEST(Base64, Rfc4648Vectors_Encode) {
     EXPECT_EQ(base64(bytesOf("")), "");
     EXPECT_EQ(base64(bytesOf("f")), "Zg==");
     EXPECT_EQ(base64(bytesOf("fo")), "Zm8=");
@@ -71,7 +71,7 @@ std::vector<uint32_t> unpackFloatBits(const std::string& text, size_t count) {
     return bits;
 }
 
-RC_GTEST_PROP(LayerPacking, KeepsEveryBitOfFloats, (const std::vector<uint32_t>& bits)) {
+RC_GTEST_PROP(LayerPacking, Floats_KeepEveryBit, (const std::vector<uint32_t>& bits)) {
     RC_PRE(!bits.empty());
     std::vector<float> values;
     for (const uint32_t pattern : bits)
@@ -79,14 +79,14 @@ RC_GTEST_PROP(LayerPacking, KeepsEveryBitOfFloats, (const std::vector<uint32_t>&
     RC_ASSERT(unpackFloatBits(report::packFloats(values), values.size()) == bits);
 }
 
-RC_GTEST_PROP(LayerPacking, KeepsWords, (const std::vector<uint16_t>& values)) {
+RC_GTEST_PROP(LayerPacking, Words_RoundTrip, (const std::vector<uint16_t>& values)) {
     RC_PRE(!values.empty());
     const std::vector<uint8_t> bytes = unpack(report::packWords(values), 2 * values.size());
     for (size_t at = 0; at < values.size(); ++at)
         RC_ASSERT((bytes[at] << 8 | bytes[values.size() + at]) == values[at]);
 }
 
-TEST(FrameData, StoresPlanesInTheSmallestLosslessType) {
+TEST(FrameData, Plane_TakesSmallestLosslessType) {
     Frame frame = emptyFrame(3, 1);
     paintRectangle(frame, 0, 0, 2, 1, 1, 2.5f);
     frame.add("cost.fetches");
@@ -108,7 +108,7 @@ TEST(FrameData, StoresPlanesInTheSmallestLosslessType) {
                             std::bit_cast<uint32_t>(kInfinityF)));
 }
 
-TEST(FrameData, StoresNormalAnglesIn256thsOfADegree) {
+TEST(FrameData, NormalAngle_IsIn256thsOfDegree) {
     Frame reference = emptyFrame(2, 1);
     paintRectangle(reference, 0, 0, 2, 1);
     Frame test = reference;
@@ -125,7 +125,7 @@ TEST(FrameData, StoresNormalAnglesIn256thsOfADegree) {
 
 // Relief 0.5: e = 0, +0.005, -0.05, +0.15, +0.5 are 0, 0.01, -0.1, 0.3 and 1 reliefs, up to float
 // rounding.
-TEST(ErrorCurves, FiveErrorsGiveTheirSharesAndCounts) {
+TEST(ErrorCurves, FiveErrors_GiveSharesAndCounts) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
     const double errors[] = {0, 0.005, -0.05, 0.15, 0.5};
     for (int x = 0; x < 5; ++x) {
@@ -163,14 +163,14 @@ TEST(ErrorCurves, FiveErrorsGiveTheirSharesAndCounts) {
     EXPECT_EQ(curves->counts[25], 1u); // 0 opens the bin right of the middle
 }
 
-TEST(ErrorCurves, AbsentWithoutReliefOrDepth) {
+TEST(ErrorCurves, NoReliefOrDepth_IsAbsent) {
     const Frame reference = sampleReference();
     const FramePair pair(reference, reference, {objectWithRelief(1, 0), objectWithRelief(2, 0)});
     EXPECT_FALSE(
         report::errorCurves(pair, compareFrames(reference, reference, pair.objects(), std::nullopt)));
 }
 
-TEST(FailingPixels, CountAPixelOnceAndNoUncertainOne) {
+TEST(FailingPixels, EachReason_CountsOnceWithoutUncertain) {
     Frame reference = emptyFrame(8, 1);
     addUncertainty(reference);
     for (int x = 0; x < 7; ++x)
@@ -196,7 +196,7 @@ TEST(FailingPixels, CountAPixelOnceAndNoUncertainOne) {
     EXPECT_THAT(failing.counts(), ElementsAre(2, 2, 0, 2, 2, 2, 0, 2));
 }
 
-TEST(FailingPixels, CountShadowsWhereTheReferenceIsCertain) {
+TEST(FailingPixels, Shadow_CountsWhereReferenceIsCertain) {
     Frame reference = emptyFrame(4, 1);
     addUncertainty(reference);
     paintRectangle(reference, 0, 0, 4, 1);
@@ -212,7 +212,7 @@ TEST(FailingPixels, CountShadowsWhereTheReferenceIsCertain) {
     EXPECT_THAT(failing.counts(), ElementsAre(1, 0, 0, 1));
 }
 
-TEST(ReportData, JsonCannotEndAScriptElement) {
+TEST(ReportData, ScriptEndTag_IsEscaped) {
     const std::string hostile = "</script><script>alert(1)</script><!--";
     Results results = sampleResults(hostile);
     results.scene.name = results.scene.purpose = hostile;
@@ -227,7 +227,7 @@ TEST(ReportData, JsonCannotEndAScriptElement) {
     EXPECT_EQ(json::parse(text).at("results").at("scene").at("name"), hostile);
 }
 
-TEST(ReportData, NamesThatAreNotUtf8GiveValidJson) {
+TEST(ReportData, NonUtf8Name_GivesValidJson) {
     report::ReportData data;
     data.frames = {{.id = "t1", .name = "caf\xe9", .kind = "technique", .file = "data/1.js", .layers = {}}};
     EXPECT_TRUE(json::accept(report::reportDataJson(sampleResults(), data)));

@@ -24,7 +24,7 @@ Rgb pixelOf(const Picture& picture, int x, int y) {
 
 // IEC 61966-2-1: 0.0031308 is where the line meets the curve (code 10.3), 0.5 encodes to 0.7354 = 187.5 /
 // 255, and code 128 means 0.21586 linear.
-TEST(SrgbCode, LinearValuesGetTheStandardCode) {
+TEST(SrgbCode, LinearValues_GetStandardCode) {
     EXPECT_EQ(srgbCode(0), 0);
     EXPECT_EQ(srgbCode(1), 255);
     EXPECT_EQ(srgbCode(0.0031308), 10);
@@ -35,7 +35,7 @@ TEST(SrgbCode, LinearValuesGetTheStandardCode) {
     EXPECT_EQ(srgbCode(kNanF), 0);
 }
 
-TEST(ColorAt, IsLinearBetweenStops) {
+TEST(ColorAt, BetweenStops_IsLinear) {
     const std::array<Rgb, 3> stops{{{0, 10, 20}, {100, 110, 120}, {200, 10, 255}}};
     const ColorMap map{"map", 0, stops}, diverging{"diverging", -1, stops};
     EXPECT_EQ(colorAt(map, 0), stops[0]);
@@ -47,14 +47,14 @@ TEST(ColorAt, IsLinearBetweenStops) {
         EXPECT_EQ(colorAt(diverging, x), colorAt(map, (x + 1) / 2)) << x;
 }
 
-TEST(ColorAt, ClampsToTheEnds) {
+TEST(ColorAt, BeyondEnds_Clamps) {
     for (const ColorMap& map : colormap::all()) {
         EXPECT_EQ(colorAt(map, map.low - 3), map.stops.front()) << map.name;
         EXPECT_EQ(colorAt(map, 7), map.stops.back()) << map.name;
     }
 }
 
-TEST(Pictures, SilhouetteColorsEachCase) {
+TEST(Pictures, Silhouette_ColorsEachCase) {
     Frame reference = emptyFrame(5, 1), test = emptyFrame(5, 1);
     paintPixel(reference, 1, 0, 1, 2); // agree
     paintPixel(test, 1, 0, 1, 2);
@@ -70,7 +70,7 @@ TEST(Pictures, SilhouetteColorsEachCase) {
     EXPECT_EQ(pixelOf(picture, 4, 0), palette::kOther);
 }
 
-TEST(Pictures, DepthErrorIsSymmetricAndSaturates) {
+TEST(Pictures, DepthError_IsSymmetricAndSaturates) {
     Frame reference = emptyFrame(5, 1), test = emptyFrame(5, 1);
     paintRectangle(reference, 0, 0, 5, 1, 1, 2.0f);
     const float depths[] = {2.0f, 1.5f, 2.5f, 9.0f, kNanF};
@@ -87,7 +87,7 @@ TEST(Pictures, DepthErrorIsSymmetricAndSaturates) {
     EXPECT_GT(colorAt(colormap::kDiverging, 1)[0], colorAt(colormap::kDiverging, 1)[2]); // too far is orange
 }
 
-TEST(Pictures, ShadowColorsEachCase) {
+TEST(Pictures, Shadow_ColorsEachCase) {
     Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
     paintRectangle(reference, 0, 0, 4, 1);
     paintRectangle(test, 0, 0, 4, 1);
@@ -102,7 +102,7 @@ TEST(Pictures, ShadowColorsEachCase) {
     EXPECT_EQ(pixelOf(picture, 3, 0), palette::kMissing); // false light
 }
 
-TEST(Pictures, CurvatureIsRedWhereConvexBlueWhereConcaveGreenWhereLevel) {
+TEST(Pictures, Curvature_IsRedConvexBlueConcaveGreenFlat) {
     Frame test = emptyFrame(12, 1), empty = emptyFrame(2, 1);
     test.add("curvature.a");
     empty.add("curvature.a");
@@ -130,7 +130,7 @@ TEST(Pictures, CurvatureIsRedWhereConvexBlueWhereConcaveGreenWhereLevel) {
     EXPECT_EQ(curvatureRange(empty, "curvature.a"), 0);
 }
 
-TEST(ReportFiles, PicturesOfALongNameHaveFilesOfTheirOwn) {
+TEST(ReportFiles, LongNames_HaveOwnFiles) {
     const TemporaryFolder folder;
     const Frame reference = sampleReference(), test = shiftedRight(reference);
     TechniqueOutcome technique;
@@ -143,7 +143,7 @@ TEST(ReportFiles, PicturesOfALongNameHaveFilesOfTheirOwn) {
         EXPECT_TRUE(std::filesystem::exists(folder / (stem + what + ".png"))) << what;
 }
 
-TEST(ReportPage, EscapesEveryText) {
+TEST(ReportPage, EveryText_IsEscaped) {
     const std::string hostile = "<script>alert('x')</script>&\"";
     Results results = sampleResults(hostile);
     results.scene.name = hostile;
@@ -164,7 +164,7 @@ TEST(ReportPage, EscapesEveryText) {
     EXPECT_THAT(page, HasSubstr("&lt;script&gt;"));
 }
 
-TEST(ReportPage, ShowsFiguresLimitsAndReasons) {
+TEST(ReportPage, Page_ShowsFiguresLimitsAndReasons) {
     const std::string page = reportPage(sampleResults(), {}, {});
     EXPECT_THAT(page, HasSubstr("A scene &lt;of&gt; paint &amp; &quot;quotes&quot;"));
     EXPECT_THAT(page, HasSubstr("1 234 567 micro-triangles"));
@@ -182,7 +182,7 @@ TEST(ReportPage, ShowsFiguresLimitsAndReasons) {
     EXPECT_THAT(page, HasSubstr("12.5 ms, median of 5 (wall clock around glFinish)"));
 }
 
-TEST(ReportPage, MarksBestFiguresAndMissedRequirements) {
+TEST(ReportPage, BestFiguresAndMissedRequirements_AreMarked) {
     Results results = sampleResults(); // its first technique has an IoU of 0.5
     const Frame reference = sampleReference();
     TechniqueOutcome exact = results.techniques[0];
@@ -216,7 +216,7 @@ TEST(ReportPage, MarksBestFiguresAndMissedRequirements) {
     EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("class=\"best\" data-value")));
 }
 
-TEST(ReportPage, ShowsTheBaseGap) {
+TEST(ReportPage, BothBases_ShowGap) {
     ReportPictures pictures;
     ReportPicture picture;
     picture.kind = ReportPicture::Kind::Silhouette;
@@ -236,7 +236,7 @@ TEST(ReportPage, ShowsTheBaseGap) {
     EXPECT_THAT(reportPage(sampleResults(), {}, {}), Not(HasSubstr("id=\"base\"")));
 }
 
-TEST(ReportPage, RefersToNothingOnTheNetwork) {
+TEST(ReportPage, Page_NeedsNoNetwork) {
     const std::string page = reportPage(sampleResults(), {}, {});
     for (const char* remote : {"http:", "https:", "//cdn", "<script", "<link", "@import"})
         EXPECT_THAT(page, Not(HasSubstr(remote))) << remote;

@@ -15,7 +15,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(Certificate, ALineForTheTerminal) {
+TEST(Certificate, FullCertificate_GivesLine) {
     CertificateSummary certificate = sampleCertificate();
     EXPECT_EQ(
         certificateLine(certificate),
@@ -27,7 +27,7 @@ TEST(Certificate, ALineForTheTerminal) {
                                  HasSubstr("; the aim isn't met: --memory 256 MB")));
 }
 
-TEST(Certificate, ALineWithoutFigures) {
+TEST(Certificate, NoFigures_GiveLine) {
     CertificateSummary certificate = sampleCertificate();
     setAbsent(certificate, "the reference didn't measure it");
     EXPECT_EQ(certificateLine(certificate),
@@ -37,7 +37,7 @@ TEST(Certificate, ALineWithoutFigures) {
     EXPECT_EQ(certificateLine(certificate), "certificate: none: the reference didn't measure it");
 }
 
-TEST(Certificate, SentencesForThePage) {
+TEST(Certificate, FullCertificate_GivesSentences) {
     CertificateSummary certificate = sampleCertificate();
     EXPECT_THAT(
         certificateSentences(certificate),
@@ -58,7 +58,7 @@ TEST(Certificate, SentencesForThePage) {
 }
 
 // 8 x 6 pixels, two objects of 12 pixels each; one pixel outside them and one shadow are uncertain.
-TEST(Certificate, CountsTheFramesPixels) {
+TEST(Certificate, Frame_GivesPixelCounts) {
     CertificateSummary certificate;
     countPixels(sampleReference(), certificate);
     EXPECT_EQ(*certificate.coveredPixels, 24);
@@ -66,7 +66,7 @@ TEST(Certificate, CountsTheFramesPixels) {
     EXPECT_EQ(*certificate.uncertainShadowPixels.at("sun"), 1);
 }
 
-TEST(Certificate, CountsOfChannelsThatAreNotThereAreAbsent) {
+TEST(Certificate, MissingChannels_GiveAbsentCounts) {
     Frame frame(2, 1);
     frame.add("A")[0] = 1;
     frame.add("shadow.sun");
@@ -77,7 +77,7 @@ TEST(Certificate, CountsOfChannelsThatAreNotThereAreAbsent) {
     EXPECT_THAT(certificate.uncertainShadowPixels.at("sun").reason(), HasSubstr("uncertain.shadow.sun"));
 }
 
-TEST(Certificate, NothingInSightHasNoErrorInsteadOfZero) {
+TEST(Certificate, NothingCovered_IsAbsentNotZero) {
     CertificateSummary certificate = sampleCertificate();
     countPixels(emptyFrame(2, 2), certificate);
     for (const CertificateFigure& entry : certificateFigures())
@@ -85,7 +85,7 @@ TEST(Certificate, NothingInSightHasNoErrorInsteadOfZero) {
     EXPECT_FALSE(certificate.limit);
 }
 
-TEST(Certificate, ComesBackFromAHeader) {
+TEST(Certificate, Header_RoundTrips) {
     Frame frame = sampleReference();
     frame.metadata = {{"certificate.error_px_p50", "0.004"},   {"certificate.error_px_p99", "3.1e-2"},
                       {"certificate.error_px_max", "0.4"},     {"certificate.error_px_aim", "0.05"},
@@ -103,7 +103,7 @@ TEST(Certificate, ComesBackFromAHeader) {
     EXPECT_EQ(*certificate.uncertainPixels, 1);
 }
 
-TEST(Certificate, AHeaderWithoutItSaysWhichFieldIsMissing) {
+TEST(Certificate, IncompleteHeader_NamesMissingField) {
     const CertificateSummary certificate = certificateFromHeader(sampleReference(), "a.exr");
     EXPECT_EQ(certificate.pxP99.reason(),
               "the reference's file has no header field certificate.error_px_p99");

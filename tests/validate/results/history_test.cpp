@@ -47,7 +47,7 @@ Verdict verdictOf(const std::string& figure, double before, double after,
     return scene.moves.at(0).verdict;
 }
 
-TEST(HistoryFile, KeepsWhatResultsSayOfTheWholePicture) {
+TEST(HistoryFile, PooledFigures_AreKept) {
     const HistoryRecord kept = recordOf("results.json", toJson(sampleResults()), std::nullopt);
     EXPECT_EQ(kept.label, "plumbline 0.1.0");
     EXPECT_EQ(kept.scene, "painted");
@@ -68,7 +68,7 @@ TEST(HistoryFile, KeepsWhatResultsSayOfTheWholePicture) {
 }
 
 // A light may be called as a part of the results that holds no figures.
-TEST(HistoryFile, KeepsTheFiguresOfALightOfAnyName) {
+TEST(HistoryFile, AnyLightName_IsKept) {
     Results results = sampleResults();
     for (const char* name : {"notes", "objects", "absent"})
         copyLight(results.techniques[0].comparison.pooled, "sun", name);
@@ -78,7 +78,7 @@ TEST(HistoryFile, KeepsTheFiguresOfALightOfAnyName) {
                   figures.at("shadow.sun.agreement"));
 }
 
-TEST(HistoryFile, LinesComeBackAsTheyWere) {
+TEST(HistoryFile, Lines_RoundTrip) {
     HistoryRecord first = recordOf("r", toJson(sampleResults("<b>\"x\"</b>")), "caf\xc3\xa9");
     const HistoryRecord second =
         record("b", {{"depth.bias", -1.25e-7}, {"depth.max", 0.1 + 0.2}, {"x", 1e300}});
@@ -88,7 +88,7 @@ TEST(HistoryFile, LinesComeBackAsTheyWere) {
     EXPECT_EQ(toLine(readHistory("h", text)[0]), toLine(first));
 }
 
-TEST(HistoryFile, DamageIsToldWithItsLine) {
+TEST(HistoryFile, DamagedLine_IsNamed) {
     const std::string good = toLine(record("a", {{"silhouette.iou", 1}}));
     const auto errorOf = [&](const std::string& line) {
         return inputErrorOf([&] { readHistory("h.jsonl", good + line); });
@@ -114,7 +114,7 @@ TEST(HistoryFile, DamageIsToldWithItsLine) {
     EXPECT_THAT(errorOf(std::string(200000, '[')), HasSubstr("is not valid JSON"));
 }
 
-TEST(HistoryFile, WhatIsNoResultIsRefused) {
+TEST(HistoryFile, NoResults_AreRefused) {
     const std::string good = toJson(sampleResults());
     const auto errorOf = [&](const std::string& text) {
         return inputErrorOf([&] { recordOf("r.json", text, std::nullopt); });
@@ -129,7 +129,7 @@ TEST(HistoryFile, WhatIsNoResultIsRefused) {
     EXPECT_THAT(errorOf(toJson(twice)), HasSubstr("names 'linear_binary' twice"));
 }
 
-TEST(HistoryMoves, WorseIsFartherFromTheBestValue) {
+TEST(HistoryMoves, FartherFromBest_IsWorse) {
     EXPECT_EQ(verdictOf("silhouette.iou", 0.9, 0.89), Verdict::Regression);
     EXPECT_EQ(verdictOf("silhouette.iou", 0.89, 0.9), Verdict::Better);
     EXPECT_EQ(verdictOf("depth.rmse", 0.1, 0.2), Verdict::Regression);
@@ -146,7 +146,7 @@ TEST(HistoryMoves, WorseIsFartherFromTheBestValue) {
     EXPECT_EQ(verdictOf("of.another.version", 1, 2), Verdict::Neutral);
 }
 
-TEST(HistoryMoves, AMoveWithinTheIntervalItHadIsTolerated) {
+TEST(HistoryMoves, ChangeWithinInterval_IsTolerated) {
     const auto scene = [](double after) {
         return movesOf(
             {record("a",
@@ -160,7 +160,7 @@ TEST(HistoryMoves, AMoveWithinTheIntervalItHadIsTolerated) {
     EXPECT_EQ(scene(0.92).moves[0].verdict, Verdict::Better);
 }
 
-TEST(HistoryMoves, TolerancesHoldForTheirFigureAndTheNearestCounts) {
+TEST(HistoryMoves, Tolerance_CoversFigureAndItsCounts) {
     EXPECT_EQ(verdictOf("depth.rmse", 1, 1.25, {"depth.rmse=0.25"}), Verdict::Tolerated); // exact in binary
     EXPECT_EQ(verdictOf("depth.rmse", 1, 1.26, {"depth.rmse=0.25"}), Verdict::Regression);
     EXPECT_EQ(verdictOf("depth.rmse", 4, 4.9, {"depth.rmse=25%"}), Verdict::Tolerated);
@@ -173,7 +173,7 @@ TEST(HistoryMoves, TolerancesHoldForTheirFigureAndTheNearestCounts) {
               Verdict::Regression);
 }
 
-TEST(HistoryMoves, CostIsARegressionOnlyWhereItIsNamed) {
+TEST(HistoryMoves, Cost_IsJudgedOnlyIfNamed) {
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100), Verdict::Neutral);
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100, {"all=0"}), Verdict::Neutral);
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100, {"cost.ms_median=50%"}), Verdict::Regression);
@@ -181,7 +181,7 @@ TEST(HistoryMoves, CostIsARegressionOnlyWhereItIsNamed) {
     EXPECT_EQ(verdictOf("cost.fetches_mean", 10, 9, {"cost.fetches_mean=0"}), Verdict::Better);
 }
 
-TEST(HistoryMoves, TolerancesOfAnotherFormAreRefused) {
+TEST(HistoryMoves, MalformedTolerance_IsRefused) {
     for (const char* bad : {"", "depth.rmse", "depth.rmse=", "=1", "depth.rmse=-1", "depth.rmse=nan",
                             "depth.rmse=inf", "depth.rmse=1e999", "depth.rmse=1x", "depth.rmse=%",
                             "depth.domain_px=1", "silhouette.iou_low=1", "depth.rsme=1"})
@@ -191,7 +191,7 @@ TEST(HistoryMoves, TolerancesOfAnotherFormAreRefused) {
     EXPECT_THAT(inputErrorOf([] { Tolerances::parse({"all=1", "all=2"}); }), HasSubstr("given twice"));
 }
 
-TEST(HistoryMoves, AFigureThatGoesAwayIsARegressionIfItHadABestValue) {
+TEST(HistoryMoves, VanishedFigure_IsRegressionIfJudged) {
     const SceneMoves scene =
         movesOf({record("a", {{"depth.rmse", 1}, {"depth.domain_px", 5}, {"cost.ms_median", 3}}),
                  record("b", {{"st.mean_texels", 1}})});
@@ -204,7 +204,7 @@ TEST(HistoryMoves, AFigureThatGoesAwayIsARegressionIfItHadABestValue) {
                                                         {"st.mean_texels", Verdict::Neutral}}));
 }
 
-TEST(HistoryMoves, FailuresAreRegressionsOnceAndDontHideWhatComesAfter) {
+TEST(HistoryMoves, Failure_IsRegressionOnce) {
     const HistoryRecord good = record("a", {{"silhouette.iou", 0.9}}),
                         worse = record("c", {{"silhouette.iou", 0.8}});
     EXPECT_THAT(movesOf({good, failing("b")}).failures,
@@ -218,7 +218,7 @@ TEST(HistoryMoves, FailuresAreRegressionsOnceAndDontHideWhatComesAfter) {
     EXPECT_FALSE(movesOf({failing("a"), worse}).hasRegression());
 }
 
-TEST(HistoryMoves, OtherScenesAreNotCompared) {
+TEST(HistoryMoves, OtherScenes_AreNotCompared) {
     HistoryRecord changed = record("b", {{"silhouette.iou", 0.1}}), proxy = changed, other = changed;
     const HistoryRecord first = record("a", {{"silhouette.iou", 0.9}});
     changed.sceneHash = "def";
@@ -237,7 +237,7 @@ TEST(HistoryMoves, OtherScenesAreNotCompared) {
     EXPECT_EQ(latestMoves({first, other, first}, {first.scene}, {}).size(), 1u); // of that scene alone
 }
 
-TEST(HistoryMoves, TechniquesThatComeAndGoAreNotes) {
+TEST(HistoryMoves, AddedAndRemovedTechniques_AreNotes) {
     HistoryRecord two = record("a", {{"silhouette.iou", 0.9}}), one = record("b", {{"silhouette.iou", 0.9}});
     two.techniques.push_back({"yours", {{"silhouette.iou", 0.5}}, ""});
     one.certificate = {{"error_px_p99", 1}};

@@ -17,7 +17,7 @@ class OutputFiles : public ::testing::Test {
     const fs::path folder_ = temporary_.path();
 };
 
-TEST_F(OutputFiles, FoldersAreCreatedWithTheirParentsAndLeftEmpty) {
+TEST_F(OutputFiles, NewFolder_IsCreatedWithParents) {
     requireWritableFolder(folder_ / "a" / "b");
     EXPECT_TRUE(fs::is_directory(folder_ / "a" / "b"));
     EXPECT_TRUE(fs::is_empty(folder_ / "a" / "b")); // the probe is gone
@@ -25,7 +25,7 @@ TEST_F(OutputFiles, FoldersAreCreatedWithTheirParentsAndLeftEmpty) {
     EXPECT_FALSE(fs::exists(folder_ / "c" / "frame.exr"));
 }
 
-TEST_F(OutputFiles, WhatIsReadIsNotReplaced) {
+TEST_F(OutputFiles, InputFiles_AreNotReplaced) {
     for (const char* name : {"scene.toml", "mesh.obj"})
         std::ofstream(folder_ / name) << "text";
     const std::vector<fs::path> inputs{folder_ / "scene.toml", folder_ / "mesh.obj"};
@@ -34,7 +34,7 @@ TEST_F(OutputFiles, WhatIsReadIsNotReplaced) {
     EXPECT_NO_THROW(requireWritableFile(folder_ / "mesh.ply", inputs));
 }
 
-TEST_F(OutputFiles, OldResultsGoAndNothingElse) {
+TEST_F(OutputFiles, OldResults_AreRemovedAlone) {
     fs::create_directories(folder_ / "report");
     for (const char* name :
          {"results.json", "results.csv", "notes.txt", "report/index.html", "report/mine.html"})
@@ -47,7 +47,7 @@ TEST_F(OutputFiles, OldResultsGoAndNothingElse) {
     removeOldResults(folder_ / "nowhere"); // nothing to remove is fine
 }
 
-TEST_F(OutputFiles, APlaceBelowAFileIsRefused) {
+TEST_F(OutputFiles, PathBelowFile_IsRefused) {
     std::ofstream(folder_ / "file") << "text";
     EXPECT_THROW(requireWritableFolder(folder_ / "file"), InputError);
     EXPECT_THROW(requireWritableFolder(folder_ / "file" / "below"), InputError);
@@ -55,7 +55,7 @@ TEST_F(OutputFiles, APlaceBelowAFileIsRefused) {
     EXPECT_THROW(requireWritableFile(folder_, {}), InputError); // a folder where a file should be
 }
 
-TEST(SafeFileName, KeepsNamesReadableAndInsideTheFolder) {
+TEST(SafeFileName, OddNames_StayReadableAndInside) {
     EXPECT_EQ(safeFileName("linear_binary@quadric"), "linear_binary-on-quadric");
     EXPECT_EQ(safeFileName("linear_binary:linear_steps=64"), "linear_binary_linear_steps=64");
     EXPECT_EQ(safeFileName("../../etc/passwd"), "_.._.._etc_passwd");

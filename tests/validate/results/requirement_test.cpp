@@ -35,7 +35,7 @@ RequirementResult held(const std::string& text, const TechniqueOutcome& outcome)
     return results.at(0);
 }
 
-TEST(Requirement, ReadsKeyObjectLightAndBound) {
+TEST(Requirement, FullText_IsRead) {
     const Requirement plain = parsed("silhouette.iou>=0.99");
     EXPECT_EQ(plain.text, "silhouette.iou >= 0.99");
     EXPECT_EQ(plain.key, "silhouette.iou");
@@ -50,7 +50,7 @@ TEST(Requirement, ReadsKeyObjectLightAndBound) {
     EXPECT_EQ(parsed("silhouette.boundary_iou.2pct > 0").key, "silhouette.boundary_iou.2pct");
 }
 
-TEST(Requirement, RefusesWhatItCantRead) {
+TEST(Requirement, MalformedText_IsRefused) {
     EXPECT_THAT(refusal("silhouette.iou"),
                 AllOf(StartsWith("--require: "), HasSubstr("compares with nothing")));
     EXPECT_THAT(refusal(""), HasSubstr("compares with nothing"));
@@ -69,12 +69,12 @@ TEST(Requirement, RefusesWhatItCantRead) {
     EXPECT_THAT(refusal("image.psnr_db@torus > 3"), HasSubstr("no object has a image.psnr_db of its own"));
 }
 
-TEST(Requirement, TextIsTheSameHoweverItIsSpaced) {
+TEST(Requirement, Spacing_KeepsText) {
     EXPECT_EQ(parsed(" silhouette.iou @ torus>=0.9 ").text, "silhouette.iou@torus >= 0.9");
     EXPECT_EQ(parsed("shadow.sun.iou@torus > 0").text, "shadow.sun.iou@torus > 0");
 }
 
-TEST(Requirement, NamesAreChecked) {
+TEST(Requirement, UnknownNames_AreRefused) {
     const std::vector<std::string> lights{"sun"}, objects{"torus", "floor"};
     EXPECT_NO_THROW(checkNames(parsed("shadow.sun.iou@torus > 0"), lights, objects));
     EXPECT_NO_THROW(checkNames(parsed("silhouette.iou > 0"), {}, {}));
@@ -93,7 +93,7 @@ TEST(Requirement, NamesAreChecked) {
 }
 
 // sample_results.h: IoU 8/16, missing 4, shadow agreement 6/8; object 2 has no relief.
-TEST(Requirement, IsHeldAgainstTheFigure) {
+TEST(Requirement, Figure_IsComparedWithBound) {
     const TechniqueOutcome outcome = sampleResults().techniques[0];
     for (const auto& [text, passed] : {std::pair("silhouette.iou >= 0.5", true),
                                        {"silhouette.iou > 0.5", false},
@@ -109,7 +109,7 @@ TEST(Requirement, IsHeldAgainstTheFigure) {
     EXPECT_EQ(held("silhouette.iou@object 1 >= 0.5", outcome).key, "silhouette.iou@object 1");
 }
 
-TEST(Requirement, WhatIsAbsentIsNotReached) {
+TEST(Requirement, AbsentFigure_Fails) {
     const Results results = sampleResults();
     for (const char* text : {"depth.rmse_relief@object 2 <= 1", "depth.rmse_relief@object 2 >= 0"}) {
         const RequirementResult result = held(text, results.techniques[0]);
@@ -128,7 +128,7 @@ TEST(Requirement, WhatIsAbsentIsNotReached) {
     EXPECT_FALSE(held("shadow.false_lit_px <= 9", dark).passed); // counts of nothing are no zeros
 }
 
-TEST(Requirement, OfShadowsHoldsForEveryLight) {
+TEST(Requirement, ShadowKey_CoversEveryLight) {
     TechniqueOutcome outcome = sampleResults().techniques[0];
     copyLight(outcome.comparison.pooled, "sun", "lamp");
     setFigure(outcome.comparison.pooled, "shadow.agreement", 1.0, "lamp");

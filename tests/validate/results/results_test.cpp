@@ -20,7 +20,7 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-TEST(Figure, HoldsANumberOrAReason) {
+TEST(Figure, Value_IsNumberOrReason) {
     EXPECT_EQ(*Figure(0.5), 0.5);
     EXPECT_FALSE(Figure());
     EXPECT_FALSE(Figure(std::numeric_limits<double>::quiet_NaN()));
@@ -29,7 +29,7 @@ TEST(Figure, HoldsANumberOrAReason) {
     EXPECT_EQ(*Figure::ratio(0, 4, "empty"), 0);
 }
 
-TEST(ResultsJson, HasEveryKeyOfTheSchema) {
+TEST(ResultsJson, FullResults_HaveEveryKey) {
     const json results = json::parse(toJson(sampleResults()));
     EXPECT_EQ(results.at("schema"), 1);
     EXPECT_EQ(results.at("program"), "plumbline 0.1.0");
@@ -74,7 +74,7 @@ TEST(ResultsJson, HasEveryKeyOfTheSchema) {
 // uncertain; the test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8. Its contour is all
 // but the two pixels inside; to the moved one it is 1 from column 1 and from the two pixels of column 3 off
 // the corners, 0 from the rest: 6 of 10, and as many back.
-TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
+TEST(ResultsJson, Comparison_NumbersAreKept) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     EXPECT_EQ(technique["silhouette"]["iou"], 8.0 / 16.0);
     EXPECT_EQ(technique["silhouette"]["iou_low"], 8.0 / 17.0);
@@ -96,7 +96,7 @@ TEST(ResultsJson, HoldsTheNumbersOfTheComparison) {
     EXPECT_EQ(technique["depth"]["max"], 0.0);
 }
 
-TEST(ResultsJson, HoldsTheCertificateOfTheReference) {
+TEST(ResultsJson, Certificate_IsKept) {
     const json reference = json::parse(toJson(sampleResults())).at("reference");
     EXPECT_EQ(reference["error_px_p50"], 0.004);
     EXPECT_EQ(reference["error_px_p99"], 0.031);
@@ -111,7 +111,7 @@ TEST(ResultsJson, HoldsTheCertificateOfTheReference) {
     EXPECT_FALSE(reference.contains("absent"));
 }
 
-TEST(ResultsJson, ACertificateThatIsNotKnownSaysWhy) {
+TEST(ResultsJson, UnknownCertificate_HasReason) {
     Results results = sampleResults();
     setAbsent(results.reference.certificate, "it came from afar");
     results.reference.certificate.uncertainShadowPixels["sun"] = Figure::absent("no channel");
@@ -123,7 +123,7 @@ TEST(ResultsJson, ACertificateThatIsNotKnownSaysWhy) {
     EXPECT_EQ(reference["uncertain_shadow_pixels"], (json{{"lamp", 7}, {"absent", {{"sun", "no channel"}}}}));
 }
 
-TEST(ResultsJson, AbsentFiguresAreLeftOutWithTheirReason) {
+TEST(ResultsJson, AbsentFigures_HaveReason) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     EXPECT_FALSE(technique["cost"].contains("fetches_mean"));
     EXPECT_THAT(technique["cost"]["absent"]["fetches_mean"].get<std::string>(), HasSubstr("cost.fetches"));
@@ -135,7 +135,7 @@ TEST(ResultsJson, AbsentFiguresAreLeftOutWithTheirReason) {
 // Object 1 covers columns 1 2 3 in the limit reference, 2 3 in the proxy's and in the shifted test: of four
 // rows, 8/12 and 8/8; test against proxy with column 4 (object 2 in the proxy's frame): 8 of columns 2 3 and
 // 4 of column 4 are extra: 8/12.
-TEST(ResultsJson, BothBases) {
+TEST(ResultsJson, BothBases_AreKept) {
     const json results = json::parse(toJson(sampleResultsOnBothBases()));
     EXPECT_EQ(results["base"], "both");
     EXPECT_EQ(results["reference_proxy"]["error_limit"], "--memory 1 MB");
@@ -154,7 +154,7 @@ TEST(ResultsJson, BothBases) {
     EXPECT_FALSE(results["techniques"][1].contains("against_proxy")); // failed
 }
 
-TEST(ResultsJson, ABaseThatIsNotKnownIsNull) {
+TEST(ResultsJson, UnknownBase_IsNull) {
     Results results = sampleResults();
     EXPECT_TRUE(json::parse(toJson(results)).at("base").is_null());
     results.base = "proxy";
@@ -162,14 +162,14 @@ TEST(ResultsJson, ABaseThatIsNotKnownIsNull) {
     EXPECT_FALSE(json::parse(toJson(results)).contains("base_gap"));
 }
 
-TEST(ResultsJson, AFailedTechniqueHasItsMessageAndNoMetrics) {
+TEST(ResultsJson, FailedTechnique_HasMessageOnly) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(1);
     EXPECT_EQ(technique["error"], "broken.glsl:3: undeclared 'x'");
     EXPECT_FALSE(technique.contains("silhouette"));
     EXPECT_FALSE(technique.contains("cost"));
 }
 
-TEST(ResultsJson, EqualResultsGiveEqualBytesWithoutNanOrInfinity) {
+TEST(ResultsJson, EqualResults_GiveEqualBytesWithoutNan) {
     const std::string text = toJson(sampleResults());
     EXPECT_EQ(text, toJson(sampleResults()));
     EXPECT_THAT(text, Not(HasSubstr("nan")));
@@ -178,7 +178,7 @@ TEST(ResultsJson, EqualResultsGiveEqualBytesWithoutNanOrInfinity) {
     EXPECT_LT(text.find("\"silhouette\""), text.find("\"depth\""));
 }
 
-TEST(ResultsJson, NamesThatAreNoUtf8DontStopIt) {
+TEST(ResultsJson, NonUtf8Names_AreWritten) {
     EXPECT_TRUE(json::parse(toJson(sampleResults("caf\xe9"))).is_object());
 }
 
@@ -210,7 +210,7 @@ std::vector<std::vector<std::string>> parseCsv(const std::string& text) {
     return rows;
 }
 
-TEST(ResultsCsv, ARowPerTechniqueObjectAndLight) {
+TEST(ResultsCsv, EachTechniqueObjectLight_HasRow) {
     const auto rows = parseCsv(toCsv(sampleResults("a,\"b\"")));
     ASSERT_EQ(rows.size(), 5u); // head, pooled, two objects, the failed one
     for (const auto& row : rows)
@@ -233,7 +233,7 @@ TEST(ResultsCsv, ARowPerTechniqueObjectAndLight) {
     EXPECT_EQ(rows[4].at(column + 1), ""); // counts of a failed technique are no zeros
 }
 
-TEST(ResultsCsv, BothBasesHaveRowsOfTheirOwn) {
+TEST(ResultsCsv, BothBases_HaveOwnRows) {
     const auto rows = parseCsv(toCsv(sampleResultsOnBothBases()));
     ASSERT_EQ(rows[0][3], "reference");
     const auto column =
@@ -247,7 +247,7 @@ TEST(ResultsCsv, BothBasesHaveRowsOfTheirOwn) {
               1u + 3 * 3 + 1); // head, three comparisons pooled and of two objects, the failed one
 }
 
-TEST(ResultsCsv, AFrameWithoutLightsStillHasItsRow) {
+TEST(ResultsCsv, NoLights_StillHasRow) {
     Frame frame(2, 1);
     frame.add("id")[0] = 1;
     Results results;
@@ -256,7 +256,7 @@ TEST(ResultsCsv, AFrameWithoutLightsStillHasItsRow) {
     EXPECT_EQ(parseCsv(toCsv(results)).size(), 3u); // head, pooled, object 1
 }
 
-TEST(MetricTable, NamesExactlyTheColumnsOfTheCsv) {
+TEST(MetricTable, Rows_EqualCsvColumns) {
     std::set<std::string> documented, written;
     for (const MetricInfo& metric : metricTable())
         documented.emplace(metric.key);
@@ -277,7 +277,7 @@ void collectKeys(const json& group, const std::string& prefix, std::set<std::str
             keys.insert(prefix + "." + key);
 }
 
-TEST(MetricTable, NamesExactlyTheKeysOfTheJson) {
+TEST(MetricTable, Rows_EqualJsonKeys) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     std::set<std::string> documented, written;
     for (const MetricInfo& metric : metricTable())
@@ -290,14 +290,14 @@ TEST(MetricTable, NamesExactlyTheKeysOfTheJson) {
     EXPECT_EQ(documented, written);
 }
 
-TEST(MetricTable, HasIntervalsWhereResultsDo) {
+TEST(MetricTable, Intervals_MatchResults) {
     EXPECT_TRUE(findMetric("silhouette.boundary_iou.2pct")->hasInterval);
     EXPECT_TRUE(findMetric("shadow.f1")->hasInterval);
     EXPECT_FALSE(findMetric("shadow.ber")->hasInterval);
     EXPECT_EQ(findMetric("silhouette.oui"), nullptr);
 }
 
-TEST(MetricTable, IsReadableInATerminal) {
+TEST(MetricTable, Description_FitsTerminal) {
     for (const MetricInfo& metric : metricTable()) {
         std::istringstream lines(describe(metric));
         std::string line;
@@ -312,7 +312,7 @@ TEST(MetricTable, IsReadableInATerminal) {
     }
 }
 
-TEST(MetricTable, AsJson) {
+TEST(MetricTable, Json_HoldsEveryField) {
     const json table = json::parse(metricTableJson());
     ASSERT_EQ(table.size(), metricTable().size());
     EXPECT_EQ(table[0]["key"], "silhouette.iou");
@@ -323,7 +323,7 @@ TEST(MetricTable, AsJson) {
             EXPECT_TRUE(metric.at(field).is_string()) << field;
 }
 
-TEST(ResultsJson, HoldsRequirements) {
+TEST(ResultsJson, Requirements_AreKept) {
     Results results = sampleResults();
     EXPECT_FALSE(json::parse(toJson(results))["techniques"][0].contains("requirements"));
     results.techniques[0].requirements = {{"silhouette.iou >= 0.99", "silhouette.iou", 0.5, false}};
@@ -339,14 +339,14 @@ TEST(ResultsJson, HoldsRequirements) {
     EXPECT_THAT(toTable(sampleResults()), Not(HasSubstr("require")));
 }
 
-TEST(ResultsTable, FitsATerminal) {
+TEST(ResultsTable, Table_FitsTerminal) {
     Results results = sampleResults("linear_binary@quadric");
     results.techniques.pop_back();
     const std::string table = toTable(results);
     EXPECT_LE(table.find('\n'), 130u);
 }
 
-TEST(ResultsTable, BothBasesHaveASecondTable) {
+TEST(ResultsTable, BothBases_HaveSecondTable) {
     const std::string table = toTable(sampleResultsOnBothBases());
     const size_t second = table.find("against the proxy ");
     ASSERT_NE(second, std::string::npos);
@@ -356,7 +356,7 @@ TEST(ResultsTable, BothBasesHaveASecondTable) {
     EXPECT_THAT(toTable(sampleResults()), Not(HasSubstr("proxy")));
 }
 
-TEST(ResultsTable, ShowsFiguresDashesAndFailures) {
+TEST(ResultsTable, MissingFiguresAndFailures_AreShown) {
     const std::string table = toTable(sampleResults());
     // 8/16 - 8/17 = 0.029411…, rounded up; 7/8 - 6/8 exactly
     EXPECT_THAT(table, HasSubstr("0.50000  0.02942"));

@@ -84,7 +84,7 @@ class StudyFile : public testing::Test {
     TemporaryFolder folder_;
 };
 
-TEST_F(StudyFile, IsReadAsItStands) {
+TEST_F(StudyFile, ValidStudy_IsRead) {
     const Study study = read(kStudy);
     EXPECT_EQ(study.name, "mine");
     ASSERT_EQ(study.grids.size(), 1u);
@@ -98,7 +98,7 @@ TEST_F(StudyFile, IsReadAsItStands) {
     EXPECT_EQ(caseCount(study), 6u);
 }
 
-TEST_F(StudyFile, MistakesAreToldWithTheirLine) {
+TEST_F(StudyFile, Mistakes_NameTheirLine) {
     EXPECT_EQ(messageFor("scene_set", "scenes_set"), "mine.toml:7: grid.scenes_set: unknown field; expected "
                                                      "axis, name, pair, scene_set, scenes, set, technique or "
                                                      "timing_budget_ms; did you mean 'scene_set'?");
@@ -160,7 +160,7 @@ std::vector<StudyRow> sampleRows(const std::vector<StudyCase>& cases) {
     return rows;
 }
 
-TEST_F(StudyFile, WhatCouldMisleadIsRefused) {
+TEST_F(StudyFile, MisleadingStudy_IsRefused) {
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"reference\""),
               "mine.toml:20: grid.technique.label: is \"reference\"; expected a text of its own");
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"A\\n\""),
@@ -178,7 +178,7 @@ TEST_F(StudyFile, WhatCouldMisleadIsRefused) {
               "dots between them, as camera.width");
 }
 
-TEST_F(StudyFile, PlotsTakeTextsAsTheyAre) {
+TEST_F(StudyFile, PlotTexts_AreEscaped) {
     std::string text = kStudy;
     text.replace(text.find("title = \"P\""), 11, "title = \"it's `date` $(x) \\\\ {/Bold b} @a\"");
     const Study study = read(text);
@@ -186,7 +186,7 @@ TEST_F(StudyFile, PlotsTakeTextsAsTheyAre) {
                 HasSubstr("'it''s `date` $(x) \\ {/Bold b} @a' at screen"));
 }
 
-TEST_F(StudyFile, CasesAreNamedByWhatDecidesTheirResults) {
+TEST_F(StudyFile, CaseKey_FollowsInputs) {
     const Study study = read(kStudy);
     const std::vector<StudyCase> all = cases(study);
     std::set<std::string> ids;
@@ -217,7 +217,7 @@ TEST_F(StudyFile, CasesAreNamedByWhatDecidesTheirResults) {
         EXPECT_FALSE(ids.contains(each.id));
 }
 
-TEST_F(StudyFile, FilesThatValuesNameCountWithWhatTheyHold) {
+TEST_F(StudyFile, FilesInValues_CountByContent) {
     writeFile(
         folder_ / "scene.toml",
         "purpose = \"x\"\n[camera]\nposition = [0, 0, 3]\n[[object]]\nname = \"torus\"\nmesh = \"a.obj\"\n");
@@ -235,7 +235,7 @@ TEST_F(StudyFile, FilesThatValuesNameCountWithWhatTheyHold) {
     EXPECT_NE(cases(study)[0].id, before);
 }
 
-TEST_F(StudyFile, SoManyCasesThatNoNumberHoldsThemAreCountedAsTheMost) {
+TEST_F(StudyFile, OverflowingCaseCount_Saturates) {
     Study study = read(kStudy);
     const StudyAxis wide{"a", {"camera.width"}, std::vector<std::string>(1000000, "1")};
     study.grids[0].axes = {wide, wide, wide};
@@ -246,7 +246,7 @@ TEST_F(StudyFile, SoManyCasesThatNoNumberHoldsThemAreCountedAsTheMost) {
     EXPECT_EQ(caseCount(study), std::numeric_limits<uint64_t>::max());
 }
 
-TEST_F(StudyFile, RowsHoldEveryFigureByItsPath) {
+TEST_F(StudyFile, Rows_HoldEveryFigure) {
     const Study study = read(kStudy);
     const std::vector<StudyRow> rows = rowsOf(cases(study)[0], outcome(0.9, 0.8));
     ASSERT_EQ(rows.size(), 3u);
@@ -263,7 +263,7 @@ TEST_F(StudyFile, RowsHoldEveryFigureByItsPath) {
     EXPECT_THAT(csv, HasSubstr(",main,small_torus,0.02,10,B,A,30,0.25,0.5,\r\n"));
 }
 
-TEST_F(StudyFile, AFailedCaseIsARowWithItsError) {
+TEST_F(StudyFile, FailedCase_IsRowWithError) {
     const Study study = read(kStudy);
     const std::vector<StudyRow> rows = rowsOf(cases(study)[0], {{"error", "no, \"really\""}});
     ASSERT_EQ(rows.size(), 1u);
@@ -273,7 +273,7 @@ TEST_F(StudyFile, AFailedCaseIsARowWithItsError) {
     EXPECT_FALSE(isChosen(rows[0], choice));
 }
 
-TEST_F(StudyFile, CellsAreStatisticsOfWhatFallsTogether) {
+TEST_F(StudyFile, Cells_AreStatisticsOfGroup) {
     const Study study = read(kStudy);
     const std::vector<StudyRow> rows = sampleRows(cases(study));
     StudyRows choice{"main", "reference", {}, "silhouette.iou", "median"};
@@ -297,7 +297,7 @@ TEST_F(StudyFile, CellsAreStatisticsOfWhatFallsTogether) {
               "'silhouette.iou'?");
 }
 
-TEST_F(StudyFile, PlotsHaveAPanelAndALineForEachGroup) {
+TEST_F(StudyFile, Plots_HavePanelAndLinePerGroup) {
     const Study study = read(kStudy);
     const std::string script = gnuplotScript(study, study.plots[0], sampleRows(cases(study)));
     EXPECT_THAT(script, HasSubstr("$p0l0 << EOD\n0.02 0.125\n0.5 0.5\nEOD\n"));     // size 10, A
@@ -307,14 +307,14 @@ TEST_F(StudyFile, PlotsHaveAPanelAndALineForEachGroup) {
     EXPECT_EQ(gnuplotScript(study, study.plots[0], {}), "");
 }
 
-TEST_F(StudyFile, PlotsOfAFigureThereIsntAreRefused) {
+TEST_F(StudyFile, PlotOfUnknownFigure_IsRefused) {
     Study study = read(kStudy);
     study.plots[0].data.figure = "silhouette.ion";
     EXPECT_THAT(inputErrorOf([&] { gnuplotScript(study, study.plots[0], sampleRows(cases(study))); }),
                 HasSubstr("did you mean 'silhouette.iou'?"));
 }
 
-TEST_F(StudyFile, AFailedPairSaysSo) {
+TEST_F(StudyFile, FailedPair_IsReported) {
     const Study study = read(kStudy);
     json failed = outcome(0.9, 0.8);
     failed["pairs"][0]["result"] = {{"error", "no frame"}};
@@ -323,7 +323,7 @@ TEST_F(StudyFile, AFailedPairSaysSo) {
     EXPECT_EQ(rows[1].error, "");
 }
 
-TEST_F(StudyFile, TheReportEscapesWhatItShows) {
+TEST_F(StudyFile, ReportText_IsEscaped) {
     const Study study = read(kStudy);
     if (std::system("gnuplot --version >/dev/null 2>&1") != 0)
         GTEST_SKIP() << "gnuplot isn't installed (package gnuplot-nox)";
@@ -340,7 +340,7 @@ TEST_F(StudyFile, TheReportEscapesWhatItShows) {
     EXPECT_THAT(readFile(folder_ / "report/p.svg"), HasSubstr("</svg>"));
 }
 
-TEST_F(StudyFile, AFolderIsOneStudys) {
+TEST_F(StudyFile, ForeignFolder_IsRefused) {
     const Study study = read(kStudy);
     const std::vector<StudyCase> all = cases(study);
     const StudyFolder folder(folder_ / "out", study);

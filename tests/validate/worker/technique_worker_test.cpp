@@ -50,7 +50,7 @@ void expectEqualFrames(const Frame& here, const Frame& there) {
             << name;
 }
 
-TEST_F(TechniqueWorkerTest, ResultsAreThoseOfDrawingHere) {
+TEST_F(TechniqueWorkerTest, Results_EqualDrawingInProcess) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     TechniqueWorker worker(options()); // one process for all of them
     RealtimeRenderer renderer(scene_, options().gl);
@@ -69,7 +69,7 @@ TEST_F(TechniqueWorkerTest, ResultsAreThoseOfDrawingHere) {
     }
 }
 
-TEST_F(TechniqueWorkerTest, ErrorsAreThoseOfDrawingHere) {
+TEST_F(TechniqueWorkerTest, Errors_EqualDrawingInProcess) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     TechniqueWorker worker(options());
     RealtimeRenderer renderer(scene_, options().gl);
@@ -88,7 +88,7 @@ TEST_F(TechniqueWorkerTest, ErrorsAreThoseOfDrawingHere) {
               1000u); // it still draws
 }
 
-TEST_F(TechniqueWorkerTest, AMachineWithoutTheDeviceIsToldOfAsHere) {
+TEST_F(TechniqueWorkerTest, MissingDevice_IsMachineError) {
     const GlOptions gl{GlBackend::Egl, 99, 0};
     TechniqueWorker worker(options(gl));
     const std::string here = messageOf([&] { RealtimeRenderer(scene_, gl); });
@@ -97,7 +97,7 @@ TEST_F(TechniqueWorkerTest, AMachineWithoutTheDeviceIsToldOfAsHere) {
     EXPECT_EQ(messageOf([&] { worker.render(resolveTechnique("linear_binary")); }), here); // started anew
 }
 
-TEST_F(TechniqueWorkerTest, AProcessThatEndsBetweenTwoTechniquesIsReplacedWithoutAWord) {
+TEST_F(TechniqueWorkerTest, ExitBetweenTechniques_IsReplacedSilently) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     TechniqueWorker worker(options());
     const Frame first = worker.render(resolveTechnique("linear_binary")).frame;
@@ -108,7 +108,7 @@ TEST_F(TechniqueWorkerTest, AProcessThatEndsBetweenTwoTechniquesIsReplacedWithou
     expectEqualFrames(first, worker.render(resolveTechnique("linear_binary")).frame);
 }
 
-TEST_F(TechniqueWorkerTest, NoProcessIsLeftBehind) {
+TEST_F(TechniqueWorkerTest, Destruction_LeavesNoProcess) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     {
         TechniqueWorker worker(options());
@@ -119,7 +119,7 @@ TEST_F(TechniqueWorkerTest, NoProcessIsLeftBehind) {
     EXPECT_TRUE(test::childrenOf(getpid()).empty());
 }
 
-TEST_F(TechniqueWorkerTest, ProgramsThatAreNone) {
+TEST_F(TechniqueWorkerTest, MissingProgram_IsMachineError) {
     WorkerOptions none = options();
     none.program = folder_ / "nowhere";
     EXPECT_THROW(TechniqueWorker worker(none), MachineError);
@@ -162,7 +162,7 @@ std::string asMessage(const std::exception& error) {
     });
 }
 
-TEST_F(ScriptedWorkerTest, EndsBeforeATechniqueAndWhileDrawingIt) {
+TEST_F(ScriptedWorkerTest, ExitBeforeAndWhileDrawing_IsReported) {
     const std::string before =
         asMessage(MachineError("linear_binary", "something ended the process (exit code 7)"));
     const std::string during =
@@ -171,7 +171,7 @@ TEST_F(ScriptedWorkerTest, EndsBeforeATechniqueAndWhileDrawingIt) {
     EXPECT_THAT(drawTwice({kReady, kDrawing, "sleep 0.1", "exit 7"}), ElementsAre(during, during));
 }
 
-TEST_F(ScriptedWorkerTest, TheTimeLimitHoldsForEachTechnique) {
+TEST_F(ScriptedWorkerTest, TimeLimit_HoldsPerTechnique) {
     const std::string stopped =
         asMessage(InputError("linear_binary", "not finished after 1 s and stopped",
                              "a search whose loops end", "--time-limit SECONDS gives it more"));
@@ -179,13 +179,13 @@ TEST_F(ScriptedWorkerTest, TheTimeLimitHoldsForEachTechnique) {
 }
 
 // Maps that are made before a technique draws may take minutes.
-TEST_F(ScriptedWorkerTest, TimeBeforeDrawingDoesNotCount) {
+TEST_F(ScriptedWorkerTest, TimeBeforeDrawing_DoesNotCount) {
     const std::string error = asMessage(MachineError("", "lost"));
     EXPECT_THAT(drawTwice({kReady, "sleep 1.5", kMachineError}), ElementsAre(error, error));
 }
 
 // A context that was lost stays lost: the next technique gets another process, even while this one lingers.
-TEST_F(ScriptedWorkerTest, AfterAFaultOfTheMachineTheProcessIsAnother) {
+TEST_F(ScriptedWorkerTest, MachineError_StartsNewProcess) {
     const std::string error = asMessage(MachineError("", "lost"));
     EXPECT_THAT(drawTwice({kReady, kMachineError, "exec sleep 60"}), ElementsAre(error, error));
 }

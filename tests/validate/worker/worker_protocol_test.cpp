@@ -52,7 +52,7 @@ void expectEqualBits(std::span<const float> a, std::span<const float> b) {
         EXPECT_EQ(std::bit_cast<uint32_t>(a[i]), std::bit_cast<uint32_t>(b[i])) << i;
 }
 
-TEST(WorkerProtocol, SetupsAndRequestsArriveAsTheyWere) {
+TEST(WorkerProtocol, SetupsAndRequests_RoundTrip) {
     const WorkerSetup setup = workerSetup(passOn(toJson(
         WorkerSetup{"/a/" + kLatin1 + ".toml", {"x.y=" + kLatin1}, "abc", {GlBackend::Osmesa, 3, 0.1}})));
     EXPECT_EQ(setup.scene, "/a/" + kLatin1 + ".toml");
@@ -69,7 +69,7 @@ TEST(WorkerProtocol, SetupsAndRequestsArriveAsTheyWere) {
     EXPECT_EQ(request.settings, (Settings{{"steps", "3"}, {"empty", ""}}));
 }
 
-TEST(WorkerProtocol, ResultsArriveAsTheyWere) {
+TEST(WorkerProtocol, Results_RoundTrip) {
     const auto [from, to] = MessageSocket::makePair();
     const TechniqueResult sent = sampleResult();
     sendResult(from, sent);
@@ -91,7 +91,7 @@ TEST(WorkerProtocol, ResultsArriveAsTheyWere) {
         expectEqualBits(result.frame.channel(name), sent.frame.channel(name));
 }
 
-TEST(WorkerProtocol, TimesThatAreNotNumbersAndFramesWithoutPixels) {
+TEST(WorkerProtocol, NanTimesAndEmptyFrames_RoundTrip) {
     TechniqueResult sent;
     sent.msMedian = std::nan("");
     const auto [from, to] = MessageSocket::makePair();
@@ -116,13 +116,13 @@ void expectArrives(const Error& error) {
     }
 }
 
-TEST(WorkerProtocol, ErrorsKeepTheirTypeAndText) {
+TEST(WorkerProtocol, Errors_KeepTypeAndText) {
     expectArrives(InputError("mine.glsl:3", "'" + kLatin1 + "'; undeclared", "a name", "did you mean 'x'?"));
     expectArrives(MachineError("OpenGL", "nothing works"));
     expectArrives(std::runtime_error("internal: " + kLatin1));
 }
 
-TEST(WorkerProtocol, PhasesArrive) {
+TEST(WorkerProtocol, Phases_RoundTrip) {
     const auto [from, to] = MessageSocket::makePair();
     from.send(phaseReply(kPhaseReady));
     from.send(phaseReply(kPhaseDrawing));
@@ -154,7 +154,7 @@ WorkerReply receiveBytes(const std::string& bytes) {
     return receiveReply(to);
 }
 
-TEST(WorkerProtocol, AMessageCutOffAnywhereIsALostConnection) {
+TEST(WorkerProtocol, TruncatedMessage_IsLostConnection) {
     const std::string bytes = bytesOf(sampleResult());
     ASSERT_GT(bytes.size(), 4u * 5 * 3 * 4);
     ASSERT_TRUE(receiveBytes(bytes).result);
@@ -162,7 +162,7 @@ TEST(WorkerProtocol, AMessageCutOffAnywhereIsALostConnection) {
         EXPECT_THROW(receiveBytes(bytes.substr(0, size)), ConnectionLost) << size;
 }
 
-TEST(WorkerProtocol, BytesThatAreNoMessageAreRefused) {
+TEST(WorkerProtocol, RandomBytes_AreRefused) {
     const auto message = [](uint64_t size, const std::string& rest) {
         return std::string(reinterpret_cast<const char*>(&size), sizeof size) + rest;
     };
@@ -172,7 +172,7 @@ TEST(WorkerProtocol, BytesThatAreNoMessageAreRefused) {
     EXPECT_THROW(receiveBytes(message(1, "\x80")), std::exception); // an empty object: no reply
 }
 
-TEST(WorkerProtocol, SendingToAnEndThatIsGoneRaisesNoSignal) {
+TEST(WorkerProtocol, SendingToClosedEnd_RaisesNoSignal) {
     auto [from, to] = MessageSocket::makePair();
     to = MessageSocket(-1);
     const std::vector<float> numbers(1000);
@@ -180,7 +180,7 @@ TEST(WorkerProtocol, SendingToAnEndThatIsGoneRaisesNoSignal) {
     EXPECT_THROW(from.send(std::span<const float>(numbers)), ConnectionLost);
 }
 
-TEST(WorkerProtocol, WaitingEndsWithAMessageWithTheOtherEndOrWithTime) {
+TEST(WorkerProtocol, Wait_EndsByMessageCloseOrTimeout) {
     auto [from, to] = MessageSocket::makePair();
     EXPECT_FALSE(to.waitFor(milliseconds(20)));
     from.send(phaseReply("drawing"));
@@ -192,7 +192,7 @@ TEST(WorkerProtocol, WaitingEndsWithAMessageWithTheOtherEndOrWithTime) {
 }
 
 // A child finds its end under a number below these; a parent's closed stdout must not become one.
-TEST(WorkerProtocol, SocketsKeepClearOfTheStandardStreams) {
+TEST(WorkerProtocol, Sockets_AvoidStandardStreams) {
     const auto [from, to] = MessageSocket::makePair();
     EXPECT_GE(std::min(from.descriptor(), to.descriptor()), 10);
 }
