@@ -112,7 +112,7 @@ struct PreparedMetric {
 std::vector<PreparedMetric> prepareMetrics(const MetricInput& input) {
     std::vector<PreparedMetric> prepared;
     for (const Metric& metric : metricRegistry()) {
-        if (metric.scope == Scope::Run) continue;
+        if (metric.scope == Scope::Technique) continue;
         if (metric.scope != Scope::ObjectsByLight)
             prepared.push_back({&metric, ""});
         else

@@ -62,8 +62,9 @@ std::string describe(const MetricInfo& metric) {
     text += "\n    " + metric.meaning + "\n";
     if (!metric.formula.empty()) text += "    formula: " + metric.formula + "\n";
     text += "    domain: " + metric.domain + "\n";
-    text += metric.scope == Scope::Picture || metric.scope == Scope::Run ? "    pooled only"
-                                                                         : "    of each object and pooled";
+    text += metric.scope == Scope::Picture || metric.scope == Scope::Technique
+                ? "    pooled only"
+                : "    of each object and pooled";
     text += metric.hasInterval ? ", with an interval\n" : "\n";
     if (!metric.source.empty()) text += "    source: " + metric.source + "\n";
     return text;

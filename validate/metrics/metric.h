@@ -51,7 +51,7 @@ enum class Scope {
     Objects,        // each object, and the pooled ones
     ObjectsByLight, // each of those and each light
     Picture,        // the whole picture
-    Run,            // the technique in this run; it doesn't come from the frames
+    Technique,      // the technique in this run; it doesn't come from the frames
 };
 
 /// A column of the table on the terminal; a figure with an interval gets a second one for its reach.
@@ -117,7 +117,7 @@ struct Metric {
 
     /// Computes what selections share and returns what computes the rest for each. Both may run on any
     /// thread; the input must outlive the result. `light`: empty unless the scope is ObjectsByLight. Of scope
-    /// Run there is no such function.
+    /// Technique there is no such function.
     std::function<std::function<Measured(ObjectSelection)>(const MetricInput&, const std::string& light)>
         prepare;
 };

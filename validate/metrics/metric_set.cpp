@@ -11,7 +11,7 @@ namespace {
 const Figure& missing(const MetricInfo& metric) {
     static const Figure ofPicture = Figure::absent("the picture is that of all objects"),
                         ofRun = Figure::absent("time is measured for the whole frame"), ofObjects;
-    return metric.scope == Scope::Picture ? ofPicture : metric.scope == Scope::Run ? ofRun : ofObjects;
+    return metric.scope == Scope::Picture ? ofPicture : metric.scope == Scope::Technique ? ofRun : ofObjects;
 }
 
 } // namespace

@@ -7,7 +7,7 @@ const MetricSpec<RunCost>& spec() {
     static const MetricSpec<RunCost> spec{
         .group = "cost",
         .domain = "the technique in this run",
-        .scope = Scope::Run,
+        .scope = Scope::Technique,
         .rows = {{{.key = "bake_ms",
                    .label = "bake time",
                    .unit = Unit::Milliseconds,

@@ -11,7 +11,7 @@ struct RunCost {
     Figure msMedian;  // of one frame, warm
 };
 
-/// Of scope Run.
+/// Of scope Technique.
 MetricSet figuresOf(const RunCost& cost);
 
 Metric runCostMetric();

@@ -40,8 +40,8 @@ std::string row(const Subject& subject, const std::string& object, const std::st
                 const MetricSet& metrics) {
     std::vector<std::string> figures;
     for (const MetricInfo& metric : metricTable())
-        figures.push_back(
-            cell(metric, (metric.scope == Scope::Run ? subject.runFigures : metrics).figure(metric, light)));
+        figures.push_back(cell(
+            metric, (metric.scope == Scope::Technique ? subject.runFigures : metrics).figure(metric, light)));
     return line(subject.technique, object, light, subject.reference, figures, "");
 }
 

@@ -157,7 +157,7 @@ Json toJson(const TechniqueOutcome& technique) {
     }
     json["pooled_objects"] = technique.comparison.pooledObjects;
     Group groups = metricGroups(pooledFigures(technique),
-                                {Scope::Objects, Scope::ObjectsByLight, Scope::Picture, Scope::Run});
+                                {Scope::Objects, Scope::ObjectsByLight, Scope::Picture, Scope::Technique});
     if (technique.cost.msMedian) {
         groups.inner(kCostGroup).addLast("ms_runs", technique.msRuns);
         groups.inner(kCostGroup).addLast("timer", technique.timer);
