@@ -1,4 +1,5 @@
 #include "scenes/core/data_folder.h"
+#include "scenes/core/error.h"
 #include "tests/temporary_folder.h"
 
 #include <gmock/gmock.h>

@@ -74,10 +74,9 @@ TEST_F(TechniqueWorkerTest, Errors_EqualDrawingInProcess) {
     TechniqueWorker worker(options());
     RealtimeRenderer renderer(scene_, options().gl);
     std::filesystem::create_directory(folder_ / "mine");
-    test::writeFile(folder_ / "mine/technique.toml",
-                    "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
-    test::writeFile(folder_ / "mine/mine.glsl",
-                    "ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
+    writeFile(folder_ / "mine/technique.toml",
+              "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
+    writeFile(folder_ / "mine/mine.glsl", "ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
     for (const std::string& text : {(folder_ / "mine").string(), std::string("micro_triangles")}) {
         const Technique technique = resolveTechnique(text);
         const std::string here = messageOf([&] { renderer.render(technique, nullptr); });
