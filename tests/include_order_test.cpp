@@ -42,7 +42,12 @@ const std::vector<Folder>& folders() {
         {"reference/rates", {"scenes", "reference/tessellate", "reference/trace"}},
         {"reference/certify", {"scenes", "reference/tessellate", "reference/trace", "reference/rates"}},
         {"reference", {"scenes"}},
+        {"realtime/bake", {"scenes"}},
+        {"realtime/technique", {"scenes", "realtime/bake"}},
+        {"realtime/gl", {"scenes/core"}},
+        {"realtime/draw", {"scenes", "realtime/bake", "realtime/technique", "realtime/gl"}},
         {"realtime", {"scenes"}},
+        {"validate/worker", {"scenes", "realtime"}},
         {"validate", {"scenes", "reference", "realtime"}},
     };
     return table;
