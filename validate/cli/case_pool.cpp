@@ -1,9 +1,8 @@
 #include "validate/cli/case_pool.h"
 
 #include "scenes/core/error.h"
-#include "validate/worker/child_process.h"
 #include "validate/worker/serve_parent.h"
-#include "validate/worker/worker_descriptor.h"
+#include "validate/worker/worker_process.h"
 #include "validate/worker/worker_protocol.h"
 
 #include <fmt/format.h>
@@ -14,15 +13,11 @@
 #include <exception>
 #include <mutex>
 #include <thread>
-#include <unistd.h>
 
 namespace plumbline {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::chrono::milliseconds
-    kEnding(5000); // a process whose end of the socket is closed is as good as gone
 
 /// "again": a later run is to try it again, for the reason may have gone.
 json failure(const std::string& text, bool again) {
@@ -32,22 +27,16 @@ json failure(const std::string& text, bool again) {
 }
 
 json replyOf(const StudyCase& studyCase, const CaseOptions& options) {
-    auto [socket, theirs] = MessageSocket::makePair();
-    ChildProcess process("/proc/self/exe",
-                         {"plumbline", kStudyCaseCommand, std::to_string(::getpid()), "--threads",
-                          std::to_string(options.threads)},
-                         theirs.descriptor(), kWorkerDescriptor);
-    theirs = MessageSocket(-1); // the process has its own; else its end would go unseen
+    WorkerProcess process("/proc/self/exe", kStudyCaseCommand, options.threads);
     try {
-        socket.send(caseRequest(studyCase, options));
-        const json reply = socket.receive();
+        process.socket.send(caseRequest(studyCase, options));
+        const json reply = process.socket.receive();
         if (const std::exception_ptr error = errorOf(reply)) std::rethrow_exception(error);
         return reply.at("result");
     } catch (const InputError& error) {
-        return failure(error.what(),
-                       false); // stays wrong until someone changes it, and then the case has another name
+        // Stays wrong until someone changes it, and then the case has another name.
+        return failure(error.what(), false);
     } catch (const ConnectionLost&) {
-        process.waitForEnd(kEnding);
         return failure(fmt::format("its process ended ({})", process.howItEnded()), true);
     } catch (const std::exception& error) {
         return failure(error.what(), true);

@@ -11,7 +11,7 @@ namespace plumbline {
 /// The command by which the program works out a case for itself; --help doesn't list it.
 inline constexpr const char* kStudyCaseCommand = "study-case";
 
-/// Told of each case when it is done, one call at a time. `outcome`: as StudyFolder keeps it.
+/// Called with each case when it is done, one call at a time. `outcome`: as StudyFolder keeps it.
 using CaseDone = std::function<void(const StudyCase& studyCase, const nlohmann::json& outcome)>;
 
 /// `jobs` at a time. What `done` throws ends the pool and is thrown on.

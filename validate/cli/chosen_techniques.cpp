@@ -63,7 +63,7 @@ ChosenTechnique compose(const TechniqueRequest& request, ManifestCache& manifest
 void refuseUnknown(const Settings& settings, const std::vector<ChosenTechnique>& techniques) {
     std::set<std::string> known;
     for (const ChosenTechnique& chosen : techniques) {
-        if (!chosen.technique) return; // nobody knows what it takes
+        if (!chosen.technique) return; // what it takes isn't known
         for (const std::string& name : chosen.technique->settingNames())
             known.insert(name);
     }

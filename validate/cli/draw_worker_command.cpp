@@ -1,6 +1,7 @@
 #include "scenes/core/error.h"
 #include "validate/cli/command.h"
 #include "validate/cli/thread_arguments.h"
+#include "validate/worker/serve_techniques.h"
 #include "validate/worker/technique_worker.h"
 
 #include <CLI/CLI.hpp>

@@ -34,7 +34,7 @@ size_t indexOf(const std::vector<std::string>& names, const std::string& name) {
     return static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin());
 }
 
-/// The second technique's frame held against the first's, as if that were the truth.
+/// The second technique's frame compared with the first's, as its reference.
 json comparePair(const Trial& first, const Trial& second, const Scene& scene,
                  const ReferenceSummary& reference) {
     TechniqueOutcome outcome;
@@ -128,8 +128,8 @@ json runCase(const json& request) {
     options.microAttributes =
         std::any_of(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
     ReferenceScene reference(scene, options);
-    const Frame truth = reference.render();
-    const ReferenceSummary summary = summaryOf(reference.stats(), truth);
+    const Frame referenceFrame = reference.render();
+    const ReferenceSummary summary = summaryOf(reference.stats(), referenceFrame);
 
     RealtimeArguments realtime;
     realtime.gl.backend = request.at("gl");
@@ -142,7 +142,7 @@ json runCase(const json& request) {
     json result{{"techniques", json::array()}, {"pairs", json::array()}, {"fit", fitOf(scene)}};
     for (size_t i = 0; i < techniques.size(); ++i) {
         Trial& trial = trials.emplace_back(tryTechnique(techniques[i], drawer, &reference.microMeshes()));
-        if (!trial.outcome.error) compareTrial(trial, truth, scene);
+        if (!trial.outcome.error) compareTrial(trial, referenceFrame, scene);
         if (trial.exitCode == kExitMachine) result["again"] = true;
         json results = resultsOf(scene, summary, {trial.outcome});
         result["techniques"].push_back({{"name", names[i]}, {"result", results["techniques"][0]}});

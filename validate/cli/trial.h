@@ -1,4 +1,4 @@
-// What validate and study do for each technique: draw it, hold it against the reference.
+// What validate and study do for each technique: draw it, compare it with the reference.
 #pragma once
 
 #ifdef PLUMBLINE_GL
@@ -21,7 +21,7 @@ struct Trial {
 Trial tryTechnique(const ChosenTechnique& chosen, TechniqueDrawer& drawer,
                    const std::vector<MicroMesh>* microMeshes);
 
-/// Holds a frame that was drawn against the reference, and warns of pixels that hold no numbers.
+/// Compares a frame that was drawn with the reference, and warns of pixels with values that aren't finite.
 void compareTrial(Trial& trial, const Frame& reference, const Scene& scene);
 
 } // namespace plumbline

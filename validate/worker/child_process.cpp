@@ -15,9 +15,9 @@
 namespace plumbline {
 namespace {
 
-/// How long a killed process may take to go. A driver can hold it longer, for a GPU that hangs; then it is
+/// How long a killed process may take to end. In a driver it can take longer, where a GPU hangs; then it is
 /// left behind.
-constexpr std::chrono::seconds kKillPatience(10);
+constexpr std::chrono::seconds kKillLimit(10);
 constexpr std::chrono::milliseconds kBetweenLooks(1);
 
 } // namespace
@@ -48,7 +48,7 @@ bool ChildProcess::waitForEnd(std::chrono::milliseconds limit) {
     while (!status_) {
         int status = 0;
         const pid_t ended = ::waitpid(process_, &status, WNOHANG);
-        // -1: whoever started this program had it ignore its children, and so nobody knows how they end.
+        // -1: this program was started with SIGCHLD ignored, so that it can't know how its children end.
         if (ended == process_ || (ended < 0 && errno != EINTR)) status_ = status;
         if (status_ || std::chrono::steady_clock::now() >= end) break;
         std::this_thread::sleep_for(kBetweenLooks);
@@ -59,7 +59,7 @@ bool ChildProcess::waitForEnd(std::chrono::milliseconds limit) {
 void ChildProcess::stop() {
     if (waitForEnd(std::chrono::milliseconds(0))) return;
     ::kill(process_, SIGKILL);
-    waitForEnd(kKillPatience);
+    waitForEnd(kKillLimit);
 }
 
 int ChildProcess::signal() const {
@@ -67,7 +67,7 @@ int ChildProcess::signal() const {
 }
 
 std::string ChildProcess::howItEnded() const {
-    if (!status_) return "nobody knows how";
+    if (!status_) return "it isn't known how";
     if (!WIFSIGNALED(*status_)) return fmt::format("exit code {}", WEXITSTATUS(*status_));
     const char* name = ::sigabbrev_np(signal());
     return name ? fmt::format("signal {}, SIG{}", signal(), name) : fmt::format("signal {}", signal());

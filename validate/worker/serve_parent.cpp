@@ -1,7 +1,7 @@
 #include "validate/worker/serve_parent.h"
 
 #include "scenes/core/error.h"
-#include "validate/worker/worker_descriptor.h"
+#include "validate/worker/worker_process.h"
 #include "validate/worker/worker_protocol.h"
 
 #include <fmt/format.h>
@@ -49,11 +49,11 @@ void sendPrintsToStderr() {
     if (nowhere != STDOUT_FILENO) ::close(nowhere);
 }
 
-/// The last word of a process that can't go on.
-void tellError(const MessageSocket& socket, const std::exception& error) {
+/// The last message of a process that can't go on.
+void sendError(const MessageSocket& socket, const std::exception& error) {
     try {
         socket.send(errorReply(error));
-    } catch (const ConnectionLost&) { // nobody is left to tell
+    } catch (const ConnectionLost&) { // the parent is gone
     }
 }
 
@@ -68,10 +68,10 @@ int serveParent(pid_t parent, const char* command, const std::function<void(cons
         serve(socket);
     } catch (const ConnectionLost&) { // how it ends
     } catch (const std::bad_alloc&) {
-        tellError(socket, MachineError(command, "this machine hasn't the memory for that",
+        sendError(socket, MachineError(command, "this machine hasn't the memory for that",
                                        "a smaller scene or frame"));
     } catch (const std::exception& error) {
-        tellError(socket, error);
+        sendError(socket, error);
     }
     return 0;
 }

@@ -1,4 +1,5 @@
-// The side of the process that draws; technique_worker.h has the other.
+#include "validate/worker/serve_techniques.h"
+
 #include "realtime/gl/gl_context.h"
 #include "scenes/core/error.h"
 #include "scenes/scene_file/scene_file.h"
@@ -21,9 +22,9 @@ Scene readSameScene(const WorkerSetup& setup) {
 }
 
 void drawTechnique(const MessageSocket& socket, RealtimeRenderer& renderer, const TechniqueRequest& request) {
-    const auto tellPhase = [&](std::string_view phase) { socket.send(phaseReply(phase)); };
+    const auto sendPhase = [&](std::string_view phase) { socket.send(phaseReply(phase)); };
     try {
-        sendResult(socket, renderer.render(resolveTechnique(request), nullptr, tellPhase));
+        sendResult(socket, renderer.render(resolveTechnique(request), nullptr, sendPhase));
     } catch (const InputError& error) {
         socket.send(errorReply(error)); // the others go on
     }

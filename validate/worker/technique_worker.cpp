@@ -1,8 +1,7 @@
 #include "validate/worker/technique_worker.h"
 
 #include "scenes/core/error.h"
-#include "validate/worker/child_process.h"
-#include "validate/worker/worker_descriptor.h"
+#include "validate/worker/worker_process.h"
 #include "validate/worker/worker_protocol.h"
 
 #include <fmt/format.h>
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <unistd.h>
 
 namespace plumbline {
 namespace {
@@ -19,10 +17,8 @@ using std::chrono::milliseconds;
 
 /// The clock runs in slices. While this process is stopped (Ctrl-Z) at most one passes.
 constexpr milliseconds kSlice(100);
-/// A process that was told to go puts shader caches away; more than this it doesn't get.
-constexpr milliseconds kFarewell(1000);
-/// A process whose end of the socket is closed is as good as gone.
-constexpr milliseconds kEnding(5000);
+/// What a process that is no longer needed gets to write its shader caches.
+constexpr milliseconds kShutdown(1000);
 
 /// Waits for a message and takes the time that took from `left`. False: none is left.
 bool waitWithin(const MessageSocket& socket, milliseconds& left) {
@@ -43,10 +39,9 @@ InputError tooSlow(const std::string& technique, int limitSeconds) {
             "a search whose loops end", "--time-limit SECONDS gives it more"};
 }
 
-MachineError endedWhile(const std::string& where, bool drawing, ChildProcess& process) {
-    process.waitForEnd(kEnding);
-    const std::string how = process.howItEnded();
-    if (process.signal() == SIGKILL)
+MachineError endedWhile(const std::string& where, bool drawing, WorkerProcess& worker) {
+    const std::string how = worker.howItEnded();
+    if (worker.process.signal() == SIGKILL)
         return {where, fmt::format("its process was killed ({})", how), "", "memory may have run out"};
     return {where,
             fmt::format("{} the process ({})", drawing ? "the OpenGL driver ended" : "something ended", how)};
@@ -54,15 +49,8 @@ MachineError endedWhile(const std::string& where, bool drawing, ChildProcess& pr
 
 } // namespace
 
-struct TechniqueWorker::Connection {
-    Connection(const WorkerOptions& options, std::pair<MessageSocket, MessageSocket> ends)
-        : socket(std::move(ends.first)), process(options.program,
-                                                 {"plumbline", kDrawWorkerCommand, std::to_string(::getpid()),
-                                                  "--threads", std::to_string(options.threads)},
-                                                 ends.second.descriptor(), kWorkerDescriptor) {}
-
-    MessageSocket socket;
-    ChildProcess process;
+struct TechniqueWorker::Connection : WorkerProcess {
+    using WorkerProcess::WorkerProcess;
     bool ready = false;
 };
 
@@ -72,17 +60,17 @@ TechniqueWorker::TechniqueWorker(const WorkerOptions& options) : options_(option
 
 TechniqueWorker::~TechniqueWorker() {
     if (!connection_) return;
-    connection_->socket = MessageSocket(-1); // tells it to go
-    connection_->process.waitForEnd(kFarewell);
+    connection_->socket = MessageSocket(-1); // at which the process ends
+    connection_->process.waitForEnd(kShutdown);
 }
 
 void TechniqueWorker::start() {
-    connection_ = std::make_unique<Connection>(options_, MessageSocket::makePair());
+    connection_ = std::make_unique<Connection>(options_.program, kDrawWorkerCommand, options_.threads);
     try {
         connection_->socket.send(
             toJson(WorkerSetup{options_.sceneFile, options_.sceneChanges, options_.sceneHash, options_.gl}));
     } catch (const ConnectionLost&) {
-        // It ended already; whoever waits for it will say how.
+        // It ended already; waitUntilReady reports how.
     }
 }
 
@@ -97,7 +85,7 @@ void TechniqueWorker::waitUntilReady() {
         if (reply.error) std::rethrow_exception(reply.error);
         connection_->ready = true;
     } catch (const ConnectionLost&) {
-        const MachineError error = endedWhile("starting OpenGL", true, connection_->process);
+        const MachineError error = endedWhile("starting OpenGL", true, *connection_);
         connection_.reset();
         throw error;
     } catch (...) {
@@ -115,7 +103,7 @@ TechniqueResult TechniqueWorker::render(const Technique& technique) {
     } catch (const InputError&) {
         throw; // the technique's own fault
     } catch (const ConnectionLost&) {
-        const MachineError error = endedWhile(technique.name(), drawing, connection_->process);
+        const MachineError error = endedWhile(technique.name(), drawing, *connection_);
         connection_.reset();
         throw error;
     } catch (...) {

@@ -53,8 +53,4 @@ class TechniqueWorker {
     std::unique_ptr<Connection> connection_; // null: not started since the last one was stopped
 };
 
-/// The other side, what the command does: draws what the process `parent` asks for until that is gone.
-/// Returns an exit code.
-int serveTechniques(pid_t parent);
-
 } // namespace plumbline

@@ -1,4 +1,4 @@
-// What a run and the process that draws its techniques tell each other, as values for MessageSocket.
+// The messages between a run and the process that draws its techniques, as values for MessageSocket.
 //
 //   run     -> drawing process: WorkerSetup, then a TechniqueRequest a technique
 //   drawing process -> run:     phases as it comes to them, kPhaseReady first; for each request a result or
