@@ -30,7 +30,7 @@ struct TechniqueResult {
     std::vector<std::string> warnings;
 };
 
-/// Told what `render` is about to do.
+/// Called with what `render` is about to do.
 using PhaseCallback = std::function<void(std::string_view phase)>;
 inline constexpr std::string_view kPhaseDrawing = "drawing"; // the author's shader compiles, then runs
 

@@ -23,7 +23,7 @@ struct GpuObject {
     GlBuffer vertices;
     GLsizei vertexCount = 0;
     Vec2 stOrigin{0, 0};    // whole tiles taken off st, so that float keeps its digits
-    bool hasRelief = false; // a relief too shallow to be told from none counts as none
+    bool hasRelief = false; // a relief too shallow for float counts as none
     GLuint heightMap = 0, colorMap = 0;
     ReliefExtents extents;
 };

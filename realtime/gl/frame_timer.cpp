@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kMostRuns = 25;
 // A first frame, with what the driver compiles for it, that takes so many budgets isn't drawn again.
-constexpr double kPatience = 5;
+constexpr double kMostBudgets = 5;
 
 double wallMs(const std::function<void()>& draw) {
     using Clock = std::chrono::steady_clock;
@@ -44,7 +44,7 @@ FrameTime timeFrame(const GlContext& context, double budgetMs, const std::functi
     const bool software = context.softwareRasteriser();
     const std::string timer = software ? "wall clock around glFinish" : "gpu timer query";
     const double firstMs = wallMs(draw);
-    if (firstMs > kPatience * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};
+    if (firstMs > kMostBudgets * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};
     std::vector<double> times;
     double spentMs = 0; // by the wall: queries leave out what the driver does
     while (times.empty() || (spentMs < budgetMs && times.size() < kMostRuns)) {

@@ -216,7 +216,7 @@ class EglContext final : public GlContext {
 int eglDeviceCount() {
     try {
         return static_cast<int>(eglDevices().size());
-    } catch (const MachineError&) { // no libEGL, which createEglContext() tells
+    } catch (const MachineError&) { // no libEGL: createEglContext() says so
         return 0;
     }
 }
