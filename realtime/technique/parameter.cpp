@@ -1,32 +1,14 @@
 // Values of parameters: text in, text out.
 #include "realtime/technique/manifest.h"
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
+#include <optional>
 
 namespace plumbline {
-namespace {
-
-/// The whole text as a number, in the C locale.
-bool parseNumber(const std::string& text, double& value) {
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, value);
-    return result.ec == std::errc() && result.ptr == end && std::isfinite(value);
-}
-
-bool parseInteger(const std::string& text, double& value) {
-    long long integer = 0;
-    const char* end = text.data() + text.size();
-    const auto result = std::from_chars(text.data(), end, integer);
-    value = static_cast<double>(integer);
-    return result.ec == std::errc() && result.ptr == end;
-}
-
-} // namespace
 
 std::string Parameter::typeName() const {
     switch (type) {
@@ -53,34 +35,28 @@ std::string Parameter::rangeText() const {
 }
 
 ParameterValue Parameter::parse(const std::string& where, const std::string& text) const {
-    ParameterValue value{type, 0};
-    bool good = false;
+    const bool isNumber = type == ParameterValue::Type::Int || type == ParameterValue::Type::Float;
+    std::optional<double> number;
     switch (type) {
     case ParameterValue::Type::Bool:
-        good = text == "true" || text == "false";
-        value.number = text == "true";
+        if (text == "true" || text == "false") number = text == "true";
         break;
-    case ParameterValue::Type::Choice: {
-        const auto found = std::find(choices.begin(), choices.end(), text);
-        good = found != choices.end();
-        value.number = static_cast<double>(found - choices.begin());
+    case ParameterValue::Type::Choice:
+        if (const auto found = std::ranges::find(choices, text); found != choices.end())
+            number = static_cast<double>(found - choices.begin());
         break;
-    }
     case ParameterValue::Type::Int:
-        good = parseInteger(text, value.number);
+        if (const auto whole = parseNumber<long long>(text)) number = static_cast<double>(*whole);
         break;
     case ParameterValue::Type::Float:
-        good = parseNumber(text, value.number);
+        number = parseNumber<double>(text);
         break;
     }
-    if (type == ParameterValue::Type::Int || type == ParameterValue::Type::Float)
-        good = good && value.number >= low && value.number <= high;
-    if (good) return value;
+    if (number && (!isNumber || (*number >= low && *number <= high))) return {type, *number};
     const std::string expected =
-        type == ParameterValue::Type::Int || type == ParameterValue::Type::Float
-            ? fmt::format("{} from {}", type == ParameterValue::Type::Int ? "a whole number" : "a number",
-                          rangeText())
-            : rangeText();
+        isNumber ? fmt::format("{} from {}",
+                               type == ParameterValue::Type::Int ? "a whole number" : "a number", rangeText())
+                 : rangeText();
     throw InputError(where, fmt::format("{} = '{}'", name, text), expected, didYouMean(text, choices));
 }
 

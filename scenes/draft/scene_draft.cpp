@@ -1,6 +1,7 @@
 #include "scenes/draft/scene_draft.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "scenes/draft/draft_view.h"
 #include "scenes/scene/scene_limits.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace plumbline {
 namespace {
@@ -49,7 +49,7 @@ Scheme chooseScheme(const ControlMesh& mesh, std::string& reason) {
 
 /// To two digits that count, by way of their text: so the file shows no more.
 double rounded(double value) {
-    return std::strtod(fmt::format("{:.2g}", value).c_str(), nullptr);
+    return parseNumber<double>(fmt::format("{:.2g}", value)).value();
 }
 
 double chooseDepth(const SurfaceSurvey& survey, std::string& reason) {

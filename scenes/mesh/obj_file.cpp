@@ -2,6 +2,7 @@
 
 #include "scenes/core/contains.h"
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "scenes/core/read_file.h"
 #include "scenes/mesh/obj_tags.h"
 
@@ -183,7 +184,7 @@ class ObjReader {
         ++elements.count;
     }
 
-    /// Numbers too small for a double are 0.
+    /// Numbers too small for a double are 0: parseNumber can't tell those from numbers too large.
     double readNumber(std::string_view word) const {
         const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
         double value = 0;
@@ -197,12 +198,11 @@ class ObjReader {
 
     long long readIndex(std::string_view word, std::string_view corner) const {
         const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-        long long index = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), index);
-        if (error != std::errc{} || end != digits.data() + digits.size())
+        const auto index = parseNumber<long long>(digits);
+        if (!index)
             fail(fmt::format("'{}' is not a corner of a face", shortened(corner)),
                  "v, v/vt, v//vn or v/vt/vn");
-        return index;
+        return *index;
     }
 
     Corner readCorner(std::string_view word) const {

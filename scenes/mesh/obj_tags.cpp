@@ -1,12 +1,12 @@
 #include "scenes/mesh/obj_tags.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 
 namespace plumbline {
 namespace {
@@ -53,11 +53,9 @@ class TagReader {
     template <class Number>
     Number parse(std::string_view word, const char* expected) const {
         if (word.starts_with('+')) word.remove_prefix(1);
-        Number value{};
-        const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-        if (error != std::errc{} || end != word.data() + word.size())
-            fail(fmt::format("'{}' in a subdivision tag", shortened(word)), expected);
-        return value;
+        const auto number = parseNumber<Number>(word);
+        if (!number) fail(fmt::format("'{}' in a subdivision tag", shortened(word)), expected);
+        return *number;
     }
 
     /// "2/1/0": how many of each kind follow.
@@ -85,7 +83,7 @@ class TagReader {
             if (i < 2 + integers)
                 tag.integers.push_back(parse<int>(words[i], "a whole number"));
             else if (i < 2 + integers + numbers)
-                tag.numbers.push_back(parse<double>(words[i], "a number"));
+                tag.numbers.push_back(parse<double>(words[i], "a finite number"));
             else
                 tag.texts.emplace_back(words[i]);
         }

@@ -1,14 +1,13 @@
 #include "validate/compare/foreign_layout.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "scenes/frame/frame.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
 namespace plumbline {
 namespace {
@@ -139,13 +138,9 @@ ChannelMapping parseMapping(const std::string& text) {
     constexpr std::string_view kDistance = "distance";
     if (mapping.ours.starts_with(kDistance)) {
         const std::string plane = mapping.ours.substr(kDistance.size());
-        double near = 0;
-        const char* end = plane.data() + plane.size();
-        if (!plane.empty()) {
-            const auto [stopped, error] = std::from_chars(plane.data() + 1, end, near);
-            if (plane[0] != '+' || error != std::errc() || stopped != end || !std::isfinite(near))
-                throw InputError(where, fmt::format("'{}' can't be read", mapping.ours), kExpected);
-        }
+        std::optional<double> near = 0;
+        if (!plane.empty()) near = plane[0] == '+' ? parseNumber<double>(plane.substr(1)) : std::nullopt;
+        if (!near) throw InputError(where, fmt::format("'{}' can't be read", mapping.ours), kExpected);
         mapping.ours = "Z";
         mapping.distanceFrom = near;
         return mapping;

@@ -1,12 +1,12 @@
 #include "validate/compare/frame_metadata.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "scenes/scene_file/scene_camera.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <sstream>
@@ -32,11 +32,9 @@ class Words {
     }
     void literal(const char* expected) { failed_ = word() != expected || failed_; }
     double number() {
-        const std::string next = word();
-        double value = 0;
-        const auto [end, error] = std::from_chars(next.data(), next.data() + next.size(), value);
-        if (error != std::errc() || end != next.data() + next.size() || !std::isfinite(value)) failed_ = true;
-        return value;
+        const std::optional<double> number = parseNumber<double>(word());
+        if (!number) failed_ = true;
+        return number.value_or(0);
     }
     int count(int largest) {
         const double value = number();
@@ -131,10 +129,9 @@ static std::vector<ObjectInfo> readObjects(const Frame& frame, const std::string
         if (!key.starts_with(kPrefix)) continue;
         const size_t dot = key.find('.', kPrefix.size());
         if (dot == std::string::npos) continue; // somebody else's key
-        int id = 0;
-        const char* end = key.data() + dot;
-        const auto [stopped, error] = std::from_chars(key.data() + kPrefix.size(), end, id);
-        if (error != std::errc() || stopped != end || id < 1 || id > kLargestId) continue;
+        const int id =
+            parseNumber<int>(std::string_view(key).substr(kPrefix.size(), dot - kPrefix.size())).value_or(0);
+        if (id < 1 || id > kLargestId) continue;
         const auto [entry, isNew] = byId.try_emplace(id);
         if (isNew) {
             entry->second.id = id;

@@ -1,12 +1,12 @@
 #include "validate/results/history_moves.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "validate/metrics/metric_registry.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace plumbline {
@@ -207,9 +207,8 @@ Tolerances Tolerances::parse(const std::vector<std::string>& texts) {
         Amount amount;
         std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
         if ((amount.relative = number.ends_with('%'))) number.pop_back();
-        const char* end = number.data() + number.size();
-        const auto [stopped, error] = std::from_chars(number.data(), end, amount.value);
-        if (error != std::errc() || stopped != end || !(amount.value >= 0) || !std::isfinite(amount.value))
+        amount.value = parseNumber<double>(number).value_or(-1);
+        if (amount.value < 0)
             throw InputError("--tolerance", fmt::format("found '{}'", text),
                              "FIGURE=AMOUNT, for example silhouette.iou=0.001 or depth.rmse=2%");
         if (amount.relative) amount.value /= 100;

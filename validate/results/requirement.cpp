@@ -1,13 +1,13 @@
 #include "validate/results/requirement.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "validate/metrics/metric_registry.h"
 #include "validate/results/results.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 
 namespace plumbline {
 namespace {
@@ -20,11 +20,9 @@ std::string trimmed(const std::string& text) {
 }
 
 double parseBound(const std::string& text, const std::string& where) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        throw InputError(where, fmt::format("'{}' is no finite number", text), kForm);
-    return value;
+    const std::optional<double> bound = parseNumber<double>(text);
+    if (!bound) throw InputError(where, fmt::format("'{}' is no finite number", text), kForm);
+    return *bound;
 }
 
 [[noreturn]] void refuseMetric(const Requirement& requirement) {

@@ -1,13 +1,13 @@
 #include "validate/study/study_plot.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "scenes/core/replace_file.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -49,9 +49,9 @@ struct Positions {
 
     explicit Positions(std::vector<std::string> values) : texts(std::move(values)) {
         for (const std::string& text : texts) {
-            char* end = nullptr;
-            numbers.push_back(std::strtod(text.c_str(), &end));
-            named |= text.empty() || *end != '\0';
+            const auto number = parseNumber<double>(text);
+            numbers.push_back(number.value_or(0));
+            named |= !number;
         }
         if (!named) return;
         for (size_t i = 0; i < numbers.size(); ++i)
