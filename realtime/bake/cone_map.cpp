@@ -128,7 +128,7 @@ BakedMap::Level coarser(const BakedMap::Level& finer, int slices, int channels) 
 
 void requireConeMemory(const HeightMap& map, const ConeRule& rule) {
     const auto texels = static_cast<double>(map.depths().size());
-    const double kept = rule.sectors * sizeof(float);
+    const double kept = double(sizeof(float)) * rule.sectors;
     const double working = DepthPyramid::bytesPerTexel(rule) + kept;
     requireMemory("cone map of " + map.name(), texels * (2 * kept * 4 / 3 + working));
 }

@@ -204,7 +204,8 @@ BakedMap bakeDistanceField(const HeightMap& map, const BakeRequest& request) {
     const ScaleRatios ratios = scaleRatios(request.scale);
     const double texels = static_cast<double>(map.width()) * map.height();
     requireMemory(fmt::format("a distance field of {}, {} slices", map.name(), request.slices),
-                  texels * (request.slices * kChannels * sizeof(float) + sizeof(double) + sizeof(int)));
+                  texels *
+                      (double(kChannels * sizeof(float)) * request.slices + sizeof(double) + sizeof(int)));
     BakedMap baked;
     baked.slices = request.slices;
     baked.channels = kChannels;

@@ -39,8 +39,7 @@ inline void embreeOccluded(RTCScene scene, RTCRay& ray) {
 class FlushDenormals {
   public:
     FlushDenormals() : saved_(_mm_getcsr()) {
-        _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
-        _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+        _mm_setcsr(saved_ | _MM_FLUSH_ZERO_ON | _MM_DENORMALS_ZERO_ON);
     }
     ~FlushDenormals() { _mm_setcsr(saved_); }
     FlushDenormals(const FlushDenormals&) = delete;

@@ -81,7 +81,7 @@ class TimeLimit : public EndToEnd {
         ASSERT_EQ(results.size(), 3u);
         EXPECT_THAT(results[1]["error"].get<std::string>(), HasSubstr(part));
         EXPECT_FALSE(results[1].contains("silhouette"));
-        for (const size_t good : {0, 2}) {
+        for (const size_t good : {0u, 2u}) {
             EXPECT_TRUE(results[good]["error"].is_null()) << results[good]["error"];
             EXPECT_GT(results[good]["silhouette"]["iou"], 0.5);
         }

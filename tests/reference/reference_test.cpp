@@ -213,7 +213,7 @@ TEST(Reference, AnyThreadCount_GivesEqualBytes) {
     scene.camera.width = scene.camera.height = 200;
     scene.lights[0].toLightWorld = glm::normalize(Vec3(1, 0.3, 0.5));
     std::vector<Frame> frames;
-    for (const size_t threads : {1, 2, 8}) {
+    for (const size_t threads : {1u, 2u, 8u}) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
         frames.push_back(renderReference(scene, 32));
     }

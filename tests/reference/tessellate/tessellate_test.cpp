@@ -48,11 +48,11 @@ TEST(Tessellate, ClosedShells_StayClosed) {
             const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, rate), false);
             const std::vector<Triangle> triangles = trianglesWithArea(mesh);
             // Catmull-Clark: 3 quarters of 2 (rate/2)^2 on each of 8 triangles; else rate^2.
-            const uint64_t expected =
-                scheme == Scheme::CatmullClark ? 8u * 3 * 2 * (rate / 2) * (rate / 2) : 8u * rate * rate;
-            EXPECT_EQ(triangles.size(), expected);
+            const int expected =
+                scheme == Scheme::CatmullClark ? 8 * 3 * 2 * (rate / 2) * (rate / 2) : 8 * rate * rate;
+            EXPECT_EQ(triangles.size(), size_t(expected));
             const MicroMeshSize size = microMeshSize(surface, uniformRates(surface, rate));
-            EXPECT_EQ(size.microTriangles, expected);
+            EXPECT_EQ(size.microTriangles, size_t(expected));
             EXPECT_EQ(size.vertices, mesh.positionsWorld.size());
             EXPECT_EQ(size.grids, mesh.grids.size());
             EXPECT_EQ(unmatchedEdges(triangles), 0);

@@ -33,12 +33,15 @@ TEST(CameraJson, MatrixAndFov_ProjectAsCamera) {
     const auto json = nlohmann::json::parse(cameraJson(scene));
     const Vec4 world(0.3, 0.4, -0.5, 1);
     Vec3 view(0), back(0);
+    const auto entry = [&](const char* matrix, int row, int column) {
+        return json[matrix][size_t(row)][size_t(column)].get<double>();
+    };
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
-            view[row] += json["world_to_view"][row][column].get<double>() * world[column];
+            view[row] += entry("world_to_view", row, column) * world[column];
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 4; ++column)
-            back[row] += json["view_to_world"][row][column].get<double>() * Vec4(view, 1)[column];
+            back[row] += entry("view_to_world", row, column) * Vec4(view, 1)[column];
     const double perPixel =
         2 * std::tan(radians(json["fov_y_degrees"].get<double>()) / 2) / json["height"].get<double>();
     const Vec3 expected = pixelFromWorld(scene.camera, Vec3(world));
