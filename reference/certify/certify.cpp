@@ -16,9 +16,7 @@ namespace {
 /// By nearest rank. Reorders; 0 of none.
 double percentile(std::vector<float>& values, unsigned percent) {
     if (values.empty()) return 0;
-    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
-    std::nth_element(values.begin(), nth, values.end());
-    return *nth;
+    return nearestRank(values, percent);
 }
 
 class UncertainMarker {
@@ -115,11 +113,11 @@ FaceErrorsPx measureFaces(const std::vector<TracedObject>& objects, const Frame&
                           const FrameEvidence& evidence, const std::vector<float>& errorsPx) {
     std::vector<std::vector<std::vector<float>>> errors; // per object, per face
     for (const TracedObject& object : objects)
-        errors.emplace_back(static_cast<size_t>(object.surface->mesh().faceCount()));
+        errors.emplace_back(lengthOf(object.surface->mesh().faceCount()));
     const auto id = frame.channel("id");
     for (size_t pixel = 0; pixel < errorsPx.size(); ++pixel)
         if (id[pixel] != 0)
-            errors[static_cast<size_t>(id[pixel]) - 1][evidence.face[pixel]].push_back(errorsPx[pixel]);
+            item(errors[static_cast<size_t>(id[pixel]) - 1], evidence.face[pixel]).push_back(errorsPx[pixel]);
     FaceErrorsPx result;
     for (auto& ofObject : errors) {
         result.emplace_back();

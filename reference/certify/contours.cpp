@@ -54,8 +54,7 @@ ContourFinder::ContourFinder(const MicroMesh& mesh) : mesh_(mesh) {
 
 ContourFinder::Triangle ContourFinder::triangle(uint32_t gridIndex, int column, int row, bool upper) const {
     const MicroGrid& grid = mesh_.grids[gridIndex];
-    const uint32_t a = grid.firstVertex + static_cast<uint32_t>(row * grid.columns + column);
-    const uint32_t b = a + 1, c = a + grid.columns;
+    const uint32_t a = grid.vertex(column, row), b = a + 1, c = a + grid.columns;
     return upper ? Triangle{c + 1, c, b} : Triangle{a, b, c};
 }
 
@@ -75,35 +74,34 @@ bool ContourFinder::touchesSide(const MicroGrid& grid) const {
            grid.column0 + grid.columns - 1 == lattice.columns || lattice.triangular;
 }
 
-int64_t ContourFinder::gridAt(uint32_t index, int columnsAway, int rowsAway) const {
+std::optional<uint32_t> ContourFinder::gridAt(uint32_t index, int columnsAway, int rowsAway) const {
     const MicroGrid& grid = mesh_.grids[index];
     const PatchLattice& lattice = mesh_.lattices[grid.patch];
     const int column = grid.column0 / kGridCells + columnsAway, row = grid.row0 / kGridCells + rowsAway;
     if (column < 0 || row < 0 || row >= blocksAlong(lattice.rows) || column >= blocksInRow(lattice, row))
-        return -1;
-    int64_t before = int64_t(firstGrid_[grid.patch]);
+        return std::nullopt;
+    int before = 0;
     for (int r = 0; r < row; ++r)
         before += blocksInRow(lattice, r);
-    return before + column;
+    return firstGrid_[grid.patch] + static_cast<uint32_t>(before + column);
+}
+
+bool ContourFinder::hasTriangle(uint32_t index, int column, int row, bool upper) const {
+    const MicroGrid& grid = mesh_.grids[index];
+    const PatchLattice& lattice = mesh_.lattices[grid.patch];
+    if (column < 0 || row < 0 || column >= lattice.columns || row >= lattice.rows) return false;
+    const auto away = [](int cell, int cells) { return cell < 0 ? -1 : cell >= cells ? 1 : 0; };
+    const int columns = away(column - grid.column0, grid.columns - 1),
+              rows = away(row - grid.row0, grid.rows - 1);
+    const auto of = columns == 0 && rows == 0 ? std::optional(index) : gridAt(index, columns, rows);
+    if (!of) return false;
+    const MicroGrid& holder = mesh_.grids[*of];
+    return hasArea(triangle(*of, column - holder.column0, row - holder.row0, upper));
 }
 
 void ContourFinder::collectLooseSides(uint32_t index, std::vector<LooseSide>& sides) const {
     const MicroGrid& grid = mesh_.grids[index];
-    const PatchLattice& lattice = mesh_.lattices[grid.patch];
     if (!touchesSide(grid)) return;
-    const auto has = [&](int column, int row, bool upper) { // of the lattice
-        if (column < 0 || row < 0 || column >= lattice.columns || row >= lattice.rows) return false;
-        int64_t of = index;
-        int c = column - grid.column0, r = row - grid.row0;
-        const int away = c < 0 ? -1 : c >= grid.columns - 1, awayRows = r < 0 ? -1 : r >= grid.rows - 1;
-        if (away || awayRows) {
-            of = gridAt(index, away, awayRows);
-            if (of < 0) return false;
-            c = column - mesh_.grids[static_cast<size_t>(of)].column0;
-            r = row - mesh_.grids[static_cast<size_t>(of)].row0;
-        }
-        return hasArea(triangle(static_cast<uint32_t>(of), c, r, upper));
-    };
     const auto add = [&](uint32_t a, uint32_t b, uint32_t third) {
         sides.push_back(
             {hashOf(mesh_.positionsWorld[a]) + hashOf(mesh_.positionsWorld[b]), a, b, third, index});
@@ -114,13 +112,13 @@ void ContourFinder::collectLooseSides(uint32_t index, std::vector<LooseSide>& si
             const Triangle lower = triangle(index, c, r, false), upper = triangle(index, c, r, true);
             const bool hasLower = hasArea(lower), hasUpper = hasArea(upper);
             if (hasLower) {
-                if (!has(column, row - 1, true)) add(lower.a, lower.b, lower.c);
-                if (!has(column - 1, row, true)) add(lower.c, lower.a, lower.b);
+                if (!hasTriangle(index, column, row - 1, true)) add(lower.a, lower.b, lower.c);
+                if (!hasTriangle(index, column - 1, row, true)) add(lower.c, lower.a, lower.b);
                 if (!hasUpper) add(lower.b, lower.c, lower.a);
             }
             if (hasUpper) {
-                if (!has(column, row + 1, false)) add(upper.a, upper.b, upper.c);
-                if (!has(column + 1, row, false)) add(upper.c, upper.a, upper.b);
+                if (!hasTriangle(index, column, row + 1, false)) add(upper.a, upper.b, upper.c);
+                if (!hasTriangle(index, column + 1, row, false)) add(upper.c, upper.a, upper.b);
                 if (!hasLower) add(upper.b, upper.c, upper.a);
             }
         }
@@ -136,58 +134,57 @@ ContourEdge ContourFinder::edgeOf(uint32_t a, uint32_t b, uint32_t third, double
             errorWorld};
 }
 
+ContourFinder::CellFacings ContourFinder::facingsOf(const Viewpoint& viewpoint, uint32_t index) const {
+    const MicroGrid& grid = mesh_.grids[index];
+    std::array<Vec3, kMaxGridSide * kMaxGridSide> points;
+    for (uint32_t i = 0; i < uint32_t(grid.columns) * grid.rows; ++i)
+        points[i] = Vec3(mesh_.positionsWorld[grid.firstVertex + i]);
+    CellFacings facings;
+    // Without area there are only some along a patch's sides.
+    const bool allHaveArea = !touchesSide(grid);
+    for (int row = 0; row + 1 < grid.rows; ++row)
+        for (int column = 0; column + 1 < grid.columns; ++column) {
+            const Vec3* a = &points[indexIn(grid.columns, column, row)];
+            const Vec3 &b = a[1], &c = a[grid.columns], &d = a[grid.columns + 1];
+            auto& [lower, upper] = facings.at(column, row);
+            lower = facingOf(viewpoint, *a, b, c);
+            upper = facingOf(viewpoint, d, c, b);
+            if (allHaveArea) continue;
+            if (!hasArea(triangle(index, column, row, false))) lower = kNone;
+            if (!hasArea(triangle(index, column, row, true))) upper = kNone;
+        }
+    return facings;
+}
+
 void ContourFinder::visitGrid(const Viewpoint& viewpoint, uint32_t index,
                               const std::function<void(const ContourEdge&)>& visit) const {
     const MicroGrid& grid = mesh_.grids[index];
-    const int columns = grid.columns - 1, rows = grid.rows - 1;
-    constexpr int kNone = 2; // no area, or no triangle
-    std::array<Vec3, kMaxGridSide * kMaxGridSide> points;
-    for (size_t i = 0; i < static_cast<size_t>(grid.columns) * grid.rows; ++i)
-        points[i] = Vec3(mesh_.positionsWorld[grid.firstVertex + i]);
-    std::array<std::array<std::array<int8_t, 2>, kGridCells>, kGridCells> facings;
-    // Without area there are only some along a patch's sides.
-    const bool allHaveArea = !touchesSide(grid);
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const Vec3* a = &points[static_cast<size_t>(row * grid.columns + column)];
-            const Vec3 &b = a[1], &c = a[grid.columns], &d = a[grid.columns + 1];
-            auto& here = facings[static_cast<size_t>(row)][static_cast<size_t>(column)];
-            here[0] = facingOf(viewpoint, *a, b, c);
-            here[1] = facingOf(viewpoint, d, c, b);
-            if (allHaveArea) continue;
-            for (const bool upper : {false, true})
-                if (!hasArea(triangle(index, column, row, upper))) here[upper] = kNone;
-        }
-    const auto facingIn = [&](uint32_t of, int column, int row) {
-        const Triangle t = triangle(of, column, row, true);
-        return hasArea(t) ? facing(viewpoint, t) : kNone;
-    };
-    const int64_t below = gridAt(index, 0, -1), left = gridAt(index, -1, 0);
+    const CellFacings facings = facingsOf(viewpoint, index);
+    const std::optional<uint32_t> below = gridAt(index, 0, -1), left = gridAt(index, -1, 0);
     // A triangle seen exactly edge-on counts as turned from both sides.
     const auto consider = [&](int one, int other, uint32_t a, uint32_t b, uint32_t third, double error) {
         if (one != kNone && other != kNone && (one != other || one == 0)) visit(edgeOf(a, b, third, error));
     };
-    for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column) {
-            const auto& here = facings[static_cast<size_t>(row)][static_cast<size_t>(column)];
+    // The same with the upper triangle of a cell of the grid before this one.
+    const auto considerWith = [&](uint32_t gridBefore, int column, int row, int one, uint32_t a, uint32_t b,
+                                  uint32_t third) {
+        const Triangle other = triangle(gridBefore, column, row, true);
+        consider(one, hasArea(other) ? facing(viewpoint, other) : kNone, a, b, third,
+                 std::max(grid.errorWorld, mesh_.grids[gridBefore].errorWorld));
+    };
+    for (int row = 0; row + 1 < grid.rows; ++row)
+        for (int column = 0; column + 1 < grid.columns; ++column) {
+            const auto& [lower, upper] = facings.at(column, row);
             const Triangle t = triangle(index, column, row, false);
-            consider(here[0], here[1], t.b, t.c, t.a, grid.errorWorld);
+            consider(lower, upper, t.b, t.c, t.a, grid.errorWorld);
             if (row > 0)
-                consider(here[0], facings[static_cast<size_t>(row - 1)][static_cast<size_t>(column)][1], t.a,
-                         t.b, t.c, grid.errorWorld);
-            else if (below >= 0) {
-                const MicroGrid& other = mesh_.grids[static_cast<size_t>(below)];
-                consider(here[0], facingIn(static_cast<uint32_t>(below), column, other.rows - 2), t.a, t.b,
-                         t.c, std::max(grid.errorWorld, other.errorWorld));
-            }
+                consider(lower, facings.at(column, row - 1).upper, t.a, t.b, t.c, grid.errorWorld);
+            else if (below)
+                considerWith(*below, column, mesh_.grids[*below].rows - 2, lower, t.a, t.b, t.c);
             if (column > 0)
-                consider(here[0], facings[static_cast<size_t>(row)][static_cast<size_t>(column - 1)][1], t.c,
-                         t.a, t.b, grid.errorWorld);
-            else if (left >= 0) {
-                const MicroGrid& other = mesh_.grids[static_cast<size_t>(left)];
-                consider(here[0], facingIn(static_cast<uint32_t>(left), other.columns - 2, row), t.c, t.a,
-                         t.b, std::max(grid.errorWorld, other.errorWorld));
-            }
+                consider(lower, facings.at(column - 1, row).upper, t.c, t.a, t.b, grid.errorWorld);
+            else if (left)
+                considerWith(*left, mesh_.grids[*left].columns - 2, row, lower, t.c, t.a, t.b);
         }
 }
 

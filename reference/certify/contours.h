@@ -6,7 +6,10 @@
 #include "reference/trace/screen.h"
 #include "scenes/surface/micro_mesh.h"
 
+#include <array>
+#include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace plumbline {
@@ -36,15 +39,30 @@ class ContourFinder {
     struct Triangle {
         uint32_t a, b, c; // vertices
     };
+    /// Whether the micro-triangles of a grid's cells turn their fronts to a viewer (1), their backs (-1), or
+    /// their edges (0); kNone for one without area.
+    static constexpr int8_t kNone = 2;
+    struct CellFacings {
+        struct Cell {
+            int8_t lower, upper;
+        };
+        std::array<Cell, (kMaxGridSide - 1) * (kMaxGridSide - 1)> cells;
+
+        Cell& at(int column, int row) { return cells[indexIn(kMaxGridSide - 1, column, row)]; }
+        const Cell& at(int column, int row) const { return cells[indexIn(kMaxGridSide - 1, column, row)]; }
+    };
 
     Triangle triangle(uint32_t grid, int column, int row, bool upper) const;
     bool hasArea(const Triangle& triangle) const;
     int facing(const Viewpoint& viewpoint, const Triangle& triangle) const;
     bool touchesSide(const MicroGrid& grid) const;
-    /// The grid beside one, of the same patch; -1 if there is none.
-    int64_t gridAt(uint32_t grid, int columnsAway, int rowsAway) const;
+    /// The grid beside one, of the same patch.
+    std::optional<uint32_t> gridAt(uint32_t grid, int columnsAway, int rowsAway) const;
+    /// Whether a cell of the lattice, in a grid or in one beside it, has that micro-triangle, with area.
+    bool hasTriangle(uint32_t grid, int column, int row, bool upper) const;
     void collectLooseSides(uint32_t grid, std::vector<LooseSide>& sides) const;
     bool sameEnds(const LooseSide& s, const LooseSide& t) const;
+    CellFacings facingsOf(const Viewpoint& viewpoint, uint32_t grid) const;
     void visitGrid(const Viewpoint& viewpoint, uint32_t grid,
                    const std::function<void(const ContourEdge&)>& visit) const;
     void visitLooseSides(const Viewpoint& viewpoint, size_t first, size_t end,

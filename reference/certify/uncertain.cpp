@@ -47,8 +47,7 @@ class CoverageMarker {
         std::optional<Sides> sides;
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x) {
-                const size_t pixel =
-                    static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
+                const size_t pixel = indexIn(width_, x, y);
                 const Vec2 centre(x + 0.5, y + 0.5);
                 if (glm::length(Vec2(piece.nearest(centre)) - centre) > piece.reach ||
                     (isMarked(uncertain_[pixel]) && isMarked(otherSheet_[pixel])))
@@ -116,7 +115,7 @@ class PointBins {
         });
         for (const Point& point : points_)
             largestShift_ = std::max(largestShift_, point.shift);
-        first_.assign(static_cast<size_t>(columns) * static_cast<size_t>(rows) + 1, points_.size());
+        first_.assign(areaOf(columns, rows) + 1, points_.size());
         for (size_t i = points_.size(); i-- > 0;)
             first_[binOf(points_[i])] = i;
         for (size_t bin = first_.size() - 1; bin-- > 0;)
@@ -134,18 +133,14 @@ class PointBins {
         const int y0 = static_cast<int>(std::clamp(low.y, 0.0, double(rows_)));
         const int y1 = static_cast<int>(std::clamp(high.y, -1.0, rows_ - 1.0));
         if (x0 > x1 || high.x < 0 || high.y < 0) return;
-        for (int y = y0; y <= y1; ++y) {
-            const size_t row = static_cast<size_t>(y) * static_cast<size_t>(columns_);
-            for (size_t i = first_[row + static_cast<size_t>(x0)];
-                 i < first_[row + static_cast<size_t>(x1) + 1]; ++i)
+        for (int y = y0; y <= y1; ++y)
+            for (size_t i = first_[indexIn(columns_, x0, y)]; i < first_[indexIn(columns_, x1, y) + 1]; ++i)
                 visit(points_[i]);
-        }
     }
 
   private:
     size_t binOf(const Point& point) const {
-        return static_cast<size_t>(point.at.y) * static_cast<size_t>(columns_) +
-               static_cast<size_t>(point.at.x);
+        return indexIn(columns_, static_cast<int>(point.at.x), static_cast<int>(point.at.y));
     }
 
     int columns_, rows_;

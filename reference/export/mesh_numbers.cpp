@@ -60,8 +60,7 @@ void forVertices(const MicroMesh& mesh, Visit&& visit) {
     for (const MicroGrid& grid : mesh.grids)
         for (int row = 0; row < grid.rows; ++row)
             for (int column = 0; column < grid.columns; ++column)
-                visit(grid.firstVertex + static_cast<uint32_t>(row * grid.columns + column),
-                      mayBeRepeated(mesh, grid, column, row));
+                visit(grid.vertex(column, row), mayBeRepeated(mesh, grid, column, row));
 }
 
 } // namespace

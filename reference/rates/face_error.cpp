@@ -9,19 +9,18 @@
 namespace plumbline {
 
 FaceErrorProbe::FaceErrorProbe(const BaseSurface& surface, const Relief* relief)
-    : surface_(surface), relief_(relief), firstCorner_(surface.mesh().firstCorners()) {}
+    : surface_(surface), relief_(relief), faces_(surface.mesh().faces()) {}
 
-Vec2 FaceErrorProbe::texelsAcross(size_t face) const {
+Vec2 FaceErrorProbe::texelsAcross(int face) const {
     if (!relief_) return Vec2(0);
     const ControlMesh& mesh = surface_.mesh();
-    const size_t size = static_cast<size_t>(mesh.faceSizes[face]), corner = firstCorner_[face];
+    const MeshFace& corners = item(faces_, face);
     const Vec2 texelsOfTile = glm::abs(relief_->tile) * Vec2(relief_->map->width(), relief_->map->height());
     Vec2 texels(0);
-    for (size_t k = 0; k < size; ++k) {
-        const Vec2 along = mesh.uvs[static_cast<size_t>(mesh.faceUvs[corner + (k + 1) % size])] -
-                           mesh.uvs[static_cast<size_t>(mesh.faceUvs[corner + k])];
+    for (size_t k = 0; k < corners.size; ++k) {
+        const Vec2 along = mesh.uvAt(corners.corner(k + 1)) - mesh.uvAt(corners.corner(k));
         const Vec2 crossed = glm::abs(along) * texelsOfTile;
-        double& most = texels[isSquare(face) ? static_cast<int>(k % 2) : 0];
+        double& most = isSquare(face) && k % 2 == 1 ? texels.y : texels.x;
         most = std::max({most, crossed.x, crossed.y});
     }
     if (!isSquare(face)) texels.y = texels.x;
@@ -44,23 +43,20 @@ MeasuredError FaceErrorProbe::measure(int patch, const PatchLattice& lattice, in
              Vec2(tile.column0 + tile.columns, tile.row0 + tile.rows) / cells}};
 }
 
-MeasuredError FaceErrorProbe::typicalWorst(size_t face, const Vec2i& rate,
+MeasuredError FaceErrorProbe::typicalWorst(int face, const Vec2i& rate,
                                            BaseSurface::Evaluator& evaluator) const {
     const PatchLattice lattice = latticeOf(first(face), rate);
-    const int patches = first(face).subFace ? surface_.mesh().faceSizes[face] : 1;
-    const int firstPatch = surface_.firstPatch(static_cast<int>(face));
+    const int patches = first(face).subFace ? item(surface_.mesh().faceSizes, face) : 1;
+    const int firstPatch = surface_.firstPatch(face);
     std::vector<MeasuredError> errors;
     for (int patch = firstPatch; patch < firstPatch + patches; ++patch)
         for (int row = 0; row < blocksAlong(lattice.rows); ++row)
             for (int column = 0; column < blocksInRow(lattice, row); ++column)
                 errors.push_back(measure(patch, lattice, column, row, evaluator));
-    const auto nth = errors.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(errors.size(), 98));
-    std::nth_element(errors.begin(), nth, errors.end(),
-                     [](const MeasuredError& a, const MeasuredError& b) { return a.world < b.world; });
-    return *nth;
+    return nearestRank(errors, 98, &MeasuredError::world);
 }
 
-MeasuredError FaceErrorProbe::worstWithin(const PatchRegion& region, size_t face, const Vec2i& rate,
+MeasuredError FaceErrorProbe::worstWithin(const PatchRegion& region, int face, const Vec2i& rate,
                                           BaseSurface::Evaluator& evaluator) const {
     const PatchLattice lattice = latticeOf(first(face), rate);
     const Vec2 blocks = Vec2(lattice.columns, lattice.rows) / double(kGridCells);

@@ -27,28 +27,26 @@ class FaceErrorProbe {
     FaceErrorProbe(const BaseSurface& surface, const Relief* relief);
 
     /// One square patch, which may have other rates along u than along v.
-    bool isSquare(size_t face) const { return !first(face).triangular && !first(face).subFace; }
-    int smallestRate(size_t face) const { return first(face).subFace ? 2 : 1; }
+    bool isSquare(int face) const { return !first(face).triangular && !first(face).subFace; }
+    int smallestRate(int face) const { return first(face).subFace ? 2 : 1; }
     /// Texels of the relief that the face's edges cross: 0 and 2, and 1 and 3; of a face that isn't square,
     /// all of them twice.
-    Vec2 texelsAcross(size_t face) const;
+    Vec2 texelsAcross(int face) const;
 
     /// Of all its grids, the one whose error all but 2 % don't exceed.
-    MeasuredError typicalWorst(size_t face, const Vec2i& rate, BaseSurface::Evaluator& evaluator) const;
+    MeasuredError typicalWorst(int face, const Vec2i& rate, BaseSurface::Evaluator& evaluator) const;
     /// The largest of the grids in a region.
-    MeasuredError worstWithin(const PatchRegion& region, size_t face, const Vec2i& rate,
+    MeasuredError worstWithin(const PatchRegion& region, int face, const Vec2i& rate,
                               BaseSurface::Evaluator& evaluator) const;
 
   private:
-    const BaseSurface::Patch& first(size_t face) const {
-        return surface_.patches()[static_cast<size_t>(surface_.firstPatch(static_cast<int>(face)))];
-    }
+    const BaseSurface::Patch& first(int face) const { return surface_.patch(surface_.firstPatch(face)); }
     MeasuredError measure(int patch, const PatchLattice& lattice, int blockColumn, int blockRow,
                           BaseSurface::Evaluator& evaluator) const;
 
     const BaseSurface& surface_;
     const Relief* relief_;
-    std::vector<size_t> firstCorner_; // per face, into the mesh's faceUvs
+    std::vector<MeshFace> faces_;
 };
 
 } // namespace plumbline

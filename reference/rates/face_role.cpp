@@ -110,11 +110,11 @@ class Placer {
 
   private:
     static bool isClosed(const BaseSurface& surface) {
-        std::vector<int> uses(static_cast<size_t>(surface.edgeCount()), 0);
+        std::vector<int> uses(lengthOf(surface.edgeCount()), 0);
         for (int face = 0; face < surface.mesh().faceCount(); ++face)
             if (surface.hasLimit(face))
                 for (const int edge : surface.faceEdges(face))
-                    ++uses[static_cast<size_t>(edge)];
+                    ++item(uses, edge);
         return !contains(uses, 1);
     }
 
@@ -148,13 +148,12 @@ class Placer {
 
 std::vector<FacePlace> placeFaces(const Scene& scene, const BaseSurface& surface, const Relief* relief) {
     const Placer placer(scene, surface, relief);
-    std::vector<FacePlace> places(static_cast<size_t>(surface.mesh().faceCount()));
+    std::vector<FacePlace> places(lengthOf(surface.mesh().faceCount()));
     tbb::parallel_for(tbb::blocked_range<int>(0, surface.mesh().faceCount()),
                       [&](const tbb::blocked_range<int>& faces) {
                           BaseSurface::Evaluator evaluator(surface);
                           for (int face = faces.begin(); face < faces.end(); ++face)
-                              if (surface.hasLimit(face))
-                                  places[static_cast<size_t>(face)] = placer.place(face, evaluator);
+                              if (surface.hasLimit(face)) item(places, face) = placer.place(face, evaluator);
                       });
     return places;
 }

@@ -51,11 +51,13 @@ struct Ladder {
     bool ended = false; // no finer rate, or none that is better
     size_t lowest = 0;  // a run found the rungs below not to be fine enough
 
-    const Rung& rungFor(double aimPx) const {
+    /// Of the coarsest rung that meets the aim, or the finest.
+    size_t indexFor(double aimPx) const {
         for (size_t i = lowest; i < rungs.size(); ++i)
-            if (rungs[i].errorPx <= aimPx) return rungs[i];
-        return rungs.back();
+            if (rungs[i].errorPx <= aimPx) return i;
+        return rungs.size() - 1;
     }
+    const Rung& rungFor(double aimPx) const { return rungs[indexFor(aimPx)]; }
     bool reaches(double aimPx) const { return lowest < rungs.size() && rungFor(aimPx).errorPx <= aimPx; }
 };
 
@@ -69,19 +71,18 @@ class LadderBuilder {
     /// Adds finer rates until the error is at most the aim.
     void extend(std::vector<Ladder>& ladders, double errorPx) const {
         ladders.resize(places_.size());
-        tbb::parallel_for(tbb::blocked_range<size_t>(0, places_.size()), [&](const auto& faces) {
+        tbb::parallel_for(tbb::blocked_range<int>(0, countOf(places_)), [&](const auto& faces) {
             BaseSurface::Evaluator evaluator(surface_);
-            for (size_t face = faces.begin(); face < faces.end(); ++face)
-                if (surface_.hasLimit(static_cast<int>(face)))
-                    extend(ladders[face], face, errorPx, evaluator);
+            for (int face = faces.begin(); face < faces.end(); ++face)
+                if (surface_.hasLimit(face)) extend(item(ladders, face), face, errorPx, evaluator);
         });
     }
 
   private:
-    double pixelsPerWorld(size_t face) const {
-        switch (places_[face].role) {
+    double pixelsPerWorld(int face) const {
+        switch (item(places_, face).role) {
         case FaceRole::Seen:
-            return places_[face].pixelsPerWorld;
+            return item(places_, face).pixelsPerWorld;
         case FaceRole::Casts:
             return casterPixelsPerWorld_ / kCasterSlack;
         default:
@@ -89,7 +90,7 @@ class LadderBuilder {
         }
     }
 
-    void extend(Ladder& ladder, size_t face, double errorPx, BaseSurface::Evaluator& evaluator) const {
+    void extend(Ladder& ladder, int face, double errorPx, BaseSurface::Evaluator& evaluator) const {
         const double scale = pixelsPerWorld(face);
         if (ladder.rungs.empty()) ladder.rungs.push_back(lowestRung(face, scale, errorPx, evaluator));
         const auto rungAt = [&](const Vec2i& rate) {
@@ -109,8 +110,7 @@ class LadderBuilder {
         ladder.lowest = std::min(ladder.lowest, ladder.rungs.size() - 1);
     }
 
-    Ladder::Rung lowestRung(size_t face, double scale, double errorPx,
-                            BaseSurface::Evaluator& evaluator) const {
+    Ladder::Rung lowestRung(int face, double scale, double errorPx, BaseSurface::Evaluator& evaluator) const {
         Vec2i rate(probe_.smallestRate(face));
         if (scale == 0) return {rate, 0, {}};
         if (relief_ &&
@@ -123,7 +123,7 @@ class LadderBuilder {
     }
 
     /// Whether a cell is no larger than half a texel: from there on errors fall.
-    bool isWithinTexels(const Vec2i& rate, size_t face) const {
+    bool isWithinTexels(const Vec2i& rate, int face) const {
         const Vec2 texels = probe_.texelsAcross(face);
         return rate.x >= 2 * texels.x && rate.y >= 2 * texels.y;
     }
@@ -131,7 +131,7 @@ class LadderBuilder {
     /// The next rate: one axis doubled if that gains nearly as much as both, the one with more texels a cell
     /// first.
     template <typename RungAt>
-    Ladder::Rung finer(const Ladder::Rung& here, size_t face, RungAt rungAt) const {
+    Ladder::Rung finer(const Ladder::Rung& here, int face, RungAt rungAt) const {
         const Vec2i doubled = glm::min(here.rate * 2, Vec2i(kMostRate));
         if (doubled == here.rate) return here;
         const Ladder::Rung both = rungAt(doubled);
@@ -204,7 +204,7 @@ struct RatePlanner::Impl {
             for (size_t i = 0; i < objects.size(); ++i) {
                 std::vector<Vec2i> faces = plan.rates[i].faces;
                 for (const BaseSurface::Patch& patch : objects[i].surface->patches()) {
-                    Vec2i& rate = faces[static_cast<size_t>(patch.face)];
+                    Vec2i& rate = item(faces, patch.face);
                     rate = glm::min(rate, Vec2i(patch.subFace ? std::max(most, 2) : most));
                 }
                 plan.rates[i] = ratesFromFaces(*objects[i].surface, std::move(faces));
@@ -252,8 +252,7 @@ bool RatePlanner::refine(const FaceErrorsPx& measured) {
             before.push_back(ladder.rungs.empty() ? Vec2i(0) : ladder.rungFor(aimPx).rate);
             if (ladder.rungs.empty() || measured[i][face] <= aimPx) continue;
             const auto rungs = std::ceil(std::log(measured[i][face] / aimPx) / std::log(kFallPerRung));
-            ladder.lowest = static_cast<size_t>(&ladder.rungFor(aimPx) - ladder.rungs.data()) +
-                            static_cast<size_t>(rungs);
+            ladder.lowest = ladder.indexFor(aimPx) + static_cast<size_t>(rungs);
         }
         impl_->builders[i].extend(ladders, aimPx);
         for (size_t face = 0; face < ladders.size(); ++face)

@@ -21,30 +21,30 @@ void forEachFace(const BaseSurface& surface, Visit visit) {
 /// With the sides its edges have. A sub-face has half of two edges, and two spokes that only its own face
 /// sees.
 PatchLattice latticeBetween(const BaseSurface& surface, const Rates& rates, const BaseSurface::Patch& patch) {
-    PatchLattice lattice = latticeOf(patch, rates.faces[static_cast<size_t>(patch.face)]);
+    PatchLattice lattice = latticeOf(patch, item(rates.faces, patch.face));
     const std::span<const int> edges = surface.faceEdges(patch.face);
-    const auto edgeRate = [&](size_t k) {
-        return static_cast<uint16_t>(rates.edges[static_cast<size_t>(edges[k])]);
+    const auto segments = [&](int k, int parts) { // of a part of edge k
+        return static_cast<uint16_t>(item(rates.edges, item(edges, k)) / parts);
     };
+    const int size = countOf(edges);
     if (patch.subFace) {
-        const size_t k = static_cast<size_t>(patch.corner), previous = (k + edges.size() - 1) % edges.size();
-        lattice.sides[0] = static_cast<uint16_t>(edgeRate(k) / 2);
-        lattice.sides[3] = static_cast<uint16_t>(edgeRate(previous) / 2);
+        lattice.sides[0] = segments(patch.corner, 2);
+        lattice.sides[3] = segments((patch.corner + size - 1) % size, 2);
     } else {
-        for (size_t k = 0; k < edges.size(); ++k)
-            lattice.sides[k] = edgeRate(k);
+        for (int k = 0; k < size; ++k)
+            item(lattice.sides, k) = segments(k, 1);
     }
     return lattice;
 }
 
 MicroMeshSize sizeOf(const PatchLattice& lattice) {
     MicroMeshSize size;
-    const uint64_t cells = static_cast<uint64_t>(lattice.columns) * lattice.rows;
+    const uint64_t cells = areaOf(lattice.columns, lattice.rows);
     size.microTriangles = lattice.triangular ? cells : 2 * cells;
     for (int row = 0; row < blocksAlong(lattice.rows); ++row)
         for (int column = 0; column < blocksInRow(lattice, row); ++column) {
-            size.vertices += static_cast<uint64_t>((blockCells(lattice.columns, column) + 1) *
-                                                   (blockCells(lattice.rows, row) + 1));
+            size.vertices +=
+                areaOf(blockCells(lattice.columns, column) + 1, blockCells(lattice.rows, row) + 1);
             ++size.grids;
         }
     return size;
@@ -60,13 +60,13 @@ PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate) {
 }
 
 Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates) {
-    Rates rates{std::move(faceRates), std::vector<int>(static_cast<size_t>(surface.edgeCount()), kMostRate)};
+    Rates rates{std::move(faceRates), std::vector<int>(lengthOf(surface.edgeCount()), kMostRate)};
     forEachFace(surface, [&](int face, const BaseSurface::Patch& patch) {
-        const Vec2i rate = rates.faces[static_cast<size_t>(face)];
+        const Vec2i rate = item(rates.faces, face);
         assert(isRate(rate.x) && isRate(rate.y) && (!patch.subFace || rate.x >= 2));
         int k = 0;
         for (const int edge : surface.faceEdges(face)) {
-            int& smallest = rates.edges[static_cast<size_t>(edge)];
+            int& smallest = item(rates.edges, edge);
             smallest = std::min(smallest, rate[axisOfEdge(patch, k++)]);
         }
     });
@@ -74,14 +74,14 @@ Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates) {
     forEachFace(surface, [&](int face, const BaseSurface::Patch& patch) {
         if (!patch.subFace) return;
         for (const int edge : surface.faceEdges(face))
-            rates.edges[static_cast<size_t>(edge)] = std::max(rates.edges[static_cast<size_t>(edge)], 2);
+            item(rates.edges, edge) = std::max(item(rates.edges, edge), 2);
     });
     forEachFace(surface, [&](int face, const BaseSurface::Patch& patch) {
-        Vec2i& rate = rates.faces[static_cast<size_t>(face)];
+        Vec2i& rate = item(rates.faces, face);
         int k = 0;
         for (const int edge : surface.faceEdges(face)) {
             int& along = rate[axisOfEdge(patch, k++)];
-            along = std::max(along, rates.edges[static_cast<size_t>(edge)]);
+            along = std::max(along, item(rates.edges, edge));
         }
         if (patch.triangular || patch.subFace) rate.y = rate.x;
     });
@@ -89,9 +89,9 @@ Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates) {
 }
 
 Rates uniformRates(const BaseSurface& surface, int rate) {
-    std::vector<Vec2i> faces(static_cast<size_t>(surface.mesh().faceCount()), Vec2i(rate));
+    std::vector<Vec2i> faces(lengthOf(surface.mesh().faceCount()), Vec2i(rate));
     forEachFace(surface, [&](int face, const BaseSurface::Patch& patch) {
-        if (patch.subFace) faces[static_cast<size_t>(face)] = Vec2i(std::max(rate, 2));
+        if (patch.subFace) item(faces, face) = Vec2i(std::max(rate, 2));
     });
     return ratesFromFaces(surface, std::move(faces));
 }

@@ -50,10 +50,13 @@ inline Vec2i latticePlace(const PatchLattice& lattice, int column, int row) {
     return {column, row};
 }
 
+/// (u, v) of the patch at a place, in steps.
+inline Vec2 uvOf(const PatchLattice& lattice, const Vec2i& place) {
+    return Vec2(place) / Vec2(lattice.columns, lattice.rows);
+}
 /// (u, v) of the patch at a vertex.
 inline Vec2 latticeUv(const PatchLattice& lattice, int column, int row) {
-    const Vec2i place = latticePlace(lattice, column, row);
-    return {static_cast<double>(place.x) / lattice.columns, static_cast<double>(place.y) / lattice.rows};
+    return uvOf(lattice, latticePlace(lattice, column, row));
 }
 
 /// Micro-triangles, vertices and grids of a lattice, without making them. Micro-triangles are those with area

@@ -72,38 +72,35 @@ class SharedVertexBuilder {
         std::vector<size_t> first;
         std::vector<FaceEdge> items;
         std::span<const FaceEdge> around(int element) const {
-            const size_t begin = first[static_cast<size_t>(element)];
-            return std::span(items).subspan(begin, first[static_cast<size_t>(element) + 1] - begin);
+            const size_t begin = item(first, element);
+            return std::span(items).subspan(begin, item(first, element + 1) - begin);
         }
     };
 
     void listFaces() {
         for (int face = 0; face < surface_.mesh().faceCount(); ++face)
-            if (surface_.hasLimit(face))
-                faces_.push_back({face, static_cast<int>(surface_.faceVertices(face).size())});
+            if (surface_.hasLimit(face)) faces_.push_back({face, countOf(surface_.faceVertices(face))});
         if (!open_) return;
-        shared_.firstCorner_ = surface_.mesh().firstCorners();
+        shared_.meshFaces_ = surface_.mesh().faces();
         shared_.ownVertices_.resize(surface_.mesh().faceVertices.size());
     }
 
-    bool isCut(const Face& face) const {
-        return surface_.patches()[static_cast<size_t>(surface_.firstPatch(face.face))].subFace;
-    }
+    const Face& faceOf(const FaceEdge& side) const { return item(faces_, side.faceIndex); }
+
+    bool isCut(const Face& face) const { return surface_.patch(surface_.firstPatch(face.face)).subFace; }
 
     /// Numbers the vertices of all spokes after those of the mesh; returns how many there are.
     size_t placeSpokes() {
-        const size_t faceCount = static_cast<size_t>(surface_.mesh().faceCount());
+        const size_t faceCount = surface_.mesh().faceSizes.size();
         shared_.faceRates_.assign(faceCount, 0);
         shared_.spokes_.assign(faceCount, {0, 0});
         size_t count = 0;
         for (const Face& face : faces_) {
             if (!isCut(face)) continue;
-            const auto f = static_cast<size_t>(face.face);
-            const int rate = rates_.faces[f].x;
-            const size_t first = shared_.samples_.count() + count;
-            const size_t ofSpokes = static_cast<size_t>(face.size) * static_cast<size_t>(rate / 2);
-            shared_.faceRates_[f] = rate;
-            shared_.spokes_[f] = {first, first + ofSpokes};
+            const int rate = item(rates_.faces, face.face).x;
+            const size_t first = shared_.samples_.count() + count, ofSpokes = areaOf(rate / 2, face.size);
+            item(shared_.faceRates_, face.face) = rate;
+            item(shared_.spokes_, face.face) = {first, first + ofSpokes};
             count += ofSpokes + 1;
         }
         return count;
@@ -112,18 +109,18 @@ class SharedVertexBuilder {
     template <typename ElementsOfFace>
     Incidence incidence(int elementCount, ElementsOfFace elementsOf) const {
         Incidence result;
-        result.first.assign(static_cast<size_t>(elementCount) + 1, 0);
+        result.first.assign(lengthOf(elementCount + 1), 0);
         for (const Face& face : faces_)
             for (const int element : elementsOf(face.face))
-                ++result.first[static_cast<size_t>(element) + 1];
+                ++item(result.first, element + 1);
         for (size_t i = 1; i < result.first.size(); ++i)
             result.first[i] += result.first[i - 1];
         result.items.resize(result.first.back());
         std::vector<size_t> next = result.first;
-        for (size_t f = 0; f < faces_.size(); ++f) {
+        for (int f = 0; f < countOf(faces_); ++f) {
             int k = 0;
-            for (const int element : elementsOf(faces_[f].face))
-                result.items[next[static_cast<size_t>(element)]++] = {static_cast<int>(f), k++};
+            for (const int element : elementsOf(item(faces_, f).face))
+                result.items[item(next, element)++] = {f, k++};
         }
         return result;
     }
@@ -136,18 +133,17 @@ class SharedVertexBuilder {
             incidence(surface_.vertexCount(), [&](int face) { return surface_.faceVertices(face); });
         const auto sampleVertex = [&](int vertex) {
             const std::span<const FaceEdge> faces = corners.around(vertex);
-            if (!faces.empty())
-                samplePlace(static_cast<size_t>(vertex), faces, [](const FaceEdge&) { return 0; });
+            if (!faces.empty()) samplePlace(lengthOf(vertex), faces, [](const FaceEdge&) { return 0; });
         };
         const auto sampleEdge = [&](int edge) {
             const std::span<const FaceEdge> faces = edges.around(edge);
             if (faces.empty()) return;
-            const int rate = rates_.edges[static_cast<size_t>(edge)];
-            const int face = faces_[static_cast<size_t>(faces.front().faceIndex)].face;
+            const int rate = item(rates_.edges, edge);
+            const int face = faceOf(faces.front()).face;
             for (int step = 1; step < rate; ++step) {
                 const size_t number = shared_.samples_.onEdge(face, faces.front().k, step);
                 samplePlace(number, faces, [&](const FaceEdge& side) {
-                    const int of = faces_[static_cast<size_t>(side.faceIndex)].face;
+                    const int of = faceOf(side).face;
                     return shared_.samples_.onEdge(of, side.k, step) == number ? step : rate - step;
                 });
             }
@@ -179,10 +175,10 @@ class SharedVertexBuilder {
     }
 
     PatchPlace pointOf(const FaceEdge& side, int step) const {
-        const Face& face = faces_[static_cast<size_t>(side.faceIndex)];
-        const int edge = surface_.faceEdges(face.face)[static_cast<size_t>(side.k)];
-        const int rate = rates_.edges[static_cast<size_t>(edge)];
-        return placeOnEdge(surface_, face.face, side.k, static_cast<double>(step) / rate);
+        const Face& face = faceOf(side);
+        const int edge = item(surface_.faceEdges(face.face), side.k);
+        const int rate = item(rates_.edges, edge);
+        return placeOnEdge(surface_, face.face, side.k, double(step) / rate);
     }
 
     Opinion opinionAt(const PatchPlace& at) {
@@ -228,22 +224,21 @@ class SharedVertexBuilder {
         }
         for (size_t i = 0; i < faces.size(); ++i) {
             if (vertexOf[i] == number) continue;
-            const auto face = static_cast<size_t>(faces_[static_cast<size_t>(faces[i].faceIndex)].face);
-            shared_.ownVertices_[shared_.firstCorner_[face] + static_cast<size_t>(faces[i].k)].emplace_back(
-                stepOf(faces[i]), vertexOf[i]);
+            shared_.ownVerticesAt(faceOf(faces[i]).face, faces[i].k)
+                .emplace_back(stepOf(faces[i]), vertexOf[i]);
         }
     }
 
     /// Spoke k runs from the middle of edge k, which the mesh has, to the centre.
     void sampleSpokes(const Face& face) {
-        const int cells = shared_.faceRates_[static_cast<size_t>(face.face)] / 2;
+        const int cells = item(shared_.faceRates_, face.face) / 2;
         if (cells == 0) return;
         const int first = surface_.firstPatch(face.face);
-        const SharedVertices::Spokes spokes = shared_.spokes_[static_cast<size_t>(face.face)];
+        const SharedVertices::Spokes spokes = item(shared_.spokes_, face.face);
         for (int k = 0; k < face.size; ++k)
             for (int step = 1; step < cells; ++step)
-                shared_.vertices_[spokes.first + static_cast<size_t>(k * cells + step)] =
-                    vertexInside({first + k, {1, static_cast<double>(step) / cells}});
+                shared_.vertices_[spokes.first + indexIn(cells, step, k)] =
+                    vertexInside({first + k, {1, double(step) / cells}});
         shared_.vertices_[spokes.centre] = vertexInside({first, {1, 1}});
     }
 
@@ -269,34 +264,35 @@ SharedVertices::SharedVertices(const BaseSurface& surface, const Relief* relief,
     SharedVertexBuilder(*this, relief, rates, attributes).build();
 }
 
+SharedVertices::OwnVertices& SharedVertices::ownVerticesAt(int face, int k) {
+    return ownVertices_[item(meshFaces_, face).corner(lengthOf(k))];
+}
+
 size_t SharedVertices::onEdge(int face, int k, int step) const {
-    if (!firstCorner_.empty()) {
+    if (!meshFaces_.empty()) {
         // A corner belongs to the edge that starts there.
-        const int size = static_cast<int>(surface_.faceVertices(face).size());
-        const int rate = samples_.edgeRate(surface_.faceEdges(face)[static_cast<size_t>(k)]);
-        const int corner = step == rate ? (k + 1) % size : k, at = step == rate ? 0 : step;
-        const auto& own = ownVertices_[firstCorner_[static_cast<size_t>(face)] + static_cast<size_t>(corner)];
-        for (const auto& [ownStep, vertex] : own)
+        const int rate = samples_.edgeRate(item(surface_.faceEdges(face), k));
+        const int corner = step == rate ? k + 1 : k, at = step == rate ? 0 : step;
+        for (const auto& [ownStep, vertex] : ownVertices_[item(meshFaces_, face).corner(lengthOf(corner))])
             if (ownStep == at) return vertex;
     }
     return samples_.onEdge(face, k, step);
 }
 
 size_t SharedVertices::onSpoke(int face, int spoke, int step) const {
-    const int rate = faceRates_[static_cast<size_t>(face)];
-    if (step == rate / 2) return spokes_[static_cast<size_t>(face)].centre;
-    if (step > 0)
-        return spokes_[static_cast<size_t>(face)].first + static_cast<size_t>(spoke * (rate / 2) + step);
-    const int edge = surface_.faceEdges(face)[static_cast<size_t>(spoke)];
-    return onEdge(face, spoke, samples_.edgeRate(edge) / 2);
+    const int cells = item(faceRates_, face) / 2;
+    const Spokes& spokes = item(spokes_, face);
+    if (step == cells) return spokes.centre;
+    if (step > 0) return spokes.first + indexIn(cells, step, spoke);
+    return onEdge(face, spoke, samples_.edgeRate(item(surface_.faceEdges(face), spoke)) / 2);
 }
 
 const MicroVertex& SharedVertices::at(int patchIndex, int side, int segment) const {
-    const BaseSurface::Patch& patch = surface_.patches()[static_cast<size_t>(patchIndex)];
+    const BaseSurface::Patch& patch = surface_.patch(patchIndex);
     const std::span<const int> edges = surface_.faceEdges(patch.face);
-    const auto backwards = [&](int k) { return samples_.edgeRate(edges[static_cast<size_t>(k)]) - segment; };
+    const auto backwards = [&](int k) { return samples_.edgeRate(item(edges, k)) - segment; };
     if (patch.subFace) {
-        const int size = static_cast<int>(edges.size()), previous = (patch.corner + size - 1) % size;
+        const int size = countOf(edges), previous = (patch.corner + size - 1) % size;
         switch (side) {
         case 0:
             return vertices_[onEdge(patch.face, patch.corner, segment)];

@@ -39,6 +39,10 @@ class SharedVertices {
         size_t centre; // one for all spokes
     };
 
+    /// Vertices a face has of its own on an edge, as (step, vertex), ascending.
+    using OwnVertices = std::vector<std::pair<int, size_t>>;
+
+    OwnVertices& ownVerticesAt(int face, int k);
     size_t onEdge(int face, int k, int step) const;
     size_t onSpoke(int face, int spoke, int step) const;
 
@@ -47,11 +51,9 @@ class SharedVertices {
     std::vector<int> faceRates_; // of faces cut into sub-faces; else 0
     std::vector<Spokes> spokes_; // per face
     std::vector<MicroVertex> vertices_;
-    /// Seams::Open: number of the vertex a face has of its own, by face corner, where it isn't the shared
-    /// one.
-    std::vector<std::vector<std::pair<int, size_t>>>
-        ownVertices_;                 // per face corner k: (step, vertex), ascending
-    std::vector<size_t> firstCorner_; // per face, into ownVertices_; empty if none gapes
+    // Under Seams::Open: where a face's vertex isn't the shared one. Else empty.
+    std::vector<MeshFace> meshFaces_;
+    std::vector<OwnVertices> ownVertices_; // of the edge that starts in each corner of a face
 };
 
 } // namespace plumbline

@@ -38,8 +38,8 @@ class Tessellator {
     };
 
     void listTiles() {
-        for (int patch = 0; patch < static_cast<int>(mesh_.lattices.size()); ++patch) {
-            const PatchLattice& lattice = mesh_.lattices[static_cast<size_t>(patch)];
+        for (int patch = 0; patch < countOf(mesh_.lattices); ++patch) {
+            const PatchLattice& lattice = item(mesh_.lattices, patch);
             for (int row = 0; row < blocksAlong(lattice.rows); ++row)
                 for (int column = 0; column < blocksInRow(lattice, row); column += kTileGrids)
                     addTile(lattice, patch, column, row,
@@ -50,9 +50,9 @@ class Tessellator {
     void addTile(const PatchLattice& lattice, int patch, int blockColumn, int blockRow, int blocks) {
         places_.push_back({patch, blockColumn, blockRow, blocks, vertexCount_, gridCount_});
         for (int block = blockColumn; block < blockColumn + blocks; ++block)
-            vertexCount_ += static_cast<size_t>(blockCells(lattice.columns, block) + 1) *
-                            static_cast<size_t>(blockCells(lattice.rows, blockRow) + 1);
-        gridCount_ += static_cast<size_t>(blocks);
+            vertexCount_ +=
+                areaOf(blockCells(lattice.columns, block) + 1, blockCells(lattice.rows, blockRow) + 1);
+        gridCount_ += lengthOf(blocks);
     }
 
     void allocate() {
@@ -74,7 +74,7 @@ class Tessellator {
     void fill(const TilePlace& place) {
         Worker& worker = workers_.local();
         if (!worker.evaluator) worker.evaluator = std::make_unique<BaseSurface::Evaluator>(surface_);
-        const PatchLattice& lattice = mesh_.lattices[static_cast<size_t>(place.patch)];
+        const PatchLattice& lattice = item(mesh_.lattices, place.patch);
         Tile& tile = worker.tile;
         tile.patch = place.patch;
         tile.column0 = place.blockColumn * kGridCells;
@@ -110,8 +110,8 @@ class Tessellator {
     /// A shared vertex has the first face's st; where texture coordinates jump, this patch has another.
     void separateSt(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator, const PatchLattice& lattice,
                     const Vec2i& place) const {
-        const BasePoint base = evaluator.point(static_cast<double>(place.x) / lattice.columns,
-                                               static_cast<double>(place.y) / lattice.rows);
+        const Vec2 uv = uvOf(lattice, place);
+        const BasePoint base = evaluator.point(uv.x, uv.y);
         const Vec2 st = textureCoordinates(base, relief_), gap = glm::abs(st - Vec2(vertex.st));
         // Faces that agree about an edge's uvs interpolate them to within rounding.
         if (std::max(gap.x, gap.y) > kSameSt * (1 + glm::length(st))) vertex.st = Vec2f(st);
@@ -119,10 +119,8 @@ class Tessellator {
 
     void addAttributes(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator,
                        const PatchLattice& lattice, const Vec2i& place) const {
-        const DisplacedSample sample =
-            displace(evaluator.sample(static_cast<double>(place.x) / lattice.columns,
-                                      static_cast<double>(place.y) / lattice.rows),
-                     relief_);
+        const Vec2 uv = uvOf(lattice, place);
+        const DisplacedSample sample = displace(evaluator.sample(uv.x, uv.y), relief_);
         vertex.normal = Vec3f(sample.normal);
         vertex.st = Vec2f(sample.st);
     }
@@ -130,7 +128,7 @@ class Tessellator {
     /// Null inside the patch. `place`: where the vertex stands, in steps.
     const MicroVertex* sharedAt(int patch, const PatchLattice& lattice, const Vec2i& place) const {
         const auto segment = [&](int side, int step, int cells) {
-            return step / (cells / lattice.sides[static_cast<size_t>(side)]);
+            return step / (cells / item(lattice.sides, side));
         };
         if (place.y == 0) return &shared_.at(patch, 0, segment(0, place.x, lattice.columns));
         if (place.x == 0) {
@@ -153,7 +151,7 @@ class Tessellator {
         for (int block = 0; block < place.blocks; ++block) {
             const int column0 = block * kGridCells,
                       cells = blockCells(lattice.columns, place.blockColumn + block);
-            MicroGrid& grid = mesh_.grids[place.firstGrid + static_cast<size_t>(block)];
+            MicroGrid& grid = mesh_.grids[place.firstGrid + lengthOf(block)];
             grid.firstVertex = static_cast<uint32_t>(vertex);
             grid.patch = static_cast<uint32_t>(place.patch);
             grid.columns = static_cast<uint16_t>(cells + 1);

@@ -61,7 +61,7 @@ class TileMeasure {
         for (int side = 0; side < (lattice.triangular ? 3 : 4); ++side)
             if (isCoarse(side))
                 coarsest_ = std::max(coarsest_, std::max(lattice.columns, lattice.rows) /
-                                                    double(lattice.sides[static_cast<size_t>(side)]));
+                                                    double(item(lattice.sides, side)));
     }
 
     TileError error(int column0, int row0, int columns, int rows) {
@@ -130,7 +130,7 @@ class TileMeasure {
 
     bool isCoarse(int side) const {
         const bool alongColumns = side % 2 == 0 && !(lattice_.triangular && side == 2);
-        return lattice_.sides[static_cast<size_t>(side)] < (alongColumns ? lattice_.columns : lattice_.rows);
+        return item(lattice_.sides, side) < (alongColumns ? lattice_.columns : lattice_.rows);
     }
 
     void measureSide(int side) {
@@ -171,7 +171,7 @@ class TileMeasure {
 
 void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
                 const BaseSurface::Evaluator& evaluator) {
-    tile.vertices.resize(static_cast<size_t>(tile.columns + 1) * static_cast<size_t>(tile.rows + 1));
+    tile.vertices.resize(areaOf(tile.columns + 1, tile.rows + 1));
     tile.tears.assign(tile.vertices.size(), 0);
     tile.bend = relief && !lattice.triangular ? bendOfCells(lattice, *relief, evaluator) : Vec2(0);
     for (int row = 0; row <= tile.rows; ++row)

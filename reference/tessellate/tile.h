@@ -34,9 +34,7 @@ struct Tile {
     /// largest of a grid.
     std::vector<double> tears; // as vertices
 
-    size_t index(int column, int row) const {
-        return static_cast<size_t>(row) * static_cast<size_t>(columns + 1) + static_cast<size_t>(column);
-    }
+    size_t index(int column, int row) const { return indexIn(columns + 1, column, row); }
     const TileVertex& at(int column, int row) const { return vertices[index(column, row)]; }
 };
 

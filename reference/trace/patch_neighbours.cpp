@@ -5,32 +5,32 @@
 namespace plumbline {
 
 PatchNeighbours::PatchNeighbours(const BaseSurface& surface)
-    : surface_(surface), sides_(static_cast<size_t>(surface.edgeCount())),
-      crowded_(static_cast<size_t>(surface.edgeCount()), false) {
+    : surface_(surface), sides_(lengthOf(surface.edgeCount())),
+      crowded_(lengthOf(surface.edgeCount()), false) {
     for (int face = 0; face < surface.mesh().faceCount(); ++face) {
         if (!surface.hasLimit(face)) continue;
         int k = 0;
         for (const int edge : surface.faceEdges(face)) {
-            auto& [first, second] = sides_[static_cast<size_t>(edge)];
-            if (second.face >= 0) crowded_[static_cast<size_t>(edge)] = true;
+            auto& [first, second] = item(sides_, edge);
+            if (second.face >= 0) item(crowded_, edge) = true;
             (first.face < 0 ? first : second) = Side{face, k++};
         }
     }
 }
 
 std::optional<PatchPlace> PatchNeighbours::acrossEdge(int face, int k, double along, double inside) const {
-    const int edge = surface_.faceEdges(face)[static_cast<size_t>(k)];
-    if (crowded_[static_cast<size_t>(edge)]) return std::nullopt;
-    const auto& [first, second] = sides_[static_cast<size_t>(edge)];
+    const int edge = item(surface_.faceEdges(face), k);
+    if (item(crowded_, edge)) return std::nullopt;
+    const auto& [first, second] = item(sides_, edge);
     const Side& other = first.face == face && first.k == k ? second : first;
     if (other.face < 0) return std::nullopt;
-    const bool sameWay = surface_.faceVertices(other.face)[static_cast<size_t>(other.k)] ==
-                         surface_.faceVertices(face)[static_cast<size_t>(k)];
+    const bool sameWay =
+        item(surface_.faceVertices(other.face), other.k) == item(surface_.faceVertices(face), k);
     return placeOnEdge(surface_, other.face, other.k, sameWay ? along : 1 - along, inside);
 }
 
 std::optional<PatchPlace> PatchNeighbours::beyond(int patchIndex, const Vec2& uv) const {
-    const BaseSurface::Patch& patch = surface_.patches()[static_cast<size_t>(patchIndex)];
+    const BaseSurface::Patch& patch = surface_.patch(patchIndex);
     const Vec2 held = glm::clamp(uv, Vec2(0), Vec2(1));
     const double over[4] = {-uv.y, patch.triangular ? uv.x + uv.y - 1 : uv.x - 1,
                             patch.triangular ? -kInfinity : uv.y - 1, -uv.x};
@@ -47,7 +47,7 @@ std::optional<PatchPlace> PatchNeighbours::beyond(int patchIndex, const Vec2& uv
         const double along[4] = {held.x, held.y, 1 - held.x, 1 - held.y};
         return acrossEdge(patch.face, side, along[side], inside);
     }
-    const int size = static_cast<int>(surface_.faceVertices(patch.face).size());
+    const int size = countOf(surface_.faceVertices(patch.face));
     const int first = surface_.firstPatch(patch.face);
     const int next = first + (patch.corner + 1) % size, previous = (patch.corner + size - 1) % size;
     switch (side) {

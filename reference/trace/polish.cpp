@@ -57,9 +57,7 @@ std::optional<PolishedHit> Polisher::polish(const Ray& ray, const PatchPlace& st
     const Across across(ray.direction);
     const Vec3 origin = glm::abs(ray.origin);
     const double settled = kSettled * (std::max({origin.x, origin.y, origin.z}) + std::abs(distance));
-    const auto isTriangular = [&](int patch) {
-        return surface_.patches()[static_cast<size_t>(patch)].triangular;
-    };
+    const auto isTriangular = [&](int patch) { return surface_.patch(patch).triangular; };
     PatchPlace place{start.patch, clampToPatch(start.uv, isTriangular(start.patch))};
     double smallest = kInfinity;
     for (int step = 0; step < kMostSteps; ++step) {

@@ -93,12 +93,12 @@ class FrameTracer {
 
     void fillBackground() {
         for (int k = 0; k < 3; ++k)
-            std::fill_n(channels_[static_cast<size_t>(R + k)], frame_.pixelCount(),
+            std::fill_n(item(channels_, R + k), frame_.pixelCount(),
                         static_cast<float>(scene_.background[k]));
     }
 
     Ray rayOf(size_t pixel) const {
-        const size_t width = static_cast<size_t>(frame_.width());
+        const size_t width = lengthOf(frame_.width());
         return rays_.ray(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
     }
 
@@ -215,8 +215,7 @@ class FrameTracer {
         const Vec2 uv = hit.place.uv;
         // Where a side is coarser than its lattice, its cells are as wide as that side's segments.
         const auto widest = [&](int side, int other, int cells) {
-            const int segments =
-                std::min(lattice.sides[static_cast<size_t>(side)], lattice.sides[static_cast<size_t>(other)]);
+            const int segments = std::min(item(lattice.sides, side), item(lattice.sides, other));
             return std::max(kTearCells / cells, 1.0 / segments / 2);
         };
         const double nearU = widest(0, 2, lattice.columns), nearV = widest(1, 3, lattice.rows);
@@ -244,8 +243,7 @@ class FrameTracer {
         const DisplacedSample& surface = sampled.displaced;
         const Vec3 facing = side * surface.normal;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
-        evidence_.face[hit.pixel] = static_cast<uint32_t>(
-            objects_[hit.object].surface->patches()[static_cast<size_t>(hit.place.patch)].face);
+        evidence_.face[hit.pixel] = objects_[hit.object].surface->patch(hit.place.patch).face;
 
         if (objects_.size() > 1 && isCloseToAnother(hit)) evidence_.otherObject[hit.pixel] = 1;
 
@@ -301,7 +299,7 @@ class FrameTracer {
 
     void write(uint32_t pixel, Plane first, const Vec3& value) {
         for (int k = 0; k < 3; ++k)
-            channels_[static_cast<size_t>(first + k)][pixel] = static_cast<float>(value[k]);
+            item(channels_, first + k)[pixel] = static_cast<float>(value[k]);
     }
 
     const Scene& scene_;

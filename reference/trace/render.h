@@ -19,7 +19,7 @@ struct TracedObject {
 
 /// What is known of a frame's pixels beyond its channels.
 struct FrameEvidence {
-    std::vector<uint32_t> face;    // of the control mesh
+    std::vector<int> face;         // of the control mesh
     std::vector<float> errorWorld; // bound of the grid seen, world units; 0 on a miss
     /// 1: another place of the surface could be seen. The hit stayed on its micro-triangle, or the surface
     /// turns away within reach of the error.

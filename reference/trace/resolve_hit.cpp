@@ -59,9 +59,7 @@ bool better(const Candidate& a, const Candidate& b, double distance) {
 }
 
 Triangle triangleOf(const MicroMesh& mesh, const MicroGrid& grid, int column, int row, bool upper) {
-    const auto vertex = [&](int c, int r) {
-        return Vec3(mesh.positionsWorld[grid.firstVertex + static_cast<uint32_t>(r * grid.columns + c)]);
-    };
+    const auto vertex = [&](int c, int r) { return Vec3(mesh.positionsWorld[grid.vertex(c, r)]); };
     const Vec3 b = vertex(column + 1, row), c = vertex(column, row + 1);
     if (!upper) {
         const Vec3 a = vertex(column, row);

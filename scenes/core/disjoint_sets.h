@@ -1,6 +1,8 @@
 // Numbers 0 … count - 1 in groups that are joined step by step (union-find).
 #pragma once
 
+#include "scenes/core/index.h"
+
 #include <numeric>
 #include <vector>
 
@@ -17,7 +19,7 @@ class DisjointSets {
     void join(int a, int b) { parent(rootOf(a)) = rootOf(b); }
 
   private:
-    int& parent(int i) { return parents_[static_cast<size_t>(i)]; }
+    int& parent(int i) { return item(parents_, i); }
     std::vector<int> parents_;
 };
 

@@ -26,6 +26,12 @@ inline constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
 using glm::degrees;
 using glm::radians;
 
+/// The direction of a vector; 0 of 0.
+inline Vec3 unitOrZero(const Vec3& vector) {
+    const double length = glm::length(vector);
+    return length > 0 ? vector / length : Vec3(0);
+}
+
 /// Ray in world space; `direction` is unit, so `t` is a distance in world units.
 struct Ray {
     Vec3 origin;

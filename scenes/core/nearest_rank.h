@@ -1,7 +1,11 @@
 // Percentiles by nearest rank: always one of the values.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace plumbline {
 
@@ -9,7 +13,16 @@ namespace plumbline {
 /// exceed: rank ceil(percent/100 * count) less 1, in integers, so that it can't be off by one through
 /// rounding. count >= 1, percent in [1, 100].
 inline size_t nearestRankIndex(size_t count, unsigned percent) {
+    assert(count > 0 && percent >= 1 && percent <= 100);
     return (count * percent + 99) / 100 - 1;
+}
+
+/// The value of that rank, not of none. Reorders the values.
+template <class T, class Projection = std::identity>
+const T& nearestRank(std::vector<T>& values, unsigned percent, Projection by = {}) {
+    const auto nth = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
+    std::ranges::nth_element(values, nth, {}, by);
+    return *nth;
 }
 
 } // namespace plumbline

@@ -71,7 +71,7 @@ class Survey {
     Survey(const ControlMesh& mesh, Scheme scheme) : surface_(mesh, scheme), evaluator_(surface_) {}
 
     SurfaceSurvey take() {
-        result_.patchCount = static_cast<int>(surface_.patches().size());
+        result_.patchCount = countOf(surface_.patches());
         const int rate = surveyRate(result_.patchCount);
         for (int face = 0; face < surface_.mesh().faceCount(); ++face)
             if (surface_.hasLimit(face)) addFace(surface_.tessellateFace(face, rate));
@@ -97,9 +97,7 @@ class Survey {
     }
 
     void addFacet(const std::vector<BaseSample>& samples, const std::array<int, 4>& facet) {
-        const auto at = [&](size_t corner) -> const BaseSample& {
-            return samples[static_cast<size_t>(facet[corner])];
-        };
+        const auto at = [&](size_t corner) -> const BaseSample& { return item(samples, facet[corner]); };
         const size_t corners = facet[3] < 0 ? 3 : 4;
         Vec3 areaVector = glm::cross(at(1).position - at(0).position, at(2).position - at(0).position);
         if (corners == 4)

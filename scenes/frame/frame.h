@@ -1,6 +1,7 @@
 // The picture every renderer writes: one table of channels, one EXR layout.
 #pragma once
 
+#include "scenes/core/index.h"
 #include "scenes/core/math.h"
 
 #include <map>
@@ -45,7 +46,7 @@ class Frame {
 
     int width() const { return width_; }
     int height() const { return height_; }
-    size_t pixelCount() const { return static_cast<size_t>(width_) * static_cast<size_t>(height_); }
+    size_t pixelCount() const { return areaOf(width_, height_); }
 
     /// Adds a channel filled with its miss value (from the table) and returns it.
     std::span<float> add(std::string_view name);

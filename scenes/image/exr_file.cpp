@@ -2,6 +2,7 @@
 
 #include "scenes/core/contains.h"
 #include "scenes/core/error.h"
+#include "scenes/core/index.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/image/exr_header.h"
 
@@ -119,7 +120,7 @@ void readPart(Imf::MultiPartInputFile& input, int part, const PartChannels& chos
             throw InputError(where, fmt::format("channel '{}' is subsampled", name),
                              "a value of it for every pixel");
         std::vector<float>& plane = exr.planes[name];
-        plane.resize(static_cast<size_t>(exr.width) * static_cast<size_t>(exr.height));
+        plane.resize(areaOf(exr.width, exr.height));
         buffer.insert(channel.name, planeSlice(plane.data(), window));
         any = true;
     }

@@ -102,8 +102,8 @@ Image readExrImage(const std::filesystem::path& file) {
     Image image;
     image.width = exr.width;
     image.height = exr.height;
-    image.channels = static_cast<int>(order.size());
-    image.values.resize(order.size() * static_cast<size_t>(exr.width) * static_cast<size_t>(exr.height));
+    image.channels = countOf(order);
+    image.values.resize(order.size() * image.texelCount());
     for (size_t c = 0; c < order.size(); ++c) {
         const std::vector<float>& plane = exr.planes.at(order[c]);
         for (size_t pixel = 0; pixel < plane.size(); ++pixel)
@@ -124,10 +124,8 @@ struct ImageCollector {
         self.image.height = height;
         self.image.channels = channels;
         self.image.integer = integer;
-        return self.guarded([&] {
-            self.image.values.reserve(static_cast<size_t>(width) * static_cast<size_t>(height) *
-                                      static_cast<size_t>(channels));
-        });
+        return self.guarded(
+            [&] { self.image.values.reserve(self.image.texelCount() * static_cast<size_t>(channels)); });
     }
     static bool values(void* user, const float* values, size_t count) {
         auto& self = *static_cast<ImageCollector*>(user);
@@ -169,7 +167,7 @@ Image readImage(const std::filesystem::path& file) {
 }
 
 void writePng(const std::filesystem::path& file, int width, int height, const std::vector<uint8_t>& rgb) {
-    if (width < 1 || height < 1 || rgb.size() != 3 * static_cast<size_t>(width) * static_cast<size_t>(height))
+    if (width < 1 || height < 1 || rgb.size() != 3 * areaOf(width, height))
         throw InputError(file.string(),
                          fmt::format("{} bytes for a picture of {} x {}", rgb.size(), width, height),
                          "3 bytes a pixel and at least one pixel");

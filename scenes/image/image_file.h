@@ -3,8 +3,11 @@
 // beside the program, or in ../lib/plumbline from there.
 #pragma once
 
+#include "scenes/core/index.h"
+
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace plumbline {
@@ -14,11 +17,14 @@ struct Image {
     int width = 0, height = 0, channels = 0;
     std::vector<float> values; // integers divided by their type's largest value, nothing else done to them
     bool integer = false;      // stored as 8 or 16-bit integers
-    float at(int x, int y, int channel) const {
-        return values[(static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x)) *
-                          static_cast<size_t>(channels) +
-                      static_cast<size_t>(channel)];
+
+    size_t texelCount() const { return areaOf(width, height); }
+    /// The channels of a texel; texels are numbered row by row.
+    std::span<const float> texel(size_t number) const {
+        return std::span(values).subspan(number * static_cast<size_t>(channels),
+                                         static_cast<size_t>(channels));
     }
+    float at(int x, int y, int channel) const { return item(texel(indexIn(width, x, y)), channel); }
 };
 
 /// Throws InputError: missing, not a picture, truncated, larger than 1 Gpixel. Alpha is returned as stored.

@@ -2,12 +2,15 @@
 // program a quarter of a second and 130 MB before main().
 #include "scenes/image/image_module.h"
 
+#include "scenes/core/index.h"
+
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <new>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -97,14 +100,12 @@ void readBand(oiio::ImageInput& input, const oiio::ImageSpec& spec, int begin, i
 /// Integers are divided in double, so that v / 255 is the nearest float; OpenImageIO's own conversion is 1
 /// ulp off.
 template <class Stored>
-void convert(const std::vector<Stored>& stored, int fileChannels, const Layout& layout, double divisor,
+void convert(std::span<const Stored> stored, size_t fileChannels, const Layout& layout, double divisor,
              std::vector<float>& values) {
-    const size_t pixels = stored.size() / static_cast<size_t>(fileChannels);
     values.clear();
-    for (size_t pixel = 0; pixel < pixels; ++pixel)
+    for (; !stored.empty(); stored = stored.subspan(fileChannels))
         for (const int channel : layout.channels)
-            values.push_back(static_cast<float>(
-                stored[pixel * static_cast<size_t>(fileChannels) + static_cast<size_t>(channel)] / divisor));
+            values.push_back(static_cast<float>(plumbline::item(stored, channel) / divisor));
 }
 
 /// Band by band: a truncated file fails before memory for all it claims is touched.
@@ -112,14 +113,14 @@ template <class Stored>
 void readRows(oiio::ImageInput& input, const oiio::ImageSpec& spec, const Layout& layout, oiio::TypeDesc type,
               double divisor, const PlumblinePictureSink& sink) {
     const int bandRows = spec.tile_width > 0 ? std::max(1, spec.tile_height) : 64;
+    const auto fileChannels = static_cast<size_t>(spec.nchannels);
     std::vector<Stored> stored;
     std::vector<float> values;
     for (int begin = 0; begin < spec.height; begin += bandRows) {
         const int end = std::min(spec.height, begin + bandRows);
-        stored.resize(static_cast<size_t>(end - begin) * static_cast<size_t>(spec.width) *
-                      static_cast<size_t>(spec.nchannels));
+        stored.resize(plumbline::areaOf(spec.width, end - begin) * fileChannels);
         readBand(input, spec, begin, end, type, stored.data());
-        convert(stored, spec.nchannels, layout, divisor, values);
+        convert<Stored>(stored, fileChannels, layout, divisor, values);
         if (!sink.values(sink.user, values.data(), values.size())) return;
     }
 }
@@ -129,8 +130,7 @@ void readPicture(const char* file, const PlumblinePictureSink& sink) {
     const oiio::ImageSpec spec = input->spec();
     const Layout layout = checkSpec(spec);
     const bool integer = layout.integer8 || layout.integer16;
-    if (!sink.begin(sink.user, spec.width, spec.height, static_cast<int>(layout.channels.size()), integer))
-        return;
+    if (!sink.begin(sink.user, spec.width, spec.height, plumbline::countOf(layout.channels), integer)) return;
     if (layout.integer8)
         readRows<uint8_t>(*input, spec, layout, oiio::TypeDesc::UINT8, 255.0, sink);
     else if (layout.integer16)

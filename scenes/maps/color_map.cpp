@@ -1,5 +1,6 @@
 #include "scenes/maps/color_map.h"
 
+#include "scenes/core/index.h"
 #include "scenes/maps/bilinear.h"
 
 #include <cmath>
@@ -12,7 +13,7 @@ Vec3 ColorMap::sample(const Vec2& st) const {
     const TexelPair s = texelPair(st.x, width, Wrap::Repeat);
     const TexelPair t = texelPair(st.y, height, Wrap::Repeat);
     const auto color = [&](int i, int j) {
-        const size_t texel = static_cast<size_t>(j) * static_cast<size_t>(width) + static_cast<size_t>(i);
+        const size_t texel = indexIn(width, i, j);
         return Vec3(rgb[3 * texel], rgb[3 * texel + 1], rgb[3 * texel + 2]);
     };
     const Vec3 lower = glm::mix(color(s.first, t.first), color(s.second, t.first), s.weight);

@@ -42,8 +42,7 @@ class GradientNoise {
     static double mix(double a, double b, double weight) { return a + (b - a) * weight; }
     double dot(int i, int j, double x, double y) const { // 0 <= i, j <= cells
         const int column = i == cells_ ? 0 : i, row = j == cells_ ? 0 : j;
-        const auto& g =
-            gradients_[static_cast<size_t>(row) * static_cast<size_t>(cells_) + static_cast<size_t>(column)];
+        const auto& g = gradients_[indexIn(cells_, column, row)];
         return g[0] * x + g[1] * y;
     }
 
@@ -100,17 +99,17 @@ class Stones {
         const double x = s * kCells, y = t * kCells;
         const int cellX = static_cast<int>(x), cellY = static_cast<int>(y);
         std::array<Neighbour, 25> around;
-        size_t nearest = 0;
-        for (size_t k = 0; k < around.size(); ++k) {
-            const int i = cellX + static_cast<int>(k % 5) - 2, j = cellY + static_cast<int>(k / 5) - 2;
-            const Site& site = sites_[index(i, j)];
-            Neighbour& n = around[k];
-            n.x = i + site.x;
-            n.y = j + site.y;
-            n.top = site.top;
-            n.squared = (n.x - x) * (n.x - x) + (n.y - y) * (n.y - y);
-            if (n.squared < around[nearest].squared) nearest = k;
-        }
+        size_t nearest = 0, k = 0;
+        for (int j = cellY - 2; j <= cellY + 2; ++j)
+            for (int i = cellX - 2; i <= cellX + 2; ++i, ++k) {
+                const Site& site = sites_[index(i, j)];
+                Neighbour& n = around[k];
+                n.x = i + site.x;
+                n.y = j + site.y;
+                n.top = site.top;
+                n.squared = (n.x - x) * (n.x - x) + (n.y - y) * (n.y - y);
+                if (n.squared < around[nearest].squared) nearest = k;
+            }
         return {toBorder(around, nearest), around[nearest].top};
     }
 
@@ -121,9 +120,7 @@ class Stones {
     struct Neighbour {
         double x, y, top, squared; // squared distance to the place
     };
-    static size_t index(int i, int j) {
-        return static_cast<size_t>(wrapped(j, kCells)) * kCells + static_cast<size_t>(wrapped(i, kCells));
-    }
+    static size_t index(int i, int j) { return indexIn(kCells, wrapped(i, kCells), wrapped(j, kCells)); }
 
     /// Distances e to the bisectors of the nearest site with each other one, (r^2 - r0^2) / (2 |p - p0|),
     /// joined to (sum 1/e^4)^(-1/4): their least, rounded off where two are nearly equal.

@@ -41,7 +41,7 @@ HeightMap::HeightMap(std::string name, int width, int height, std::vector<float>
                      Wrap wrapT)
     : name_(std::move(name)), width_(width), height_(height), depths_(std::move(depths)), wrapS_(wrapS),
       wrapT_(wrapT) {
-    if (width < 1 || height < 1 || depths_.size() != static_cast<size_t>(width) * static_cast<size_t>(height))
+    if (width < 1 || height < 1 || depths_.size() != areaOf(width, height))
         throw InputError(name_,
                          fmt::format("{} values for a height map of {} x {}", depths_.size(), width, height),
                          "at least 1 x 1 texels and a value for each");
@@ -56,8 +56,7 @@ HeightMap HeightMap::constant(std::string name, float depth) {
 }
 
 float HeightMap::texel(int i, int j) const {
-    const auto row = static_cast<size_t>(wrapIndex(j, height_, wrapT_));
-    return depths_[row * static_cast<size_t>(width_) + static_cast<size_t>(wrapIndex(i, width_, wrapS_))];
+    return rowOf(wrapIndex(j, height_, wrapT_))[wrapIndex(i, width_, wrapS_)];
 }
 
 HeightMap::Cell HeightMap::cell(int i, int j) const {
@@ -69,8 +68,7 @@ HeightMap::Cell HeightMap::cell(int i, int j) const {
     // Left of a clamped map's first texel both ends are that texel.
     const int right = next(column, width_, wrapS_, wrapS_ == Wrap::Clamp && i < 0);
     const int above = next(row, height_, wrapT_, wrapT_ == Wrap::Clamp && j < 0);
-    const float* lower = depths_.data() + static_cast<size_t>(row) * static_cast<size_t>(width_);
-    const float* upper = depths_.data() + static_cast<size_t>(above) * static_cast<size_t>(width_);
+    const float *lower = rowOf(row), *upper = rowOf(above);
     return {lower[column], lower[right], upper[column], upper[right]};
 }
 
@@ -85,8 +83,7 @@ HeightMap::Sample HeightMap::sample(const Vec2& st) const {
     }
     const TexelPair s = texelPair(st.x, width_, wrapS_);
     const TexelPair t = texelPair(st.y, height_, wrapT_);
-    const float* lower = depths_.data() + static_cast<size_t>(t.first) * static_cast<size_t>(width_);
-    const float* upper = depths_.data() + static_cast<size_t>(t.second) * static_cast<size_t>(width_);
+    const float *lower = rowOf(t.first), *upper = rowOf(t.second);
     const double d00 = lower[s.first], d10 = lower[s.second];
     const double d01 = upper[s.first], d11 = upper[s.second];
     const double lowerDepth = d00 + (d10 - d00) * s.weight;

@@ -6,6 +6,7 @@
 // base level, exact: no mip level, no 8-bit filter weights.
 #pragma once
 
+#include "scenes/core/index.h"
 #include "scenes/core/math.h"
 
 #include <string>
@@ -55,6 +56,8 @@ class HeightMap {
     Sample sample(const Vec2& st) const;
 
   private:
+    const float* rowOf(int j) const { return depths_.data() + indexIn(width_, 0, j); }
+
     std::string name_;
     int width_, height_;
     std::vector<float> depths_;

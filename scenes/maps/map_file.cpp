@@ -18,20 +18,16 @@ bool hasColor(const Image& image) {
     return image.channels >= 3;
 }
 
-size_t texelCount(const Image& image) {
-    return static_cast<size_t>(image.width) * static_cast<size_t>(image.height);
-}
-
 /// First value of a texel that `isBad`, reported with how many texels have one.
 template <class IsBad>
-void refuseTexels(const Image& image, const std::string& name, int channels, const char* what,
+void refuseTexels(const Image& image, const std::string& name, size_t channels, const char* what,
                   const char* expected, const IsBad& isBad) {
     size_t count = 0, firstTexel = 0;
     float firstValue = 0;
-    for (size_t texel = 0; texel < texelCount(image); ++texel) {
-        const float* values = &image.values[texel * static_cast<size_t>(image.channels)];
-        const float* bad = std::find_if(values, values + channels, isBad);
-        if (bad == values + channels) continue;
+    for (size_t texel = 0; texel < image.texelCount(); ++texel) {
+        const std::span<const float> values = image.texel(texel).first(channels);
+        const auto bad = std::ranges::find_if(values, isBad);
+        if (bad == values.end()) continue;
         if (count++ == 0) {
             firstTexel = texel;
             firstValue = *bad;
@@ -41,7 +37,7 @@ void refuseTexels(const Image& image, const std::string& name, int channels, con
     const auto width = static_cast<size_t>(image.width);
     throw InputError(name,
                      fmt::format("{} of {} texels are {}, the first is {} at column {}, row {} from the top",
-                                 count, texelCount(image), what, firstValue, firstTexel % width,
+                                 count, image.texelCount(), what, firstValue, firstTexel % width,
                                  firstTexel / width),
                      expected);
 }
@@ -50,8 +46,8 @@ void checkGrey(const Image& image, const std::string& name) {
     if (!hasColor(image)) return;
     const float tolerance = image.integer ? kGreyNoiseInteger : kGreyNoiseFloat;
     float widest = 0;
-    for (size_t texel = 0; texel < texelCount(image); ++texel) {
-        const float* values = &image.values[texel * static_cast<size_t>(image.channels)];
+    for (size_t texel = 0; texel < image.texelCount(); ++texel) {
+        const std::span<const float> values = image.texel(texel);
         const auto [low, high] = std::minmax({values[0], values[1], values[2]});
         widest = std::max(widest, high - low);
     }
@@ -83,9 +79,9 @@ HeightMap readHeightMap(const std::filesystem::path& file, Stores stores, Wrap w
     refuseTexels(image, name, hasColor(image) ? 3 : 1, "NaN or outside [0,1]", "heights or depths in [0,1]",
                  [](float value) { return !(value >= 0.0f && value <= 1.0f); });
     checkGrey(image, name);
-    std::vector<float> depths(texelCount(image));
+    std::vector<float> depths(image.texelCount());
     for (size_t texel = 0; texel < depths.size(); ++texel) {
-        const double value = image.values[texel * static_cast<size_t>(image.channels)];
+        const double value = image.texel(texel)[0];
         depths[flippedTexel(image, texel)] =
             static_cast<float>(stores == Stores::Depth ? value : 1.0 - value);
     }
@@ -101,11 +97,10 @@ ColorMap readColorMap(const std::filesystem::path& file) {
     refuseTexels(image, map.name, hasColor(image) ? 3 : 1, "negative or not finite",
                  "linear colours, 0 or more",
                  [](float value) { return !(value >= 0.0f && std::isfinite(value)); });
-    map.rgb.resize(texelCount(image) * 3);
-    for (size_t texel = 0; texel < texelCount(image); ++texel)
+    map.rgb.resize(image.texelCount() * 3);
+    for (size_t texel = 0; texel < image.texelCount(); ++texel)
         for (size_t channel = 0; channel < 3; ++channel) {
-            const size_t from = texel * static_cast<size_t>(image.channels) + (hasColor(image) ? channel : 0);
-            const float value = image.values[from];
+            const float value = image.texel(texel)[hasColor(image) ? channel : 0];
             map.rgb[3 * flippedTexel(image, texel) + channel] = image.integer ? linearFromSrgb(value) : value;
         }
     return map;

@@ -2,6 +2,8 @@
 // parallel.
 #pragma once
 
+#include "scenes/core/index.h"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -48,12 +50,11 @@ inline double sineOfTurns(double turns) {
 /// size x size texels, row 0 at the bottom; `depth(i, j)` is held to [0,1].
 template <typename Depth>
 std::vector<float> fillTexels(int size, Depth depth) {
-    const auto side = static_cast<size_t>(size);
-    std::vector<float> texels(side * side);
+    std::vector<float> texels(areaOf(size, size));
     tbb::parallel_for(tbb::blocked_range<int>(0, size, 16), [&](const tbb::blocked_range<int>& rows) {
         for (int j = rows.begin(); j < rows.end(); ++j)
             for (int i = 0; i < size; ++i)
-                texels[static_cast<size_t>(j) * side + static_cast<size_t>(i)] =
+                texels[indexIn(size, i, j)] =
                     static_cast<float>(std::clamp(static_cast<double>(depth(i, j)), 0.0, 1.0));
     });
     return texels;

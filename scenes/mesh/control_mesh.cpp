@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace plumbline {
 namespace {
@@ -25,14 +27,14 @@ void checkCoordinates(const ControlMesh& mesh, const std::vector<Vector>& values
                                  "finite numbers up to 1e15");
 }
 
-void checkArrayLengths(const ControlMesh& mesh) {
-    size_t corners = 0;
-    for (int face = 0; face < mesh.faceCount(); ++face) {
-        const int size = mesh.faceSizes[static_cast<size_t>(face)];
-        if (size < 3)
+void checkFaceSizes(const ControlMesh& mesh) {
+    if (mesh.faceCount() == 0) throw InputError(mesh.name, "no face", "at least one");
+    for (int face = 0; face < mesh.faceCount(); ++face)
+        if (const int size = item(mesh.faceSizes, face); size < 3)
             throw InputError(mesh.name, fmt::format("face {} has {} vertices", face + 1, size), "3 or more");
-        corners += static_cast<size_t>(size);
-    }
+}
+
+void checkArrayLengths(const ControlMesh& mesh, size_t corners) {
     const auto check = [&](size_t length, bool optional, const char* what) {
         if (length != corners && !(optional && length == 0))
             throw InputError(mesh.name, fmt::format("{} {} for {} face corners", length, what, corners),
@@ -46,47 +48,48 @@ void checkArrayLengths(const ControlMesh& mesh) {
             mesh.name, fmt::format("{} line numbers for {} faces", mesh.faceLines.size(), mesh.faceCount()));
 }
 
-void checkIndices(const ControlMesh& mesh, int face, size_t firstCorner, const std::vector<int>& indices,
+bool isIndex(int index, size_t count) {
+    return index >= 0 && std::cmp_less(index, count);
+}
+
+void checkIndices(const ControlMesh& mesh, const MeshFace& face, const std::vector<int>& indices,
                   size_t count, const char* what) {
-    const auto corners = static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
-    for (size_t corner = firstCorner; corner < firstCorner + corners; ++corner)
-        if (indices[corner] < 0 || static_cast<size_t>(indices[corner]) >= count)
-            throw InputError(whereOfFace(mesh, face),
-                             fmt::format("{} index {} is out of range", what, indices[corner] + 1),
+    for (const int index : face.of(indices))
+        if (!isIndex(index, count))
+            throw InputError(whereOfFace(mesh, face.index),
+                             fmt::format("{} index {} is out of range", what, index + 1),
                              fmt::format("1 to {}", count));
 }
 
-void checkDistinctVertices(const ControlMesh& mesh, int face, size_t firstCorner) {
-    const auto begin = mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(firstCorner);
-    std::vector<int> sorted(begin, begin + mesh.faceSizes[static_cast<size_t>(face)]);
+void checkDistinctVertices(const ControlMesh& mesh, const MeshFace& face) {
+    const auto vertices = face.of(mesh.faceVertices);
+    std::vector<int> sorted(vertices.begin(), vertices.end());
     std::ranges::sort(sorted);
     const auto twice = std::ranges::adjacent_find(sorted);
     if (twice != sorted.end())
-        throw InputError(whereOfFace(mesh, face),
+        throw InputError(whereOfFace(mesh, face.index),
                          fmt::format("vertex {} occurs twice in the face", *twice + 1), "distinct vertices");
 }
 
 /// The vertices of a face, begun at the lowest.
-std::vector<int> rotatedVertices(const ControlMesh& mesh, size_t firstCorner, int size) {
-    const auto begin = mesh.faceVertices.begin() + static_cast<std::ptrdiff_t>(firstCorner);
-    std::vector<int> vertices(begin, begin + size);
+std::vector<int> rotatedVertices(const ControlMesh& mesh, const MeshFace& face) {
+    const auto inOrder = face.of(mesh.faceVertices);
+    std::vector<int> vertices(inOrder.begin(), inOrder.end());
     std::ranges::rotate(vertices, std::ranges::min_element(vertices));
     return vertices;
 }
 
 /// Two faces with the same vertices in the same order lie in one place, where nobody can say which of them a
 /// ray meets. Two in opposite orders are the two sides of a sheet.
-void checkDistinctFaces(const ControlMesh& mesh, const MeshEdges& edges) {
-    const std::vector<size_t> firstCorners = mesh.firstCorners();
+void checkDistinctFaces(const ControlMesh& mesh, const std::vector<MeshFace>& faces, const MeshEdges& edges) {
     for (const auto& edge : edges.edges()) {
         // Without two faces in one direction there is nothing to compare: nearly always.
         const auto forward = std::ranges::count_if(edge, &HalfEdge::forward);
-        if (forward < 2 && static_cast<std::ptrdiff_t>(edge.size()) - forward < 2) continue;
+        if (forward < 2 && std::ssize(edge) - forward < 2) continue;
         std::map<std::vector<int>, int> seen;
         for (const HalfEdge& half : edge) {
-            const auto face = static_cast<size_t>(half.face);
             const auto [place, isNew] =
-                seen.emplace(rotatedVertices(mesh, firstCorners[face], mesh.faceSizes[face]), half.face);
+                seen.emplace(rotatedVertices(mesh, item(faces, half.face)), half.face);
             if (!isNew)
                 throw InputError(whereOfFace(mesh, half.face),
                                  fmt::format("has the same vertices as face {}", place->second + 1),
@@ -95,13 +98,11 @@ void checkDistinctFaces(const ControlMesh& mesh, const MeshEdges& edges) {
     }
 }
 
-void checkNormals(const ControlMesh& mesh, int face, size_t firstCorner) {
-    const auto corners = static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
-    for (size_t corner = firstCorner; corner < firstCorner + corners; ++corner)
-        if (mesh.normals[static_cast<size_t>(mesh.faceNormals[corner])] == Vec3(0))
-            throw InputError(whereOfFace(mesh, face),
-                             fmt::format("normal {} is zero", mesh.faceNormals[corner] + 1), "a direction",
-                             "a mesh without any normals gets them from its faces");
+void checkNormals(const ControlMesh& mesh, const MeshFace& face) {
+    for (const int normal : face.of(mesh.faceNormals))
+        if (item(mesh.normals, normal) == Vec3(0))
+            throw InputError(whereOfFace(mesh, face.index), fmt::format("normal {} is zero", normal + 1),
+                             "a direction", "a mesh without any normals gets them from its faces");
 }
 
 std::string whereOfTag(const ControlMesh& mesh, int line) {
@@ -115,7 +116,7 @@ void checkSharpness(const ControlMesh& mesh, double sharpness, int line) {
 }
 
 void checkTagIndex(const ControlMesh& mesh, int line, const char* what, int index, size_t count) {
-    if (index < 0 || static_cast<size_t>(index) >= count)
+    if (!isIndex(index, count))
         throw InputError(whereOfTag(mesh, line), fmt::format("{} {} isn't in the mesh", what, index + 1),
                          fmt::format("1 to {} (0 to {} in 't' lines)", count, count - 1));
 }
@@ -157,13 +158,12 @@ void checkCornersAndHoles(const ControlMesh& mesh) {
 }
 
 /// Length of the area vector (sum of p_k x p_k+1 about the first corner, halved): the area of a planar face.
-double faceArea(const ControlMesh& mesh, int face, size_t firstCorner) {
-    const auto point = [&](int k) {
-        return mesh.points[static_cast<size_t>(mesh.faceVertices[firstCorner + static_cast<size_t>(k)])];
-    };
+double faceArea(const ControlMesh& mesh, const MeshFace& face) {
+    const Vec3& first = mesh.pointAt(face.firstCorner);
     Vec3 areaVector(0);
-    for (int k = 1; k + 1 < mesh.faceSizes[static_cast<size_t>(face)]; ++k)
-        areaVector += 0.5 * glm::cross(point(k) - point(0), point(k + 1) - point(0));
+    for (size_t k = 1; k + 1 < face.size; ++k)
+        areaVector +=
+            0.5 * glm::cross(mesh.pointAt(face.corner(k)) - first, mesh.pointAt(face.corner(k + 1)) - first);
     return glm::length(areaVector);
 }
 
@@ -171,45 +171,45 @@ double faceArea(const ControlMesh& mesh, int face, size_t firstCorner) {
 
 std::string whereOfFace(const ControlMesh& mesh, int face) {
     if (mesh.faceLines.empty()) return fmt::format("{}: face {}", mesh.name, face + 1);
-    return fmt::format("{}:{}: face {}", mesh.name, mesh.faceLines[static_cast<size_t>(face)], face + 1);
+    return fmt::format("{}:{}: face {}", mesh.name, item(mesh.faceLines, face), face + 1);
 }
 
-std::vector<size_t> ControlMesh::firstCorners() const {
-    std::vector<size_t> result;
-    size_t first = 0;
+std::vector<MeshFace> ControlMesh::faces() const {
+    std::vector<MeshFace> result;
+    result.reserve(faceSizes.size());
+    size_t firstCorner = 0;
     for (const int size : faceSizes) {
-        result.push_back(first);
-        first += static_cast<size_t>(size);
+        assert(size >= 0);
+        result.push_back({countOf(result), firstCorner, static_cast<size_t>(size)});
+        firstCorner += result.back().size;
     }
     return result;
 }
 
 void checkControlMesh(const ControlMesh& mesh, Scheme scheme) {
-    if (mesh.faceCount() == 0) throw InputError(mesh.name, "no face", "at least one");
-    checkArrayLengths(mesh);
+    checkFaceSizes(mesh);
+    const std::vector<MeshFace> faces = mesh.faces();
+    checkArrayLengths(mesh, faces.back().firstCorner + faces.back().size);
     checkCoordinates(mesh, mesh.points, "vertex");
     checkCoordinates(mesh, mesh.uvs, "uv");
     checkCoordinates(mesh, mesh.normals, "normal");
     double area = 0;
-    size_t firstCorner = 0;
-    for (int face = 0; face < mesh.faceCount(); ++face) {
-        checkIndices(mesh, face, firstCorner, mesh.faceVertices, mesh.points.size(), "vertex");
-        if (mesh.hasUvs()) checkIndices(mesh, face, firstCorner, mesh.faceUvs, mesh.uvs.size(), "uv");
-        if (mesh.hasNormals())
-            checkIndices(mesh, face, firstCorner, mesh.faceNormals, mesh.normals.size(), "normal");
-        if (mesh.hasNormals() && scheme == Scheme::None) checkNormals(mesh, face, firstCorner);
-        checkDistinctVertices(mesh, face, firstCorner);
-        const int size = mesh.faceSizes[static_cast<size_t>(face)];
-        if (scheme == Scheme::Loop && size != 3)
-            throw InputError(whereOfFace(mesh, face), fmt::format("{} vertices", size),
+    for (const MeshFace& face : faces) {
+        checkIndices(mesh, face, mesh.faceVertices, mesh.points.size(), "vertex");
+        if (mesh.hasUvs()) checkIndices(mesh, face, mesh.faceUvs, mesh.uvs.size(), "uv");
+        if (mesh.hasNormals()) checkIndices(mesh, face, mesh.faceNormals, mesh.normals.size(), "normal");
+        if (mesh.hasNormals() && scheme == Scheme::None) checkNormals(mesh, face);
+        checkDistinctVertices(mesh, face);
+        if (scheme == Scheme::Loop && face.size != 3)
+            throw InputError(whereOfFace(mesh, face.index), fmt::format("{} vertices", face.size),
                              "triangles alone under scheme \"loop\"",
                              "\"catmull-clark\" takes faces of any size");
-        area += faceArea(mesh, face, firstCorner);
-        firstCorner += static_cast<size_t>(size);
+        area += faceArea(mesh, face);
     }
     if (!(area > 0)) throw InputError(mesh.name, "the mesh has no area: its faces are points or lines");
+
     const MeshEdges edges(mesh);
-    checkDistinctFaces(mesh, edges);
+    checkDistinctFaces(mesh, faces, edges);
     checkCreases(mesh, edges);
     checkCornersAndHoles(mesh);
 }

@@ -1,9 +1,11 @@
 // A polygon mesh as a user brings it: faces of any size, uvs and normals with indices of their own.
 #pragma once
 
+#include "scenes/core/index.h"
 #include "scenes/core/math.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -43,6 +45,21 @@ struct SubdivisionTags {
 /// OpenSubdiv's Sdc::Crease::SHARPNESS_INFINITE.
 inline constexpr double kInfinitelySharp = 10;
 
+/// A face by its corners, which are numbered through all faces of a mesh: where it is in faceVertices,
+/// faceUvs and faceNormals.
+struct MeshFace {
+    int index;
+    size_t firstCorner, size;
+
+    /// Of an index, or whatever else a corner has, for all corners of the mesh: those of this face.
+    template <class T>
+    std::span<const T> of(const std::vector<T>& allCorners) const {
+        return std::span(allCorners).subspan(firstCorner, size);
+    }
+    /// The corner `k` after the first, round the face.
+    size_t corner(size_t k) const { return firstCorner + k % size; }
+};
+
 struct ControlMesh {
     std::string name;              // file or shape, for messages
     std::vector<Vec3> points;      // object space
@@ -62,11 +79,15 @@ struct ControlMesh {
     /// a curve that keeps its corners (VTX_BOUNDARY_EDGE_AND_CORNER).
     bool boundaryFacesSupportOnly = false;
 
-    /// Where each face begins in faceVertices, faceUvs and faceNormals.
-    std::vector<size_t> firstCorners() const;
-    int faceCount() const { return static_cast<int>(faceSizes.size()); }
+    /// The faces in order. Their sizes must not be negative.
+    std::vector<MeshFace> faces() const;
+    int faceCount() const { return countOf(faceSizes); }
     bool hasUvs() const { return !faceUvs.empty(); }
     bool hasNormals() const { return !faceNormals.empty(); }
+    // What stands at a corner; the mesh must have passed checkControlMesh.
+    const Vec3& pointAt(size_t corner) const { return item(points, faceVertices[corner]); }
+    const Vec2& uvAt(size_t corner) const { return item(uvs, faceUvs[corner]); }
+    const Vec3& normalAt(size_t corner) const { return item(normals, faceNormals[corner]); }
 };
 
 /// "name:line: face 3", or without the line for a mesh that has none.

@@ -38,7 +38,8 @@ struct Findings {
 
 class DefectFinder {
   public:
-    DefectFinder(const ControlMesh& mesh, Scheme scheme) : mesh_(mesh), scheme_(scheme), edges_(mesh) {
+    DefectFinder(const ControlMesh& mesh, Scheme scheme)
+        : mesh_(mesh), scheme_(scheme), faces_(mesh.faces()), edges_(mesh) {
         Bounds bounds;
         for (const Vec3& point : mesh.points)
             bounds.add(point);
@@ -59,9 +60,6 @@ class DefectFinder {
 
   private:
     bool smooth() const { return scheme_ != Scheme::None; }
-    const Vec3& pointAt(size_t corner) const {
-        return mesh_.points[static_cast<size_t>(mesh_.faceVertices[corner])];
-    }
 
     void findCrowdedEdges() {
         Findings found;
@@ -105,22 +103,21 @@ class DefectFinder {
 
     void findFlatFaces() {
         Findings flat, collapsed;
-        size_t first = 0;
-        for (int face = 0; face < mesh_.faceCount(); ++face) {
-            const auto size = static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
+        for (const MeshFace& face : faces_) {
+            const Vec3& first = mesh_.pointAt(face.firstCorner);
             double area = 0; // of the fan about the first corner: none of a face that crosses itself is lost
             double longestEdge = 0, shortestEdge = kInfinity;
-            for (size_t k = 0; k < size; ++k) {
-                const Vec3 &a = pointAt(first + k), &b = pointAt(first + (k + 1) % size);
-                area += 0.5 * glm::length(glm::cross(a - pointAt(first), b - pointAt(first)));
+            for (size_t k = 0; k < face.size; ++k) {
+                const Vec3 &a = mesh_.pointAt(face.corner(k)), &b = mesh_.pointAt(face.corner(k + 1));
+                area += 0.5 * glm::length(glm::cross(a - first, b - first));
                 longestEdge = std::max(longestEdge, glm::length(b - a));
                 shortestEdge = std::min(shortestEdge, glm::length(b - a));
             }
             if (area <= kRounding * size_ * longestEdge)
-                flat.add([&] { return whereOfFace(mesh_, face) + " has no area"; });
+                flat.add([&] { return whereOfFace(mesh_, face.index) + " has no area"; });
             else if (shortestEdge <= kRounding * size_)
-                collapsed.add([&] { return whereOfFace(mesh_, face) + " has two vertices in one place"; });
-            first += size;
+                collapsed.add(
+                    [&] { return whereOfFace(mesh_, face.index) + " has two vertices in one place"; });
         }
         flat.report(warnings_, smooth() ? ": it still shapes the limit surface" : ": nothing is seen of it");
         collapsed.report(warnings_, smooth() ? ": it is subdivided as if they were two"
@@ -144,12 +141,10 @@ class DefectFinder {
             double volume = 0;
         };
         std::map<int, Shell> found;
-        size_t first = 0;
-        for (int face = 0; face < mesh_.faceCount(); ++face) {
-            Shell& shell = found[shells.rootOf(face)];
-            if (shell.faces++ == 0) shell.firstFace = face;
-            shell.volume += volumeUnder(face, first);
-            first += static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
+        for (const MeshFace& face : faces_) {
+            Shell& shell = found[shells.rootOf(face.index)];
+            if (shell.faces++ == 0) shell.firstFace = face.index;
+            shell.volume += volumeUnder(face);
         }
         Findings insideOut;
         for (const auto& [root, shell] : found)
@@ -165,14 +160,13 @@ class DefectFinder {
 
     /// Signed volume between a face and the mesh's first point. The face is a fan about its centre, so that
     /// the two sides of a sheet hold nothing between them.
-    double volumeUnder(int face, size_t firstCorner) const {
-        const auto size = static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
+    double volumeUnder(const MeshFace& face) const {
         const Vec3 origin = mesh_.points[0];
         Vec3 centre(0), areaVector(0);
-        for (size_t k = 0; k < size; ++k) {
-            const Vec3 a = pointAt(firstCorner + k) - origin,
-                       b = pointAt(firstCorner + (k + 1) % size) - origin;
-            centre += a / static_cast<double>(size);
+        for (size_t k = 0; k < face.size; ++k) {
+            const Vec3 a = mesh_.pointAt(face.corner(k)) - origin,
+                       b = mesh_.pointAt(face.corner(k + 1)) - origin;
+            centre += a / static_cast<double>(face.size);
             areaVector += 0.5 * glm::cross(a, b);
         }
         return glm::dot(centre, areaVector) / 3; // = sum of centre . (a x b) / 6
@@ -181,7 +175,7 @@ class DefectFinder {
     void findUnusedVertices() {
         std::vector<bool> used(mesh_.points.size());
         for (const int vertex : mesh_.faceVertices)
-            used[static_cast<size_t>(vertex)] = true;
+            item(used, vertex) = true;
         Findings found;
         for (size_t vertex = 0; vertex < used.size(); ++vertex)
             if (!used[vertex])
@@ -199,6 +193,7 @@ class DefectFinder {
 
     const ControlMesh& mesh_;
     Scheme scheme_;
+    std::vector<MeshFace> faces_;
     MeshEdges edges_;
     double size_ = 0;
     std::vector<std::string> warnings_;

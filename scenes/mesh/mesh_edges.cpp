@@ -14,11 +14,10 @@ template <class Action>
 void forEachHalfEdge(const ControlMesh& mesh, const Action& action) {
     int first = 0;
     for (int face = 0; face < mesh.faceCount(); ++face) {
-        const int size = mesh.faceSizes[static_cast<size_t>(face)];
+        const int size = item(mesh.faceSizes, face);
         for (int k = 0; k < size; ++k) {
             const int corner = first + k, next = first + (k + 1) % size;
-            const int from = mesh.faceVertices[static_cast<size_t>(corner)],
-                      to = mesh.faceVertices[static_cast<size_t>(next)];
+            const int from = item(mesh.faceVertices, corner), to = item(mesh.faceVertices, next);
             if (from < to)
                 action(HalfEdge{from, to, face, corner, next, true});
             else
@@ -33,17 +32,17 @@ void forEachHalfEdge(const ControlMesh& mesh, const Action& action) {
 MeshEdges::MeshEdges(const ControlMesh& mesh) : halfEdges_(mesh.faceVertices.size()) {
     // A place for each half edge behind those of lower vertices; only the few of one vertex are left to sort.
     std::vector<size_t> firstOfVertex(mesh.points.size() + 1);
-    forEachHalfEdge(mesh, [&](const HalfEdge& half) { ++firstOfVertex[static_cast<size_t>(half.low) + 1]; });
+    forEachHalfEdge(mesh, [&](const HalfEdge& half) { ++item(firstOfVertex, half.low + 1); });
     std::partial_sum(firstOfVertex.begin(), firstOfVertex.end(), firstOfVertex.begin());
     std::vector<size_t> next = firstOfVertex;
-    forEachHalfEdge(mesh,
-                    [&](const HalfEdge& half) { halfEdges_[next[static_cast<size_t>(half.low)]++] = half; });
+    forEachHalfEdge(mesh, [&](const HalfEdge& half) { halfEdges_[item(next, half.low)++] = half; });
     for (size_t vertex = 0; vertex < mesh.points.size(); ++vertex)
-        std::sort(halfEdges_.begin() + static_cast<std::ptrdiff_t>(firstOfVertex[vertex]),
-                  halfEdges_.begin() + static_cast<std::ptrdiff_t>(firstOfVertex[vertex + 1]),
-                  [](const HalfEdge& a, const HalfEdge& b) {
-                      return std::tie(a.high, a.face) < std::tie(b.high, b.face);
-                  });
+        std::ranges::sort(
+            std::span(halfEdges_)
+                .subspan(firstOfVertex[vertex], firstOfVertex[vertex + 1] - firstOfVertex[vertex]),
+            [](const HalfEdge& a, const HalfEdge& b) {
+                return std::tie(a.high, a.face) < std::tie(b.high, b.face);
+            });
     for (size_t begin = 0, end = 0; begin < halfEdges_.size(); begin = end) {
         const HalfEdge& half = halfEdges_[begin];
         while (end < halfEdges_.size() && halfEdges_[end].low == half.low &&
@@ -80,15 +79,16 @@ std::vector<int> pinchedVertices(const ControlMesh& mesh, const MeshEdges& edges
         }
     std::vector<int> fanOfVertex(mesh.points.size(), -1);
     std::vector<bool> pinched(mesh.points.size());
-    for (size_t corner = 0; corner < mesh.faceVertices.size(); ++corner) {
-        const auto vertex = static_cast<size_t>(mesh.faceVertices[corner]);
-        const int fan = fans.rootOf(static_cast<int>(corner));
-        if (fanOfVertex[vertex] < 0) fanOfVertex[vertex] = fan;
-        if (fanOfVertex[vertex] != fan) pinched[vertex] = true;
+    int corner = 0;
+    for (const int vertex : mesh.faceVertices) {
+        const int fan = fans.rootOf(corner++);
+        int& fanSeen = item(fanOfVertex, vertex);
+        if (fanSeen < 0) fanSeen = fan;
+        if (fanSeen != fan) item(pinched, vertex) = true;
     }
     std::vector<int> result;
-    for (size_t vertex = 0; vertex < pinched.size(); ++vertex)
-        if (pinched[vertex]) result.push_back(static_cast<int>(vertex));
+    for (int vertex = 0; vertex < countOf(pinched); ++vertex)
+        if (item(pinched, vertex)) result.push_back(vertex);
     return result;
 }
 

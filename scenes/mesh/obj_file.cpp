@@ -177,10 +177,10 @@ class ObjReader {
             fail(fmt::format("{} numbers for a {}", arguments.size(), elements.what),
                  fmt::format("{}", kNumbers));
         Vector& vector = into.emplace_back();
-        for (size_t i = 0; i < arguments.size(); ++i) {
-            const double number = readNumber(arguments[i]);
-            if (i < kNumbers) vector[static_cast<int>(i)] = number;
-        }
+        for (int axis = 0; axis < Vector::length(); ++axis)
+            vector[axis] = readNumber(item(arguments, axis));
+        for (const std::string_view more : arguments.subspan(kNumbers))
+            readNumber(more);
         ++elements.count;
     }
 
@@ -257,7 +257,7 @@ class ObjReader {
         }
         faceUvs_.note(first.hasUv, lines_.number());
         faceNormals_.note(first.hasNormal, lines_.number());
-        mesh_.faceSizes.push_back(static_cast<int>(arguments.size()));
+        mesh_.faceSizes.push_back(countOf(arguments));
         mesh_.faceLines.push_back(lines_.number());
     }
 

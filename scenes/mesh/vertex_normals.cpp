@@ -13,21 +13,12 @@ double cornerAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 /// Normal of a polygon, its length twice the area (Newell).
-Vec3 polygonNormal(const ControlMesh& mesh, int first, int size) {
+Vec3 polygonNormal(const ControlMesh& mesh, const MeshFace& face) {
     Vec3 sum(0);
-    const Vec3 origin = mesh.points[static_cast<size_t>(mesh.faceVertices[static_cast<size_t>(first)])];
-    for (int k = 1; k + 1 < size; ++k) {
-        const auto corner = [&](int i) {
-            return mesh.points[static_cast<size_t>(mesh.faceVertices[static_cast<size_t>(first + i)])];
-        };
-        sum += glm::cross(corner(k) - origin, corner(k + 1) - origin);
-    }
+    const Vec3& origin = mesh.pointAt(face.firstCorner);
+    for (size_t k = 1; k + 1 < face.size; ++k)
+        sum += glm::cross(mesh.pointAt(face.corner(k)) - origin, mesh.pointAt(face.corner(k + 1)) - origin);
     return sum;
-}
-
-Vec3 unitOrZero(const Vec3& vector) {
-    const double length = glm::length(vector);
-    return length > 0 ? vector / length : Vec3(0);
 }
 
 /// Sums of unit vectors shorter than this have cancelled: what is left of them is rounding, some 1e-15.
@@ -35,19 +26,17 @@ constexpr double kCancelled = 1e-9;
 
 /// Corners whose vertex got no normal take their face's.
 void fallBackOnFaceNormals(ControlMesh& mesh) {
-    int first = 0;
-    for (const int size : mesh.faceSizes) {
+    for (const MeshFace& face : mesh.faces()) {
         int ofFace = -1; // index into normals, made when first needed
-        for (int corner = first; corner < first + size; ++corner) {
-            int& index = mesh.faceNormals[static_cast<size_t>(corner)];
-            if (mesh.normals[static_cast<size_t>(index)] != Vec3(0)) continue;
+        for (size_t k = 0; k < face.size; ++k) {
+            int& index = mesh.faceNormals[face.corner(k)];
+            if (item(mesh.normals, index) != Vec3(0)) continue;
             if (ofFace < 0) {
-                ofFace = static_cast<int>(mesh.normals.size());
-                mesh.normals.push_back(unitOrZero(polygonNormal(mesh, first, size)));
+                ofFace = countOf(mesh.normals);
+                mesh.normals.push_back(unitOrZero(polygonNormal(mesh, face)));
             }
             index = ofFace;
         }
-        first += size;
     }
 }
 
@@ -55,18 +44,13 @@ void fallBackOnFaceNormals(ControlMesh& mesh) {
 
 void addAngleWeightedNormals(ControlMesh& mesh) {
     mesh.normals.assign(mesh.points.size(), Vec3(0));
-    int first = 0;
-    for (const int size : mesh.faceSizes) {
-        const Vec3 normal = unitOrZero(polygonNormal(mesh, first, size));
-        for (int k = 0; k < size; ++k) {
-            const auto vertex = [&](int i) {
-                return static_cast<size_t>(mesh.faceVertices[static_cast<size_t>(first + i % size)]);
-            };
-            const double angle = cornerAngle(mesh.points[vertex(k + size - 1)], mesh.points[vertex(k)],
-                                             mesh.points[vertex(k + 1)]);
-            mesh.normals[vertex(k)] += normal * angle;
+    for (const MeshFace& face : mesh.faces()) {
+        const Vec3 normal = unitOrZero(polygonNormal(mesh, face));
+        for (size_t k = 0; k < face.size; ++k) {
+            const double angle = cornerAngle(mesh.pointAt(face.corner(k + face.size - 1)),
+                                             mesh.pointAt(face.corner(k)), mesh.pointAt(face.corner(k + 1)));
+            item(mesh.normals, mesh.faceVertices[face.corner(k)]) += normal * angle;
         }
-        first += size;
     }
     for (Vec3& normal : mesh.normals)
         normal = glm::length(normal) > kCancelled ? glm::normalize(normal) : Vec3(0);

@@ -59,7 +59,7 @@ void readCreases(const TomlTable& object, Scheme scheme, ControlMesh& mesh) {
         object.fail("creases", "has no meaning under scheme \"none\"", "scheme \"catmull-clark\" or \"loop\"",
                     "all edges of the polygons are sharp as they are");
     const MeshEdges edges(mesh);
-    const int vertexCount = static_cast<int>(mesh.points.size());
+    const int vertexCount = countOf(mesh.points);
     TagIndex tags(mesh.tags);
     for (const TomlTable& table : object.tables("creases")) {
         const double sharpness = table.number("sharpness", 0, kLargestSharpness);

@@ -11,6 +11,7 @@
 #include <opensubdiv/bfr/tessellation.h>
 
 #include <array>
+#include <cassert>
 #include <mutex>
 #include <shared_mutex>
 
@@ -35,11 +36,6 @@ constexpr double kDegenerateSine = 0x1p-40;
 // Where a patch has no normal at a point, that of a point this far inside, in parameter space, is taken.
 constexpr double kNudge = 0x1p-10;
 
-Vec3 unitOrZero(const Vec3& vector) {
-    const double length = glm::length(vector);
-    return length > 0 ? vector / length : Vec3(0);
-}
-
 /// A point of a triangle's sub-face k, as Bfr cuts one under the bilinear scheme, on the triangle as one
 /// patch. Its barycentric coordinates are themselves interpolated linearly from those of the corners.
 BaseSurface::FaceTessellation::Sample onTriangle(int patch, int k, double u, double v) {
@@ -55,8 +51,8 @@ struct BaseSurface::Impl {
     Scheme scheme;
     std::unique_ptr<Far::TopologyRefiner> refiner;
     std::unique_ptr<SurfaceFactory> factory; // null for Scheme::None
-    std::vector<int> firstCorner;            // per face, into mesh.faceVertices
-    std::vector<int> firstPatch;             // per face, into patches
+    std::vector<MeshFace> faces;
+    std::vector<int> firstPatch; // per face, and the end, into patches
     std::vector<Patch> patches;
 
     Impl(ControlMesh meshWorld, Scheme schemeOfMesh) : mesh(std::move(meshWorld)), scheme(schemeOfMesh) {
@@ -70,40 +66,44 @@ struct BaseSurface::Impl {
         } else if (!mesh.hasNormals()) {
             addAngleWeightedNormals(mesh);
         }
+        faces = mesh.faces();
         listPatches();
     }
 
     Bfr::Parameterization parameterization(int face) const {
-        return {refiner->GetSchemeType(), mesh.faceSizes[static_cast<size_t>(face)]};
+        return {refiner->GetSchemeType(), item(mesh.faceSizes, face)};
     }
 
     void listPatches() {
-        int first = 0;
-        std::vector<bool> isHole(static_cast<size_t>(mesh.faceCount()));
+        std::vector<bool> isHole(faces.size());
         for (const SubdivisionTags::Hole& hole : mesh.tags.holes)
-            isHole[static_cast<size_t>(hole.face)] = true;
-        for (int face = 0; face < mesh.faceCount(); ++face) {
-            const int size = mesh.faceSizes[static_cast<size_t>(face)];
-            firstCorner.push_back(first);
-            firstPatch.push_back(static_cast<int>(patches.size()));
-            first += size;
-            if (isHole[static_cast<size_t>(face)]) continue;
-            if (factory && !factory->FaceHasLimitSurface(face)) {
-                if (mesh.boundaryFacesSupportOnly) continue;
-                throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it");
-            }
-            if (scheme == Scheme::Loop || (scheme == Scheme::None && size == 3)) {
-                patches.push_back({face, 0, true, false});
-            } else if (size == 4) {
-                patches.push_back({face, 0, false, false});
-            } else {
-                for (int corner = 0; corner < size; ++corner)
-                    patches.push_back({face, corner, false, true});
-            }
+            item(isHole, hole.face) = true;
+        for (const MeshFace& face : faces) {
+            firstPatch.push_back(countOf(patches));
+            if (!item(isHole, face.index) && hasLimitSurface(face.index)) addPatches(face);
         }
+        firstPatch.push_back(countOf(patches));
         if (patches.empty())
             throw InputError(mesh.name, "no face has a limit surface",
                              "at least one face away from the boundary and no hole");
+    }
+
+    /// False for a face that only supports its neighbours. Throws InputError for one that should be more.
+    bool hasLimitSurface(int face) const {
+        if (!factory || factory->FaceHasLimitSurface(face)) return true;
+        if (mesh.boundaryFacesSupportOnly) return false;
+        throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it");
+    }
+
+    void addPatches(const MeshFace& face) {
+        if (scheme == Scheme::Loop || (scheme == Scheme::None && face.size == 3)) {
+            patches.push_back({face.index, 0, true, false});
+        } else if (face.size == 4) {
+            patches.push_back({face.index, 0, false, false});
+        } else {
+            for (int corner = 0; corner < item(mesh.faceSizes, face.index); ++corner)
+                patches.push_back({face.index, corner, false, true});
+        }
     }
 };
 
@@ -128,48 +128,46 @@ int BaseSurface::edgeCount() const {
 
 std::span<const int> BaseSurface::faceVertices(int face) const {
     const auto vertices = impl_->refiner->GetLevel(0).GetFaceVertices(face);
-    return {vertices.begin(), static_cast<size_t>(vertices.size())};
+    return {vertices.begin(), vertices.end()};
 }
 std::span<const int> BaseSurface::faceEdges(int face) const {
     const auto edges = impl_->refiner->GetLevel(0).GetFaceEdges(face);
-    return {edges.begin(), static_cast<size_t>(edges.size())};
+    return {edges.begin(), edges.end()};
 }
 int BaseSurface::edgeStart(int edge) const {
     return impl_->refiner->GetLevel(0).GetEdgeVertices(edge)[0];
 }
 
 bool BaseSurface::hasLimit(int face) const {
-    const size_t next = static_cast<size_t>(face) + 1;
-    const size_t end = next < impl_->firstPatch.size() ? static_cast<size_t>(impl_->firstPatch[next])
-                                                       : impl_->patches.size();
-    return end > static_cast<size_t>(impl_->firstPatch[static_cast<size_t>(face)]);
+    return item(impl_->firstPatch, face + 1) > item(impl_->firstPatch, face);
 }
 
 int BaseSurface::firstPatch(int face) const {
-    return impl_->firstPatch[static_cast<size_t>(face)];
+    assert(hasLimit(face));
+    return item(impl_->firstPatch, face);
 }
 
 BaseSurface::FaceTessellation BaseSurface::tessellateFace(int face, int rate) const {
     const Bfr::Parameterization parameterization = impl_->parameterization(face);
     const Bfr::Tessellation tessellation(parameterization, rate,
                                          Bfr::Tessellation::Options().SetFacetSize(4).PreserveQuads(true));
+    const int first = firstPatch(face);
     FaceTessellation result;
     result.boundaryCount = tessellation.GetNumBoundaryCoords();
-    std::vector<double> coords(2 * static_cast<size_t>(tessellation.GetNumCoords()));
+    std::vector<double> coords(2 * lengthOf(tessellation.GetNumCoords()));
     tessellation.GetCoords(coords.data());
     for (size_t i = 0; i < coords.size(); i += 2) {
-        FaceTessellation::Sample sample{impl_->firstPatch[static_cast<size_t>(face)], coords[i],
-                                        coords[i + 1]};
+        FaceTessellation::Sample sample{first, coords[i], coords[i + 1]};
         if (parameterization.HasSubFaces()) {
             double local[2];
             const int subFace = parameterization.ConvertCoordToNormalizedSubFace(&coords[i], local);
-            sample = impl_->patches[static_cast<size_t>(sample.patch)].triangular
+            sample = patch(sample.patch).triangular
                          ? onTriangle(sample.patch, subFace, local[0], local[1])
                          : FaceTessellation::Sample{sample.patch + subFace, local[0], local[1]};
         }
         result.samples.push_back(sample);
     }
-    result.facets.resize(static_cast<size_t>(tessellation.GetNumFacets()));
+    result.facets.resize(lengthOf(tessellation.GetNumFacets()));
     tessellation.GetFacets(result.facets.empty() ? nullptr : result.facets[0].data());
     return result;
 }
@@ -185,27 +183,21 @@ struct BaseSurface::Evaluator::State {
 
     explicit State(const BaseSurface::Impl& s) : surface(s) {}
 
-    size_t corner(int k) const {
-        return static_cast<size_t>(surface.firstCorner[static_cast<size_t>(patch.face)] + k);
+    /// What the corners of the patch's face have, over the patch.
+    template <class T>
+    LinearPatch<T> linearPatch(const std::vector<T>& values, const std::vector<int>& ofCorners) const {
+        const std::span<const int> indices = item(surface.faces, patch.face).of(ofCorners);
+        return makeLinearPatch<T>(countOf(indices), patch.subFace ? patch.corner : -1, patch.triangular,
+                                  [&](int k) { return item(values, item(indices, k)); });
     }
 
     void setPatch(const Patch& next) {
         patch = next;
         const ControlMesh& mesh = surface.mesh;
-        const int size = mesh.faceSizes[static_cast<size_t>(patch.face)];
-        if (mesh.hasUvs())
-            uv = makeLinearPatch<Vec2>(size, patch.subFace ? patch.corner : -1, patch.triangular, [&](int k) {
-                return mesh.uvs[static_cast<size_t>(mesh.faceUvs[corner(k)])];
-            });
+        if (mesh.hasUvs()) uv = linearPatch(mesh.uvs, mesh.faceUvs);
         if (surface.scheme == Scheme::None) {
-            position =
-                makeLinearPatch<Vec3>(size, patch.subFace ? patch.corner : -1, patch.triangular, [&](int k) {
-                    return mesh.points[static_cast<size_t>(mesh.faceVertices[corner(k)])];
-                });
-            normal =
-                makeLinearPatch<Vec3>(size, patch.subFace ? patch.corner : -1, patch.triangular, [&](int k) {
-                    return mesh.normals[static_cast<size_t>(mesh.faceNormals[corner(k)])];
-                });
+            position = linearPatch(mesh.points, mesh.faceVertices);
+            normal = linearPatch(mesh.normals, mesh.faceNormals);
         } else if (faceReady != patch.face) {
             prepareSmooth();
         }
@@ -215,7 +207,7 @@ struct BaseSurface::Evaluator::State {
         if (!surface.factory->InitVertexSurface(patch.face, &smooth))
             throw InputError(whereOfFace(surface.mesh, patch.face),
                              "OpenSubdiv can't make a limit surface of it");
-        smoothPoints.resize(3 * static_cast<size_t>(smooth.GetNumPatchPoints()));
+        smoothPoints.resize(3 * lengthOf(smooth.GetNumPatchPoints()));
         const Bfr::Surface<double>::PointDescriptor xyz(3);
         smooth.PreparePatchPoints(&surface.mesh.points[0].x, xyz, smoothPoints.data(), xyz);
         faceReady = patch.face;
@@ -308,7 +300,7 @@ BaseSurface::Evaluator::Evaluator(const BaseSurface& surface)
     : state_(std::make_unique<State>(*surface.impl_)) {}
 BaseSurface::Evaluator::~Evaluator() = default;
 void BaseSurface::Evaluator::setPatch(int patch) {
-    state_->setPatch(state_->surface.patches[static_cast<size_t>(patch)]);
+    state_->setPatch(item(state_->surface.patches, patch));
 }
 BasePoint BaseSurface::Evaluator::point(double u, double v) const {
     return state_->point(u, v);

@@ -50,6 +50,7 @@ class BaseSurface {
 
     const ControlMesh& mesh() const;
     const std::vector<Patch>& patches() const;
+    const Patch& patch(int index) const { return item(patches(), index); }
 
     /// Connectivity of the control mesh. An edge is shared by the faces that name it.
     int vertexCount() const;

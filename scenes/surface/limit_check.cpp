@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace plumbline {
 namespace {
@@ -25,57 +26,51 @@ bool isNonManifold(std::span<const HalfEdge> edge) {
 class LimitTopology {
   public:
     explicit LimitTopology(const ControlMesh& mesh)
-        : mesh_(mesh), edges_(mesh), firstCorners_(mesh.firstCorners()), edgeAfter_(mesh.faceVertices.size()),
-          edgeCounts_(mesh.points.size()), touchesSharpEdge_(mesh.points.size()) {
+        : mesh_(mesh), edges_(mesh), edgeAfter_(mesh.faceVertices.size()), edgeCounts_(mesh.points.size()),
+          touchesSharpEdge_(mesh.points.size()) {
         std::vector<bool> creased(edges_.edges().size());
         for (const SubdivisionTags::Crease& crease : mesh.tags.creases)
             if (crease.sharpness > 0) creased[edges_.indexOf(crease.from, crease.to)] = true;
         for (size_t i = 0; i < edges_.edges().size(); ++i) {
             const auto& edge = edges_.edges()[i];
-            ++edgeCounts_[static_cast<size_t>(edge[0].low)];
-            ++edgeCounts_[static_cast<size_t>(edge[0].high)];
+            ++item(edgeCounts_, edge[0].low);
+            ++item(edgeCounts_, edge[0].high);
             for (const HalfEdge& half : edge)
-                edgeAfter_[static_cast<size_t>(half.forward ? half.lowCorner : half.highCorner)] = i;
+                item(edgeAfter_, half.forward ? half.lowCorner : half.highCorner) = i;
             if (!isNonManifold(edge) && !(creased[i] && edge.size() > 1)) continue;
-            touchesSharpEdge_[static_cast<size_t>(edge[0].low)] = true;
-            touchesSharpEdge_[static_cast<size_t>(edge[0].high)] = true;
+            item(touchesSharpEdge_, edge[0].low) = true;
+            item(touchesSharpEdge_, edge[0].high) = true;
         }
     }
 
     void check() const {
-        for (int face = 0; face < mesh_.faceCount(); ++face) {
-            const auto size = static_cast<size_t>(mesh_.faceSizes[static_cast<size_t>(face)]);
-            const size_t first = firstCorners_[static_cast<size_t>(face)];
-            checkSizes(face, first, size);
-            for (size_t k = 0; k < size; ++k) {
-                const size_t before = edgeAfter_[first + (k + size - 1) % size],
-                             after = edgeAfter_[first + k];
-                const int vertex = mesh_.faceVertices[first + k];
-                if (const int other = doubletPartner(face, before, after);
-                    other >= 0 && touchesSharp(first, size))
-                    fail(face,
+        for (const MeshFace& face : mesh_.faces()) {
+            checkSizes(face);
+            for (size_t k = 0; k < face.size; ++k) {
+                const size_t before = edgeAfter_[face.corner(k + face.size - 1)],
+                             after = edgeAfter_[face.corner(k)];
+                if (const int other = doubletPartner(face.index, before, after);
+                    other >= 0 && touchesSharp(face))
+                    fail(face.index,
                          fmt::format("vertex {} has no edge beside those it shares with face {}, and a sharp "
                                      "edge is near",
-                                     vertex + 1, other + 1));
+                                     mesh_.faceVertices[face.corner(k)] + 1, other + 1));
             }
         }
     }
 
   private:
-    void checkSizes(int face, size_t firstCorner, size_t size) const {
-        const auto most = static_cast<size_t>(kMostLimitEdges);
-        if (size > most)
-            throw InputError(whereOfFace(mesh_, face), fmt::format("{} vertices", size),
-                             fmt::format("at most {} in a face with a limit surface", most),
+    void checkSizes(const MeshFace& face) const {
+        if (std::cmp_greater(face.size, kMostLimitEdges))
+            throw InputError(whereOfFace(mesh_, face.index), fmt::format("{} vertices", face.size),
+                             fmt::format("at most {} in a face with a limit surface", kMostLimitEdges),
                              "scheme \"none\" takes it");
-        for (size_t corner = firstCorner; corner < firstCorner + size; ++corner) {
-            const int vertex = mesh_.faceVertices[corner];
-            if (const int edges = edgeCounts_[static_cast<size_t>(vertex)]; edges > kMostLimitEdges)
-                throw InputError(whereOfFace(mesh_, face),
+        for (const int vertex : face.of(mesh_.faceVertices))
+            if (const int edges = item(edgeCounts_, vertex); edges > kMostLimitEdges)
+                throw InputError(whereOfFace(mesh_, face.index),
                                  fmt::format("vertex {} has {} edges", vertex + 1, edges),
                                  fmt::format("at most {} at a vertex of a limit surface", kMostLimitEdges),
                                  "scheme \"none\" takes it");
-        }
     }
 
     [[noreturn]] void fail(int face, const std::string& what) const {
@@ -83,10 +78,9 @@ class LimitTopology {
                          "scheme \"none\" takes it");
     }
 
-    bool touchesSharp(size_t firstCorner, size_t size) const {
-        for (size_t corner = firstCorner; corner < firstCorner + size; ++corner)
-            if (touchesSharpEdge_[static_cast<size_t>(mesh_.faceVertices[corner])]) return true;
-        return false;
+    bool touchesSharp(const MeshFace& face) const {
+        return std::ranges::any_of(face.of(mesh_.faceVertices),
+                                   [&](int vertex) { return item(touchesSharpEdge_, vertex); });
     }
 
     /// Another face on both edges; -1 if there is none. Looked up in the longer list, as an edge may have any
@@ -105,7 +99,6 @@ class LimitTopology {
 
     const ControlMesh& mesh_;
     MeshEdges edges_;
-    std::vector<size_t> firstCorners_;   // of each face
     std::vector<size_t> edgeAfter_;      // of each corner of a face: the edge from there to the next
     std::vector<int> edgeCounts_;        // of each vertex
     std::vector<bool> touchesSharpEdge_; // of each vertex
@@ -117,21 +110,14 @@ std::vector<int> facesAtNonManifoldVertices(const ControlMesh& mesh) {
     const MeshEdges edges(mesh);
     std::vector<bool> nonManifold(mesh.points.size());
     for (const auto& edge : edges.edges())
-        if (isNonManifold(edge)) {
-            nonManifold[static_cast<size_t>(edge[0].low)] = true;
-            nonManifold[static_cast<size_t>(edge[0].high)] = true;
-        }
+        if (isNonManifold(edge)) item(nonManifold, edge[0].low) = item(nonManifold, edge[0].high) = true;
     for (const int vertex : pinchedVertices(mesh, edges))
-        nonManifold[static_cast<size_t>(vertex)] = true;
+        item(nonManifold, vertex) = true;
     std::vector<int> faces;
-    size_t corner = 0;
-    for (int face = 0; face < mesh.faceCount(); ++face) {
-        bool touches = false;
-        for (const size_t end = corner + static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
-             corner < end; ++corner)
-            touches |= nonManifold[static_cast<size_t>(mesh.faceVertices[corner])];
-        if (touches) faces.push_back(face);
-    }
+    for (const MeshFace& face : mesh.faces())
+        if (std::ranges::any_of(face.of(mesh.faceVertices),
+                                [&](int vertex) { return item(nonManifold, vertex); }))
+            faces.push_back(face.index);
     return faces;
 }
 
@@ -159,7 +145,7 @@ void checkFacesMeet(const BaseSurface& surface) {
         if (!surface.hasLimit(face)) continue;
         const BaseSurface::FaceTessellation cut = surface.tessellateFace(face, kRate);
         for (int i = 0; i < cut.boundaryCount; ++i) {
-            const auto& sample = cut.samples[static_cast<size_t>(i)];
+            const auto& sample = item(cut.samples, i);
             evaluator.setPatch(sample.patch);
             const Vec3 position = evaluator.point(sample.u, sample.v).position;
             const auto [place, isNew] =

@@ -9,6 +9,7 @@
 // it. Vertices on borders between grids are repeated, bit for bit: each was computed once.
 #pragma once
 
+#include "scenes/core/index.h"
 #include "scenes/core/math.h"
 
 #include <array>
@@ -40,6 +41,11 @@ struct MicroGrid {
     /// Whether faces disagree about a vertex of it, so that the surface closes with a wall there
     /// (Seams::Weld).
     bool torn;
+
+    /// Index into MicroMesh::positionsWorld of the vertex at a column and row of this grid.
+    uint32_t vertex(int column, int row) const {
+        return firstVertex + static_cast<uint32_t>(indexIn(columns, column, row));
+    }
 };
 
 struct MicroMesh {

@@ -4,9 +4,9 @@ namespace plumbline {
 
 PatchPlace placeOnEdge(const BaseSurface& surface, int face, int k, double along, double inside) {
     const int first = surface.firstPatch(face);
-    const BaseSurface::Patch& patch = surface.patches()[static_cast<size_t>(first)];
+    const BaseSurface::Patch& patch = surface.patch(first);
     if (patch.subFace) { // patch k has the edge's first half along u, the next one the second half along v
-        const int size = static_cast<int>(surface.faceVertices(face).size());
+        const int size = countOf(surface.faceVertices(face));
         return along <= 0.5 ? PatchPlace{first + k, {2 * along, 2 * inside}}
                             : PatchPlace{first + (k + 1) % size, {2 * inside, 2 * (1 - along)}};
     }

@@ -60,13 +60,13 @@ class ProxyBuilder {
     void addFace(int face) {
         const BaseSurface::FaceTessellation cut = surface_.tessellateFace(face, rate_);
         const size_t first = proxy_.vertices.size();
-        for (int i = 0; i < static_cast<int>(cut.samples.size()); ++i) {
+        for (int i = 0; i < countOf(cut.samples); ++i) {
             size_t place = places_.size();
             if (i < cut.boundaryCount)
                 place = shared_.onEdge(face, i / rate_, i % rate_);
             else
                 places_.emplace_back();
-            addVertex(cut.samples[static_cast<size_t>(i)], place);
+            addVertex(item(cut.samples, i), place);
         }
         for (const std::array<int, 4>& facet : cut.facets)
             addFacet(facet, first);
@@ -83,8 +83,7 @@ class ProxyBuilder {
         const Vec2 tile = relief_ ? relief_->tile : Vec2(1);
         Derivatives derivatives{};
         if (!solveDerivatives(base, tile, derivatives)) {
-            const double centre =
-                surface_.patches()[static_cast<size_t>(at.patch)].triangular ? 1.0 / 3 : 0.5;
+            const double centre = surface_.patch(at.patch).triangular ? 1.0 / 3 : 0.5;
             const BaseSample inside =
                 evaluator_.sample(at.u + kNudge * (centre - at.u), at.v + kNudge * (centre - at.v));
             if (!solveDerivatives(inside, tile, derivatives)) derivatives = Derivatives{};
@@ -105,9 +104,7 @@ class ProxyBuilder {
 
     /// Quads are cut between their second and fourth corner.
     void addFacet(const std::array<int, 4>& facet, size_t first) {
-        const auto index = [&](int k) {
-            return static_cast<unsigned>(first) + static_cast<unsigned>(facet[static_cast<size_t>(k)]);
-        };
+        const auto index = [&](int k) { return static_cast<unsigned>(first + lengthOf(item(facet, k))); };
         const auto placeOf = [&](unsigned vertex) { return proxy_.vertices[vertex].place; };
         const int corners = facet[3] < 0 ? 3 : 4;
         if (corners == 3)

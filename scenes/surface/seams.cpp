@@ -37,8 +37,8 @@ using EdgeNormals = std::array<Vec3, kNormalSegments>;
 class TearFinder {
   public:
     TearFinder(const BaseSurface& surface, const Relief& relief)
-        : surface_(surface), mesh_(surface.mesh()), relief_(relief),
-          sides_(static_cast<size_t>(surface.edgeCount())), firstCorner_(mesh_.firstCorners()) {
+        : surface_(surface), mesh_(surface.mesh()), relief_(relief), sides_(lengthOf(surface.edgeCount())),
+          faces_(mesh_.faces()) {
         for (int face = 0; face < mesh_.faceCount(); ++face)
             if (surface.hasLimit(face)) listSides(face);
     }
@@ -65,22 +65,20 @@ class TearFinder {
     void listSides(int face) {
         const auto edges = surface_.faceEdges(face);
         const auto vertices = surface_.faceVertices(face);
-        for (size_t k = 0; k < edges.size(); ++k)
-            sides_[static_cast<size_t>(edges[k])].push_back(
-                {face, static_cast<int>(k), vertices[k] == surface_.edgeStart(edges[k])});
+        for (int k = 0; k < countOf(edges); ++k) {
+            const int edge = item(edges, k);
+            item(sides_, edge).push_back({face, k, item(vertices, k) == surface_.edgeStart(edge)});
+        }
     }
 
     size_t cornerOf(const Side& side, int step) const { return cornerOf(side.face, side.k + step); }
 
-    size_t cornerOf(int face, int k) const {
-        const auto index = static_cast<size_t>(face);
-        return firstCorner_[index] + static_cast<size_t>(k % mesh_.faceSizes[index]);
-    }
+    size_t cornerOf(int face, int k) const { return item(faces_, face).corner(lengthOf(k)); }
 
     /// st at the edge's start (0) or end (1); linear in between.
     Vec2 stAtEnd(const Side& side, int end) const {
         const size_t corner = cornerOf(side, side.forward ? end : 1 - end);
-        return relief_.tile * mesh_.uvs[static_cast<size_t>(mesh_.faceUvs[corner])] + relief_.uvOffset;
+        return relief_.tile * mesh_.uvAt(corner) + relief_.uvOffset;
     }
 
     bool isTornByMap(const Side& a, const Side& b) const {
@@ -94,7 +92,7 @@ class TearFinder {
                                ? std::max(kFewestPlaces, static_cast<int>(2 * length) + 1)
                                : kMostPlaces;
         for (int i = 0; i <= places; ++i) {
-            const double t = static_cast<double>(i) / places;
+            const double t = double(i) / places;
             const double difference = map.depth(glm::mix(a0, a1, t)) - map.depth(glm::mix(b0, b1, t));
             if (std::abs(difference) * relief_.depth > kTornFraction * relief_.depth) return true;
         }
@@ -107,16 +105,12 @@ class TearFinder {
     /// axis that repeats, or not at all.
     bool joins(const Vec2& a0, const Vec2& b0, const Vec2& a1, const Vec2& b1) const {
         const HeightMap& map = *relief_.map;
-        const std::array<Wrap, 2> wraps{map.wrapS(), map.wrapT()};
-        const std::array<int, 2> sizes{map.width(), map.height()};
-        for (int axis = 0; axis < 2; ++axis) {
-            const size_t index = static_cast<size_t>(axis);
-            const double jump = a0[axis] - b0[axis], tolerance = kWholeTexels / sizes[index];
-            const double whole = wraps[index] == Wrap::Repeat ? std::round(jump) : 0;
-            if (!(std::abs(jump - whole) <= tolerance && std::abs(a1[axis] - b1[axis] - whole) <= tolerance))
-                return false;
-        }
-        return true;
+        const auto joinsAlong = [&](int axis, Wrap wrap, int size) {
+            const double jump = a0[axis] - b0[axis], tolerance = kWholeTexels / size;
+            const double whole = wrap == Wrap::Repeat ? std::round(jump) : 0;
+            return std::abs(jump - whole) <= tolerance && std::abs(a1[axis] - b1[axis] - whole) <= tolerance;
+        };
+        return joinsAlong(0, map.wrapS(), map.width()) && joinsAlong(1, map.wrapT(), map.height());
     }
 
     /// A face's patches are set up once for all its edges: the set-up costs more than the samples.
@@ -131,21 +125,18 @@ class TearFinder {
     }
 
     void evaluateNormals(int face, BaseSurface::Evaluator& evaluator) {
-        const int size = mesh_.faceSizes[static_cast<size_t>(face)];
-        for (int k = 0; k < size; ++k)
+        for (int k = 0; k < item(mesh_.faceSizes, face); ++k)
             for (int i = 0; i < kNormalSegments; ++i) {
-                const PatchPlace place =
-                    placeOnEdge(surface_, face, k, static_cast<double>(i) / kNormalSegments);
+                const PatchPlace place = placeOnEdge(surface_, face, k, double(i) / kNormalSegments);
                 evaluator.setPatch(place.patch);
-                const size_t corner = cornerOf(face, k);
-                normals_[corner][static_cast<size_t>(i)] = evaluator.point(place.uv.x, place.uv.y).normal;
+                item(normals_[cornerOf(face, k)], i) = evaluator.point(place.uv.x, place.uv.y).normal;
             }
     }
 
     /// `place` of kNormalSegments along the edge, from its start.
     const Vec3& normalAt(const Side& side, int place) const {
         const int along = side.forward ? place : kNormalSegments - place;
-        return along < kNormalSegments ? normals_[cornerOf(side, 0)][static_cast<size_t>(along)]
+        return along < kNormalSegments ? item(normals_[cornerOf(side, 0)], along)
                                        : normals_[cornerOf(side, 1)][0];
     }
 
@@ -154,7 +145,7 @@ class TearFinder {
         const Vec2 a0 = stAtEnd(a, 0), a1 = stAtEnd(a, 1);
         const double size = std::max(relief_.depth, std::abs(relief_.offset));
         for (int i = 0; i <= kNormalSegments; ++i) {
-            const double t = static_cast<double>(i) / kNormalSegments;
+            const double t = double(i) / kNormalSegments;
             const double height = displacement(glm::mix(a0, a1, t), &relief_);
             if (glm::length(normalAt(a, i) - normalAt(b, i)) * std::abs(height) > kTornFraction * size)
                 return true;
@@ -166,7 +157,7 @@ class TearFinder {
     const ControlMesh& mesh_;
     const Relief& relief_;
     std::vector<std::vector<Side>> sides_; // of each edge
-    std::vector<size_t> firstCorner_;      // of each face, into ControlMesh::faceVertices
+    std::vector<MeshFace> faces_;
     std::vector<EdgeNormals>
         normals_; // of the edge that starts in each corner of a face, from that corner on
 };

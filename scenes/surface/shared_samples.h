@@ -4,6 +4,7 @@
 
 #include "scenes/surface/base_surface.h"
 
+#include <cassert>
 #include <vector>
 
 namespace plumbline {
@@ -14,26 +15,26 @@ class SharedSamples {
     SharedSamples(const BaseSurface& surface, std::vector<int> edgeRates)
         : surface_(surface), rates_(std::move(edgeRates)) {
         firstOfEdge_.reserve(rates_.size() + 1);
-        firstOfEdge_.push_back(static_cast<size_t>(surface.vertexCount()));
+        firstOfEdge_.push_back(lengthOf(surface.vertexCount()));
         for (const int rate : rates_)
-            firstOfEdge_.push_back(firstOfEdge_.back() + static_cast<size_t>(rate - 1));
+            firstOfEdge_.push_back(firstOfEdge_.back() + lengthOf(rate - 1));
     }
     /// The same for all edges.
     SharedSamples(const BaseSurface& surface, int rate)
-        : SharedSamples(surface, std::vector<int>(static_cast<size_t>(surface.edgeCount()), rate)) {}
+        : SharedSamples(surface, std::vector<int>(lengthOf(surface.edgeCount()), rate)) {}
 
     /// All numbers are below this.
     size_t count() const { return firstOfEdge_.back(); }
-    int edgeRate(int edge) const { return rates_[static_cast<size_t>(edge)]; }
+    int edgeRate(int edge) const { return item(rates_, edge); }
     /// Number of the sample `step` segments (0 … the edge's rate) along edge k of a face, from its corner k.
     size_t onEdge(int face, int k, int step) const {
         const std::span<const int> vertices = surface_.faceVertices(face);
-        const size_t corner = static_cast<size_t>(k);
-        const int edge = surface_.faceEdges(face)[corner], rate = edgeRate(edge);
-        if (step == 0) return static_cast<size_t>(vertices[corner]);
-        if (step == rate) return static_cast<size_t>(vertices[(corner + 1) % vertices.size()]);
-        const int fromStart = vertices[corner] == surface_.edgeStart(edge) ? step : rate - step;
-        return firstOfEdge_[static_cast<size_t>(edge)] + static_cast<size_t>(fromStart - 1);
+        const int edge = item(surface_.faceEdges(face), k), rate = edgeRate(edge);
+        assert(step >= 0 && step <= rate);
+        if (step == 0) return lengthOf(item(vertices, k));
+        if (step == rate) return lengthOf(item(vertices, (k + 1) % countOf(vertices)));
+        const int fromStart = item(vertices, k) == surface_.edgeStart(edge) ? step : rate - step;
+        return item(firstOfEdge_, edge) + lengthOf(fromStart - 1);
     }
 
   private:

@@ -46,13 +46,13 @@ struct TagArrays {
     }
 
     void describe(Far::TopologyDescriptor& descriptor) const {
-        descriptor.numCreases = static_cast<int>(creaseSharpness.size());
+        descriptor.numCreases = countOf(creaseSharpness);
         descriptor.creaseVertexIndexPairs = creaseVertices.data();
         descriptor.creaseWeights = creaseSharpness.data();
-        descriptor.numCorners = static_cast<int>(cornerSharpness.size());
+        descriptor.numCorners = countOf(cornerSharpness);
         descriptor.cornerVertexIndices = cornerVertices.data();
         descriptor.cornerWeights = cornerSharpness.data();
-        descriptor.numHoles = static_cast<int>(holes.size());
+        descriptor.numHoles = countOf(holes);
         descriptor.holeIndices = holes.data();
     }
 };
@@ -74,7 +74,7 @@ std::unique_ptr<Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Sche
     lastOpenSubdivMessage().clear();
 
     Far::TopologyDescriptor descriptor;
-    descriptor.numVertices = static_cast<int>(mesh.points.size());
+    descriptor.numVertices = countOf(mesh.points);
     descriptor.numFaces = mesh.faceCount();
     descriptor.numVertsPerFace = mesh.faceSizes.data();
     descriptor.vertIndicesPerFace = mesh.faceVertices.data();

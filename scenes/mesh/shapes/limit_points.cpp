@@ -15,18 +15,15 @@ struct Edge {
 /// The mask of limitPoints for one topology, applied to any points.
 class LimitMask {
   public:
-    explicit LimitMask(const ControlMesh& mesh) : mesh_(mesh), faceCounts_(mesh.points.size()) {
+    explicit LimitMask(const ControlMesh& mesh)
+        : mesh_(mesh), faces_(mesh.faces()), faceCounts_(mesh.points.size()) {
         std::vector<Edge> halves;
-        size_t first = 0;
-        for (int face = 0; face < mesh.faceCount(); ++face) {
-            const auto size = static_cast<size_t>(mesh.faceSizes[static_cast<size_t>(face)]);
-            for (size_t k = 0; k < size; ++k) {
-                const int a = mesh.faceVertices[first + k], b = mesh.faceVertices[first + (k + 1) % size];
-                halves.push_back({std::min(a, b), std::max(a, b), face});
-                ++faceCounts_[static_cast<size_t>(a)];
+        for (const MeshFace& face : faces_)
+            for (size_t k = 0; k < face.size; ++k) {
+                const int a = mesh.faceVertices[face.corner(k)], b = mesh.faceVertices[face.corner(k + 1)];
+                halves.push_back({std::min(a, b), std::max(a, b), face.index});
+                ++item(faceCounts_, a);
             }
-            first += size;
-        }
         std::ranges::sort(halves, [](const Edge& x, const Edge& y) {
             return std::tie(x.low, x.high, x.face) < std::tie(y.low, y.high, y.face);
         });
@@ -44,13 +41,9 @@ class LimitMask {
     std::vector<Vec3> apply(const std::vector<Vec3>& points) const {
         const std::vector<Vec3> facePoints = centroids(points);
         std::vector<Ring> rings(points.size());
-        size_t first = 0;
-        for (size_t face = 0; face < facePoints.size(); ++face) {
-            const auto size = static_cast<size_t>(mesh_.faceSizes[face]);
-            for (size_t k = 0; k < size; ++k)
-                rings[static_cast<size_t>(mesh_.faceVertices[first + k])].faces += facePoints[face];
-            first += size;
-        }
+        for (const MeshFace& face : faces_)
+            for (const int vertex : face.of(mesh_.faceVertices))
+                item(rings, vertex).faces += item(facePoints, face.index);
         for (const Edge& edge : edges_)
             gather(edge, points, facePoints, rings);
         std::vector<Vec3> limits(points.size());
@@ -69,33 +62,32 @@ class LimitMask {
 
     std::vector<Vec3> centroids(const std::vector<Vec3>& points) const {
         std::vector<Vec3> result;
-        auto vertex = mesh_.faceVertices.begin();
-        for (const int size : mesh_.faceSizes) {
+        for (const MeshFace& face : faces_) {
             Vec3 sum(0);
-            for (int k = 0; k < size; ++k)
-                sum += points[static_cast<size_t>(*vertex++)];
-            result.push_back(sum / static_cast<double>(size));
+            for (const int vertex : face.of(mesh_.faceVertices))
+                sum += item(points, vertex);
+            result.push_back(sum / static_cast<double>(face.size));
         }
         return result;
     }
 
     static void gather(const Edge& edge, const std::vector<Vec3>& points, const std::vector<Vec3>& facePoints,
                        std::vector<Ring>& rings) {
-        const auto low = static_cast<size_t>(edge.low), high = static_cast<size_t>(edge.high);
+        const Vec3 &low = item(points, edge.low), &high = item(points, edge.high);
+        Ring &ofLow = item(rings, edge.low), &ofHigh = item(rings, edge.high);
         if (edge.otherFace < 0) {
-            rings[low].boundary += points[high];
-            rings[high].boundary += points[low];
-            ++rings[low].boundaryEdges;
-            ++rings[high].boundaryEdges;
+            ofLow.boundary += high;
+            ofHigh.boundary += low;
+            ++ofLow.boundaryEdges;
+            ++ofHigh.boundaryEdges;
             return;
         }
         const Vec3 edgePoint =
-            0.25 * (points[low] + points[high] + facePoints[static_cast<size_t>(edge.face)] +
-                    facePoints[static_cast<size_t>(edge.otherFace)]);
-        rings[low].neighbours += points[high];
-        rings[high].neighbours += points[low];
-        rings[low].edges += edgePoint;
-        rings[high].edges += edgePoint;
+            0.25 * (low + high + item(facePoints, edge.face) + item(facePoints, edge.otherFace));
+        ofLow.neighbours += high;
+        ofHigh.neighbours += low;
+        ofLow.edges += edgePoint;
+        ofHigh.edges += edgePoint;
     }
 
     static Vec3 limit(const Vec3& point, const Ring& ring, int valence) {
@@ -107,6 +99,7 @@ class LimitMask {
     }
 
     const ControlMesh& mesh_;
+    std::vector<MeshFace> faces_;
     std::vector<Edge> edges_;
     std::vector<int> faceCounts_; // per vertex; inside the mesh this is the valence
 };

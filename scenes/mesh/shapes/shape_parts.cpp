@@ -38,7 +38,7 @@ void requireFaces(std::string_view shape, int64_t faces) {
 }
 
 int appendUvLattice(ControlMesh& mesh, int columns, int rows, const Vec2& low, const Vec2& high) {
-    const int first = static_cast<int>(mesh.uvs.size());
+    const int first = countOf(mesh.uvs);
     for (int j = 0; j <= rows; ++j)
         for (int i = 0; i <= columns; ++i)
             mesh.uvs.push_back(low + (high - low) * Vec2(double(i) / columns, double(j) / rows));

@@ -70,7 +70,7 @@ ControlMesh makeQuadric(double a, double b, double halfSize, int segments) {
     });
     for (int j = 0, index = 0; j <= side; ++j)
         for (int i = 0; i <= side; ++i)
-            mesh.uvs[static_cast<size_t>(index++)] = Vec2(i - 1, j - 1) / double(segments);
+            item(mesh.uvs, index++) = Vec2(i - 1, j - 1) / double(segments);
     mesh.boundaryFacesSupportOnly = true;
     return mesh;
 }
@@ -130,8 +130,7 @@ ControlMesh makeCube(std::string name, int segments, bool sidesContinueS, Positi
     mesh.name = std::move(name);
     std::map<std::array<int, 3>, int> vertexAt;
     const auto vertexOf = [&](const glm::ivec3& place) {
-        const auto [entry, isNew] =
-            vertexAt.try_emplace({place.x, place.y, place.z}, static_cast<int>(mesh.points.size()));
+        const auto [entry, isNew] = vertexAt.try_emplace({place.x, place.y, place.z}, countOf(mesh.points));
         if (isNew) mesh.points.push_back(position(Vec3(place) * (2.0 / segments) - 1.0));
         return entry->second;
     };
@@ -169,10 +168,9 @@ ControlMesh makeBox(const Vec3& size, int segments) {
     requireFaces("box", int64_t(6) * segments * segments);
     ControlMesh mesh = makeCube("box", segments, false, [&](const Vec3& cube) { return 0.5 * size * cube; });
     for (const CubeSide& side : kCubeSides) {
-        const int normal = static_cast<int>(mesh.normals.size());
+        const int normal = countOf(mesh.normals);
         mesh.normals.push_back(glm::cross(Vec3(side.right), Vec3(side.up)));
-        mesh.faceNormals.insert(mesh.faceNormals.end(), size_t(4) * size_t(segments) * size_t(segments),
-                                normal);
+        mesh.faceNormals.insert(mesh.faceNormals.end(), 4 * areaOf(segments, segments), normal);
     }
     return mesh;
 }

@@ -95,22 +95,19 @@ struct ChartLattice {
     std::vector<Vec3> points; // columns x (rows + 1)
     Vec2 uvExtent;
     std::vector<double> v; // of each row, by arc length, from 0 to uvExtent.y
-    const Vec3& at(int i, int j) const {
-        return points[static_cast<size_t>(j) * static_cast<size_t>(columns) +
-                      static_cast<size_t>(i % columns)];
-    }
+    const Vec3& at(int i, int j) const { return points[indexIn(columns, i % columns, j)]; }
 };
 
 Vec3 evaluateChart(const Chart& chart, int segments, int i, int j) {
-    const int lastPatch = static_cast<int>(chart.rings.size()) / 3 - 1;
+    const int lastPatch = countOf(chart.rings) / 3 - 1;
     const int patchV = std::min(j / segments, lastPatch), patchU = i / segments;
     const auto weightU = bernstein(double(i - patchU * segments) / segments);
     const auto weightV = bernstein(double(j - patchV * segments) / segments);
     Vec3 sum(0);
-    for (size_t q = 0; q < 4; ++q) {
-        const Ring& ring = chart.rings[3 * static_cast<size_t>(patchV) + q];
-        for (size_t p = 0; p < 4; ++p)
-            sum += weightV[q] * weightU[p] * ring[(3 * static_cast<size_t>(patchU) + p) % ring.size()];
+    for (int q = 0; q < 4; ++q) {
+        const Ring& ring = item(chart.rings, 3 * patchV + q);
+        for (int p = 0; p < 4; ++p)
+            sum += item(weightV, q) * item(weightU, p) * item(ring, (3 * patchU + p) % countOf(ring));
     }
     return {sum.x, sum.z, -sum.y}; // z up to y up
 }
@@ -118,8 +115,8 @@ Vec3 evaluateChart(const Chart& chart, int segments, int i, int j) {
 ChartLattice makeChartLattice(const Chart& chart, int segments) {
     ChartLattice lattice;
     lattice.uvExtent = chart.uvExtent;
-    lattice.columns = static_cast<int>(chart.rings[0].size()) / 3 * segments;
-    lattice.rows = static_cast<int>(chart.rings.size()) / 3 * segments;
+    lattice.columns = countOf(chart.rings[0]) / 3 * segments;
+    lattice.rows = countOf(chart.rings) / 3 * segments;
     for (int j = 0; j <= lattice.rows; ++j)
         for (int i = 0; i < lattice.columns; ++i)
             lattice.points.push_back(evaluateChart(chart, segments, i, j));
@@ -148,8 +145,8 @@ class VertexJoiner {
         // The grid is a million times finer than the finest lattice.
         constexpr double kCell = 1e-9;
         const auto cell = [](double x) { return std::llround(x / kCell); };
-        const auto [entry, isNew] = vertexAt_.try_emplace({cell(point.x), cell(point.y), cell(point.z)},
-                                                          static_cast<int>(mesh_.points.size()));
+        const auto [entry, isNew] =
+            vertexAt_.try_emplace({cell(point.x), cell(point.y), cell(point.z)}, countOf(mesh_.points));
         if (isNew) mesh_.points.push_back(point);
         return entry->second;
     }
@@ -160,10 +157,10 @@ class VertexJoiner {
 };
 
 void appendFace(ControlMesh& mesh, std::initializer_list<std::pair<int, Vec2>> corners) {
-    mesh.faceSizes.push_back(static_cast<int>(corners.size()));
+    mesh.faceSizes.push_back(countOf(corners));
     for (const auto& [vertex, uv] : corners) {
         mesh.faceVertices.push_back(vertex);
-        mesh.faceUvs.push_back(static_cast<int>(mesh.uvs.size()));
+        mesh.faceUvs.push_back(countOf(mesh.uvs));
         mesh.uvs.push_back(uv);
     }
 }
@@ -174,7 +171,7 @@ void appendChart(ControlMesh& mesh, VertexJoiner& joiner, const ChartLattice& la
             const auto corner = [&](int di, int dj) {
                 const double u = lattice.uvExtent.x * (i + di) / lattice.columns;
                 return std::pair(joiner.vertexAt(lattice.at(i + di, j + dj)),
-                                 Vec2(u, lattice.v[static_cast<size_t>(j + dj)]));
+                                 Vec2(u, item(lattice.v, j + dj)));
             };
             auto a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
             const double middle =
