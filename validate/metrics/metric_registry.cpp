@@ -38,17 +38,18 @@ std::vector<MetricInfo> makeTable() {
 
 std::span<const Metric> metricRegistry() {
     static const std::vector<Metric> registry{
-        silhouetteIouMetric(),   //
-        boundaryIouMetric(),     //
-        contourDistanceMetric(), //
-        depthErrorMetric(),      //
-        shadowAgreementMetric(), //
-        shadowKindsMetric(),     //
-        normalAngleMetric(),     //
-        stErrorMetric(),         //
-        imageErrorMetric(),      //
-        fetchCostMetric(),       //
-        searchIterationsMetric(), runCostMetric(),
+        silhouetteIouMetric(),    // silhouette
+        boundaryIouMetric(),      // silhouette.boundary_iou
+        contourDistanceMetric(),  // silhouette
+        depthErrorMetric(),       // depth
+        shadowAgreementMetric(),  // shadow.<light>
+        shadowKindsMetric(),      // shadow.<light>
+        normalAngleMetric(),      // normal
+        stErrorMetric(),          // st
+        imageErrorMetric(),       // image
+        fetchCostMetric(),        // cost
+        searchIterationsMetric(), // cost
+        runCostMetric(),          // cost
     };
     return registry;
 }
