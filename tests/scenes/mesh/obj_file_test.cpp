@@ -153,7 +153,7 @@ TEST(ObjFile, FaultyTags_NameTheirLine) {
         {"t crease 2/1/0 0 1", "a.obj:6: 2 values follow 2/1/0 in a subdivision tag; expected as many"},
         {"t crease 18446744073709551615/4/0 0 1 2", "3 values follow 18446744073709551615/4/0"},
         {"t crease 2/1/0 0 x 2", "a.obj:6: 'x' in a subdivision tag; expected a whole number"},
-        {"t crease 2/1/0 0 1 two", "a.obj:6: 'two' in a subdivision tag; expected a number"},
+        {"t crease 2/1/0 0 1 two", "a.obj:6: 'two' in a subdivision tag; expected a finite number"},
         {"t crease 2/1/0 0 1 nan", "a.obj:6: 'nan' in a subdivision tag; expected a finite number"},
         {"t crease 2/1/0 0 1 inf", "a.obj:6: 'inf' in a subdivision tag"},
         {"t crease 2/1/0 0 1 -1", "a.obj:6: sharpness -1"},
