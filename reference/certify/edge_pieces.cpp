@@ -1,6 +1,7 @@
 #include "reference/certify/edge_pieces.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -43,6 +44,7 @@ Vec3 EdgePiece::outside(double ofReach) const {
 
 void forEachPiece(const Screen& screen, const ContourEdge& edge, double largestReach,
                   const std::function<void(const EdgePiece&)>& visit) {
+    assert(edge.errorWorld >= 0 && largestReach >= 0);
     Vec3 aWorld = edge.a, bWorld = edge.b;
     Vec3 a = screen.project(aWorld), b = screen.project(bWorld);
     if (!screen.inFront(a) && !screen.inFront(b)) return;

@@ -1,6 +1,7 @@
 #include "reference/export/mesh_numbers.h"
 
 #include <bit>
+#include <cassert>
 #include <cstring>
 
 namespace plumbline {
@@ -66,6 +67,8 @@ void forVertices(const MicroMesh& mesh, Visit&& visit) {
 } // namespace
 
 MeshNumbers numberVertices(const MicroMesh& mesh) {
+    assert(mesh.normalsWorld.size() == mesh.positionsWorld.size() &&
+           mesh.st.size() == mesh.positionsWorld.size());
     size_t repeatable = 0;
     forVertices(mesh, [&](uint32_t, bool mayRepeat) { repeatable += mayRepeat; });
     VertexTable table(mesh, repeatable);

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -223,6 +224,7 @@ struct RatePlanner::Impl {
 RatePlanner::RatePlanner(const Scene& scene, std::vector<PlannedObject> objects, double errorPx,
                          uint64_t memoryBytes)
     : impl_(std::make_unique<Impl>()) {
+    assert(errorPx > 0);
     impl_->objects = std::move(objects);
     impl_->errorPx = errorPx;
     impl_->memoryBytes = memoryBytes;

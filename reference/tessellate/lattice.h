@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace plumbline {
 
@@ -31,6 +32,7 @@ inline int blocksInRow(const PatchLattice& lattice, int blockRow) {
 /// The step a lattice vertex stands on along a side of `cells` steps that has `segments` segments: the
 /// nearest multiple of cells / segments.
 inline int snappedStep(int step, int cells, int segments) {
+    assert(segments > 0 && cells % segments == 0);
     const int stride = cells / segments;
     return (step + stride / 2) / stride * stride;
 }

@@ -3,6 +3,7 @@
 #include "scenes/surface/displaced_surface.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -182,6 +183,7 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
 
 TileError tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
                     const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows) {
+    assert(column0 >= 0 && column0 + columns <= tile.columns && row0 >= 0 && row0 + rows <= tile.rows);
     return TileMeasure(tile, lattice, relief, evaluator).error(column0, row0, columns, rows);
 }
 

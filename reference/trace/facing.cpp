@@ -4,6 +4,7 @@
 #include "scenes/surface/displaced_surface.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -51,6 +52,7 @@ double reachAlongSurface(double errorWorld, double cosine) {
 
 bool facesThroughout(const BaseSample& base, const Relief* relief, double radiusWorld, const Vec3& towards,
                      double side) {
+    assert(side == 1 || side == -1);
     const ReliefDirection k = sampleReliefDirection(base, relief);
     const AcrossRelief across = tangentsAcross(base, relief);
     const double area = glm::length(glm::cross(across.byU, across.byV));

@@ -4,6 +4,7 @@
 #include "scenes/surface/limit_check.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -140,6 +141,7 @@ class Survey {
 } // namespace
 
 SurfaceSurvey surveySurface(const ControlMesh& mesh, Scheme scheme) {
+    assert(mesh.hasUvs());
     checkControlMesh(mesh, scheme);
     if (scheme != Scheme::None) checkLimitTopology(mesh);
     return Survey(mesh, scheme).take();

@@ -18,6 +18,7 @@
 #include <ImfThreading.h>
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <fstream>
 #include <mutex>
 #include <string_view>
@@ -196,6 +197,7 @@ void writeExr(const std::filesystem::path& file, int width, int height,
     Imf::Header header = makeHeader(file, width, height, attributes);
     Imf::FrameBuffer buffer;
     for (const auto& [name, plane] : planes) {
+        assert(plane.size() == areaOf(width, height));
         header.channels().insert(name, Imf::Channel(Imf::FLOAT));
         buffer.insert(name,
                       planeSlice(const_cast<float*>(plane.data()), header.dataWindow())); // only read from

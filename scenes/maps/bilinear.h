@@ -4,6 +4,7 @@
 #include "scenes/maps/height_map.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -26,6 +27,7 @@ inline double repeatUnit(double s) {
 /// Wrap::Repeat; on a texel centre the pair begins with that texel.
 inline TexelPair texelPair(double s, int size, Wrap wrap) {
     const bool repeat = wrap == Wrap::Repeat;
+    assert(size > 0 && (repeat ? std::isfinite(s) : !std::isnan(s)));
     const double texels = (repeat ? repeatUnit(s) : s) * size - 0.5;
     const double inReach = std::clamp(texels, -1.0, static_cast<double>(size)); // matters under Clamp alone
     TexelPair pair;

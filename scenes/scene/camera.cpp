@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -33,6 +34,7 @@ Mat4 viewFromWorld(const Camera& camera) {
 }
 
 Mat4 clipFromView(const Camera& camera, double near, double far) {
+    assert(0 < near && near < far);
     const double halfHeight = 0.5 * pixelSide(camera) * camera.height;
     const double halfWidth = 0.5 * pixelSide(camera) * camera.width;
     if (camera.projection == Camera::Projection::Orthographic)

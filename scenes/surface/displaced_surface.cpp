@@ -3,6 +3,8 @@
 #include "scenes/core/error.h"
 #include "scenes/surface/proxy_mesh.h"
 
+#include <cassert>
+
 namespace plumbline {
 
 std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object, Base base) {
@@ -46,6 +48,7 @@ double displacement(const Vec2& st, const Relief* relief) {
 DisplacedSample displace(const BaseSample& base, const Relief* relief) {
     const Vec2 st = textureCoordinates(base, relief);
     if (!relief) return {base.position, base.positionU, base.positionV, base.normal, st, 0.0};
+    assert(relief->map);
 
     const HeightMap::Sample map = relief->map->sample(st);
     const double height = relief->offset - relief->depth * map.depth;

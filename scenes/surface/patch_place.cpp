@@ -1,8 +1,11 @@
 #include "scenes/surface/patch_place.h"
 
+#include <cassert>
+
 namespace plumbline {
 
 PatchPlace placeOnEdge(const BaseSurface& surface, int face, int k, double along, double inside) {
+    assert(along >= 0 && along <= 1);
     const int first = surface.firstPatch(face);
     const BaseSurface::Patch& patch = surface.patch(first);
     if (patch.subFace) { // patch k has the edge's first half along u, the next one the second half along v

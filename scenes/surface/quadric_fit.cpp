@@ -1,6 +1,7 @@
 #include "scenes/surface/quadric_fit.h"
 
 #include <array>
+#include <cassert>
 
 namespace plumbline {
 namespace {
@@ -91,6 +92,7 @@ QuadricCoefficients alongOwnTangents(const Vec3& positionS, const Vec3& position
 } // namespace
 
 RingFit fitQuadric(const QuadricFrame& frame, std::span<const Vec3> ring) {
+    assert(glm::length(frame.tangentS) > 0 && glm::length(frame.tangentT) > 0);
     RingFit fit;
     const auto [scale, right, ab, ac, bc] = scaled(sumRing(frame, ring));
     const double determinant2 = 1 - ab * ab;

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace plumbline {
@@ -173,6 +174,7 @@ void report(std::vector<std::string>& warnings, const SceneObject& object, int e
 } // namespace
 
 TornEdges countTornEdges(const BaseSurface& surface, const Relief& relief) {
+    assert(surface.mesh().hasUvs());
     return TearFinder(surface, relief).count();
 }
 
