@@ -47,6 +47,8 @@ const std::vector<Folder>& folders() {
         {"realtime/gl", {"scenes/core"}},
         {"realtime/draw", {"scenes", "realtime/bake", "realtime/technique", "realtime/gl"}},
         {"realtime", {"scenes"}},
+        {"validate/metrics",
+         {"scenes/core", "scenes/frame", "scenes/scene/camera.h", "scenes/scene/light.h"}},
         {"validate/worker", {"scenes", "realtime"}},
         {"validate", {"scenes", "reference", "realtime"}},
     };

@@ -1,6 +1,7 @@
 #include "scenes/maps/map_file.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/srgb.h"
 #include "scenes/image/image_file.h"
 
 #include <fmt/format.h>
@@ -65,12 +66,6 @@ size_t flippedTexel(const Image& image, size_t texel) {
     return (height - 1 - texel / width) * width + texel % width;
 }
 
-/// IEC 61966-2-1: the electro-optical transfer function of sRGB.
-float linearFromSrgb(float encoded) {
-    const double value = encoded;
-    return static_cast<float>(value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4));
-}
-
 } // namespace
 
 HeightMap readHeightMap(const std::filesystem::path& file, Stores stores, Wrap wrapS, Wrap wrapT) {
@@ -101,7 +96,8 @@ ColorMap readColorMap(const std::filesystem::path& file) {
     for (size_t texel = 0; texel < image.texelCount(); ++texel)
         for (size_t channel = 0; channel < 3; ++channel) {
             const float value = image.texel(texel)[hasColor(image) ? channel : 0];
-            map.rgb[3 * flippedTexel(image, texel) + channel] = image.integer ? linearFromSrgb(value) : value;
+            map.rgb[3 * flippedTexel(image, texel) + channel] =
+                image.integer ? static_cast<float>(linearFromSrgb(value)) : value;
         }
     return map;
 }

@@ -1,6 +1,6 @@
 #include "validate/metrics/image_error.h"
 
-#include "validate/report/pictures.h"
+#include "scenes/core/srgb.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,7 @@
 #include "validate/report/pictures.h"
 
+#include "scenes/core/srgb.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -24,14 +26,6 @@ Rgb unsharedColor(int inReference, int inTest) {
 }
 
 } // namespace
-
-uint8_t srgbCode(double linear) {
-    if (!(linear > 0)) return 0;
-    const double clamped = std::min(linear, 1.0);
-    const double encoded =
-        clamped <= 0.0031308 ? 12.92 * clamped : 1.055 * std::pow(clamped, 1.0 / 2.4) - 0.055;
-    return static_cast<uint8_t>(std::lround(255.0 * encoded));
-}
 
 Picture colorPicture(const Frame& frame) {
     if (!frame.has("R") || !frame.has("G") || !frame.has("B")) {

@@ -15,9 +15,6 @@ struct Picture {
     std::vector<uint8_t> rgb;
 };
 
-/// Linear [0,1] to an 8-bit sRGB code (IEC 61966-2-1), clamped; NaN gives 0.
-uint8_t srgbCode(double linear);
-
 /// The frame's R G B, sRGB-encoded, pixels that aren't finite in kInvalid; grey coverage if the frame has no
 /// colour.
 Picture colorPicture(const Frame& frame);

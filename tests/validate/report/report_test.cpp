@@ -1,3 +1,4 @@
+#include "scenes/core/srgb.h"
 #include "tests/temporary_folder.h"
 #include "tests/validate/results/sample_results.h"
 #include "validate/report/pictures.h"
