@@ -11,9 +11,4 @@ namespace plumbline {
 /// written.
 void writeFrame(const Frame& frame, const std::filesystem::path& file);
 
-/// Reads any EXR that readExr does: half, float and uint channels become float; channels the table lacks are
-/// left out, string attributes become metadata. Throws InputError as readExr does, and for a file without any
-/// channel of the table.
-Frame readFrame(const std::filesystem::path& file);
-
 } // namespace plumbline

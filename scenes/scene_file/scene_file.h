@@ -2,7 +2,6 @@
 #pragma once
 
 #include "scenes/scene/scene.h"
-#include "scenes/scene_file/scene_library.h"
 
 #include <filesystem>
 

@@ -10,6 +10,7 @@
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // ./plumbline bench [--section=NAME] [Google Benchmark's options]: whole processes, then baked maps, then the
 // metrics of a pair, then what the harness adds to searches, then what a report costs, then stages of the
 // reference and their ratios to bare libraries.
-#include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "tests/bench/bake_bench.h"
 #include "tests/bench/harness_bench.h"
 #include "tests/bench/metrics_bench.h"

@@ -1,7 +1,7 @@
 #include "tests/bench/report_bench.h"
 
-#include "scenes/frame/frame_exr.h"
 #include "tests/bench/process_bench.h"
+#include "tests/read_frame.h"
 #include "tests/temporary_folder.h"
 #include "validate/compare/frame_metadata.h"
 #include "validate/report/report.h"

@@ -6,6 +6,7 @@
 #include "reference/trace/embree_scene.h"
 #include "reference/trace/render.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "scenes/surface/displaced_surface.h"
 
 #include <benchmark/benchmark.h>

@@ -1,10 +1,10 @@
 // Both halves of the project against each other: on flat bases the exact search of the shaders and the traced
 // micro-triangles see the same relief. Where they differ the reference must have said that it isn't sure.
 #include "scenes/core/data_folder.h"
-#include "scenes/frame/frame_exr.h"
 #include "scenes/scene/camera.h"
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
+#include "tests/read_frame.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,7 @@
 // Mesh and camera for other renderers, and frames back from them.
-#include "scenes/frame/frame_exr.h"
 #include "scenes/image/exr_file.h"
 #include "tests/end_to_end/program.h"
+#include "tests/read_frame.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,10 +2,10 @@
 // exactly what the surface `quadric` takes the base of a fragment for, if the fragment is the quadric's apex.
 // So the eye is put on the apex: every ray enters there, and the exact search and the traced micro-triangles
 // see the same relief all around. Where they differ the reference must have said that it isn't sure.
-#include "scenes/frame/frame_exr.h"
 #include "scenes/scene/camera.h"
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
+#include "tests/read_frame.h"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
+#include "tests/read_frame.h"
 
 #include <gmock/gmock.h>
 

@@ -1,7 +1,7 @@
 // The main job with OpenGL: reference, techniques, metrics, report.
 #include "scenes/core/data_folder.h"
-#include "scenes/frame/frame_exr.h"
 #include "tests/end_to_end/program.h"
+#include "tests/read_frame.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,6 +6,7 @@
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/maps/map_file.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"

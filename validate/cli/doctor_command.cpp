@@ -4,7 +4,7 @@
 #include "scenes/core/error.h"
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/image/image_file.h"
-#include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"

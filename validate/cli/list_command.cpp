@@ -3,7 +3,7 @@
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
-#include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"

@@ -1,6 +1,7 @@
 #include "scenes/core/error.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/realtime_arguments.h"

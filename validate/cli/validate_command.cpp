@@ -3,6 +3,7 @@
 #include "scenes/frame/frame_exr.h"
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/realtime_arguments.h"

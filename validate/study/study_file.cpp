@@ -1,6 +1,6 @@
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
-#include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "scenes/toml/toml_table.h"
 #include "validate/study/study.h"
 #include "validate/study/study_axis.h"

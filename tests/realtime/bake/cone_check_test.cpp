@@ -2,6 +2,7 @@
 #include "realtime/bake/cone_check.h"
 #include "scenes/core/error.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "tests/realtime/bake/cone_test_maps.h"
 
 #include <fmt/format.h>

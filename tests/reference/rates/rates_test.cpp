@@ -3,6 +3,7 @@
 #include "scenes/mesh/obj_file.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "scenes/surface/displaced_surface.h"
 #include "tests/reference/tessellate/micro_mesh_checks.h"
 

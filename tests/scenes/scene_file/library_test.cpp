@@ -1,5 +1,6 @@
 // The scenes that ship with the program: they load, and what they show is in the picture and of a sane size.
 #include "scenes/scene_file/scene_file.h"
+#include "scenes/scene_file/scene_library.h"
 #include "scenes/surface/base_surface.h"
 
 #include <gtest/gtest.h>

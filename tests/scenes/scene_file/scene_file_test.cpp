@@ -1,4 +1,5 @@
 #include "scenes/frame/scene_metadata.h"
+#include "scenes/scene_file/scene_library.h"
 #include "tests/errors.h"
 #include "tests/files.h"
 #include "tests/scenes/scene_file/scene_file_fixture.h"

@@ -1,7 +1,7 @@
 // Prints values of a frame for comparison with those the page shows: frame_pixel FILE CHANNEL X Y [X Y …],
 // a line each, in the shortest decimal that reads back as the same float. X from the left, Y from the top.
 #include "scenes/core/error.h"
-#include "scenes/frame/frame_exr.h"
+#include "tests/read_frame.h"
 
 #include <fmt/format.h>
 
