@@ -52,13 +52,31 @@ SurfaceSample Polisher::sampleAt(const PatchPlace& place) {
     return {base, displace(base, relief_)};
 }
 
+PatchPlace Polisher::held(const PatchPlace& place) const {
+    return {place.patch, clampToPatch(place.uv, surface_.patch(place.patch).triangular)};
+}
+
+bool Polisher::move(PatchPlace& place, const Vec2& next) const {
+    if (isInside(next, surface_.patch(place.patch).triangular)) {
+        place.uv = next;
+        return true;
+    }
+    if (const auto beyond = neighbours_.beyond(place.patch, next)) {
+        place = held(*beyond);
+        return true;
+    }
+    const PatchPlace onRim = held({place.patch, next});
+    if (onRim.uv == place.uv) return false;
+    place = onRim;
+    return true;
+}
+
 std::optional<PolishedHit> Polisher::polish(const Ray& ray, const PatchPlace& start, double distance,
                                             double reachWorld) {
     const Across across(ray.direction);
     const Vec3 origin = glm::abs(ray.origin);
     const double settled = kSettled * (std::max({origin.x, origin.y, origin.z}) + std::abs(distance));
-    const auto isTriangular = [&](int patch) { return surface_.patch(patch).triangular; };
-    PatchPlace place{start.patch, clampToPatch(start.uv, isTriangular(start.patch))};
+    PatchPlace place = held(start);
     double smallest = kInfinity;
     for (int step = 0; step < kMostSteps; ++step) {
         const SurfaceSample sample = sampleAt(place);
@@ -79,15 +97,7 @@ std::optional<PolishedHit> Polisher::polish(const Ray& ray, const PatchPlace& st
             place.uv +
             damping * Vec2(residual.y * byV.x - residual.x * byV.y, residual.x * byU.y - residual.y * byU.x) /
                 determinant;
-        if (isInside(next, isTriangular(place.patch))) {
-            place.uv = next;
-        } else if (const auto beyond = neighbours_.beyond(place.patch, next)) {
-            place = {beyond->patch, clampToPatch(beyond->uv, isTriangular(beyond->patch))};
-        } else {
-            const Vec2 held = clampToPatch(next, isTriangular(place.patch));
-            if (held == place.uv) return std::nullopt; // it wants out over the rim
-            place.uv = held;
-        }
+        if (!move(place, next)) return std::nullopt;
     }
     return std::nullopt;
 }

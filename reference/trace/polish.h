@@ -44,6 +44,12 @@ class Polisher {
     SurfaceSample sampleAt(const PatchPlace& place);
 
   private:
+    /// The nearest place that is in its patch.
+    PatchPlace held(const PatchPlace& place) const;
+    /// To other (u, v), across a side of the patch where they are outside; along the rim where nothing is
+    /// beyond. False if it stands on the rim already and would go on out.
+    bool move(PatchPlace& place, const Vec2& next) const;
+
     const BaseSurface& surface_;
     const Relief* relief_;
     const PatchNeighbours& neighbours_;

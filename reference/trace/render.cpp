@@ -241,28 +241,12 @@ class FrameTracer {
         const double side = glm::dot(hit.facetNormal, rays_.towardsCamera(hit.position)) < 0 ? -1 : 1;
         const SurfaceSample sampled = surfaceAt(hit, polisher, side);
         const DisplacedSample& surface = sampled.displaced;
-        const Vec3 facing = side * surface.normal;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
         evidence_.face[hit.pixel] = objects_[hit.object].surface->patch(hit.place.patch).face;
 
         if (objects_.size() > 1 && isCloseToAnother(hit)) evidence_.otherObject[hit.pixel] = 1;
 
-        double light = kAmbient;
-        for (size_t i = 0; i < scene_.lights.size(); ++i) {
-            const LightSample sample = sampleLight(scene_.lights[i], surface.position);
-            const double cosine = glm::dot(facing, sample.toLightWorld);
-            bool shadow = cosine <= 0;
-            if (!shadow) {
-                const Ray ray = shadowRay(hit, surface.position, facing, sample);
-                shadow = embree_.occluded(ray.origin, ray.direction, static_cast<float>(sample.distance));
-                const bool clear = shadow ? !startsBelow(hit, ray, side)
-                                          : facesThroughout(hit, sampled, sample.toLightWorld, side);
-                evidence_.shadowBy[i][hit.pixel] = clear ? FrameEvidence::kRay : FrameEvidence::kNearRay;
-            }
-            shadows_[i][hit.pixel] = shadow ? 1.0f : 0.0f;
-            if (!shadow) light += cosine;
-        }
-        const Vec3 color = object.colorAt(surface.st) * light;
+        const Vec3 color = object.colorAt(surface.st) * lightAt(hit, sampled, side);
         write(hit.pixel, R, color);
         write(hit.pixel, PX, surface.position);
         write(hit.pixel, NX, surface.normal);
@@ -271,6 +255,27 @@ class FrameTracer {
         channels_[S][hit.pixel] = static_cast<float>(surface.st.x);
         channels_[T][hit.pixel] = static_cast<float>(surface.st.y);
         channels_[Id][hit.pixel] = static_cast<float>(hit.object + 1);
+    }
+
+    /// What the side seen receives of all lights. Writes the pixel's shadows.
+    double lightAt(const PixelHit& hit, const SurfaceSample& surface, double side) {
+        const Vec3 position = surface.displaced.position, facing = side * surface.displaced.normal;
+        double received = kAmbient;
+        for (size_t i = 0; i < scene_.lights.size(); ++i) {
+            const LightSample light = sampleLight(scene_.lights[i], position);
+            const double cosine = glm::dot(facing, light.toLightWorld);
+            bool shadow = cosine <= 0;
+            if (!shadow) {
+                const Ray ray = shadowRay(hit, position, facing, light);
+                shadow = embree_.occluded(ray.origin, ray.direction, static_cast<float>(light.distance));
+                const bool clear = shadow ? !startsBelow(hit, ray, side)
+                                          : facesThroughout(hit, surface, light.toLightWorld, side);
+                evidence_.shadowBy[i][hit.pixel] = clear ? FrameEvidence::kRay : FrameEvidence::kNearRay;
+            }
+            shadows_[i][hit.pixel] = shadow ? 1.0f : 0.0f;
+            if (!shadow) received += cosine;
+        }
+        return received;
     }
 
     /// The ray leaves the true surface on the side where the light is, from above the micro-triangles that
