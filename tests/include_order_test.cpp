@@ -81,8 +81,8 @@ std::string_view includedBy(std::string_view line) {
     return line.substr(0, line.find('"'));
 }
 
-std::vector<std::string> offencesIn(const std::filesystem::path& root, const std::filesystem::path& file) {
-    std::vector<std::string> offences;
+std::vector<std::string> offensesIn(const std::filesystem::path& root, const std::filesystem::path& file) {
+    std::vector<std::string> offenses;
     const std::string path = file.lexically_relative(root).generic_string();
     const Folder* folder = folderOf(path);
     std::ifstream stream(file);
@@ -90,26 +90,26 @@ std::vector<std::string> offencesIn(const std::filesystem::path& root, const std
     for (int number = 1; std::getline(stream, line); ++number) {
         const std::string_view header = includedBy(line);
         if (!header.empty() && !mayInclude(*folder, header))
-            offences.push_back(fmt::format("{}:{}: includes {}; {} may include itself, {}", path, number,
+            offenses.push_back(fmt::format("{}:{}: includes {}; {} may include itself, {}", path, number,
                                            header, folder->name, fmt::join(folder->mayInclude, ", ")));
     }
-    return offences;
+    return offenses;
 }
 
 TEST(IncludeOrder, EveryFile_IncludesOnlyFoldersBelow) {
     const std::filesystem::path root = PLUMBLINE_SOURCE_DIR;
-    std::vector<std::string> offences;
+    std::vector<std::string> offenses;
     size_t files = 0;
     for (const char* module : {"scenes", "reference", "realtime", "validate"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(root / module)) {
             const std::string extension = entry.path().extension().string();
             if (extension != ".h" && extension != ".cpp") continue;
             ++files;
-            const std::vector<std::string> found = offencesIn(root, entry.path());
-            offences.insert(offences.end(), found.begin(), found.end());
+            const std::vector<std::string> found = offensesIn(root, entry.path());
+            offenses.insert(offenses.end(), found.begin(), found.end());
         }
-    std::ranges::sort(offences);
-    EXPECT_TRUE(offences.empty()) << fmt::format("{}", fmt::join(offences, "\n"));
+    std::ranges::sort(offenses);
+    EXPECT_TRUE(offenses.empty()) << fmt::format("{}", fmt::join(offenses, "\n"));
     EXPECT_GT(files, 100u); // the tree was found
 }
 

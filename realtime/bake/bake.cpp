@@ -12,25 +12,25 @@ namespace {
 
 constexpr int kMostSlices = 1024;
 constexpr std::string_view kConeSlices =
-    "0: cones of texel centres, as published; 1: cones right for every point of the cell between texels "
+    "0: cones of texel centers, as published; 1: cones right for every point of the cell between texels "
     "(i, j) and (i + 1, j + 1)";
 
 const std::vector<BakeKind>& table() {
     static const std::vector<BakeKind> kinds{
-        {"normal", "Unit normal of the relief at the centres of texels, and its depth",
+        {"normal", "Unit normal of the relief at the centers of texels, and its depth",
          "Premecz, Iterative parallax mapping with slope information, 2006, section 3", "one",
          "normal along s, along t and out of the surface; relief depth", true, bakeNormalMap},
         {"distance_field", "Distance to the relief from boxes of st and depth, in relief depths",
          "Premecz 2006, section 2.4; exact by Felzenszwalb and Huttenlocher, 2012",
          "depths k / slices to (k + 1) / slices",
-         "least distance between the box and one the relief reaches, a lower bound; distance between centres",
+         "least distance between the box and one the relief reaches, a lower bound; distance between centers",
          true, bakeDistanceField, true},
         {"cone_step", "Conservative cones: no point of the relief lies inside",
          "Policarpo, Oliveira, GPU Gems 3, section 18.3, 2007", kConeSlices,
          "ratio: st length per relief depth, at most 1", false, bakeConeMap},
         {"cone_step_quad", "Conservative cones by quadrant of the ray's direction in st",
          "Policarpo, Oliveira, GPU Gems 3, section 18.3, 2007", kConeSlices,
-         "ratios towards +s, -s, +t, -t: st length per relief depth, at most 1", false, bakeQuadConeMap},
+         "ratios toward +s, -s, +t, -t: st length per relief depth, at most 1", false, bakeQuadConeMap},
         {"cone_step_relaxed",
          "Relaxed cones: a ray that starts outside, at any depth, never leaves the relief inside",
          "Policarpo, Oliveira, GPU Gems 3, section 18.4, 2007; the criterion is ours "

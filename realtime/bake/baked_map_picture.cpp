@@ -23,7 +23,7 @@ std::string sliceName(const BakedMap& map, int slice) {
 
 std::string_view channelName(const BakedMap& map, int channel) {
     constexpr std::array<std::string_view, 4> kNormal{"n.X", "n.Y", "n.Z", "D"}, kColors{"R", "G", "B", "A"};
-    constexpr std::array<std::string_view, 2> kBounds{"least", "most"}, kDistances{"box", "centre"};
+    constexpr std::array<std::string_view, 2> kBounds{"least", "most"}, kDistances{"box", "center"};
     const auto index = static_cast<size_t>(channel);
     if (map.kind == "normal") return kNormal.at(index);
     if (map.kind == "max_mipmap") return kBounds.at(index);

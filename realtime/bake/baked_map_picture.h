@@ -12,7 +12,7 @@ namespace plumbline {
 /// Writes the finest level, top row first, 32-bit float. Channels by kind:
 ///   normal              n.X n.Y n.Z D
 ///   max_mipmap          least most
-///   distance_field      slice000.box slice000.centre slice001.box …
+///   distance_field      slice000.box slice000.center slice001.box …
 ///   any other           R G B A, as many as it has; of more slices than one, slice0.R …; cone maps call
 ///   their two slices texel
 ///                       and cell

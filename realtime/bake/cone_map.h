@@ -10,7 +10,7 @@
 //                               it enters once at most
 //   cone_step_relaxed_2007      the same of rays that start at depth 0 over x alone, as chapter 18 has it
 //
-// Slice 0 holds for each texel centre p the documents' ratio, to the other texel centres: c = min |q - p| /
+// Slice 0 holds for each texel center p the documents' ratio, to the other texel centers: c = min |q - p| /
 // (D_p - D_q) over higher q that matter. Relaxed: a descending ray leaves at q only if D grows outward there,
 // which S > 0 says of texels, S = |k_s| (D(q + e_s) - D_q) + |k_t| (D(q + e_t) - D_q), k = q - p and e
 // outward unit steps. 2007: S / |k| is the relief's slope along the ray at q, D_q / |k| that of the ray from
@@ -26,7 +26,7 @@
 //   D(y) is the mean of D_i - D_j, and k has mean y - x, within the unit square of offsets that holds y - x.
 //   Give each such square a unit direction u, and let phi(k) be the least k . u (k in st units) of the
 //   squares around k that don't touch 0. If D_i - D_j <= lambda phi(k) for all pairs, the mean is at most
-//   lambda (y - x) . u <= lambda |x - y|. With u through the centre of the square, k . u >= sqrt(|k|^2 -
+//   lambda (y - x) . u <= lambda |x - y|. With u through the center of the square, k . u >= sqrt(|k|^2 -
 //   h^2), h half a texel's diagonal: phi is that from 4 h on. In nearer squares u is midway between their
 //   outermost directions, less than 90 degrees apart. Near. y - x in a square that touches 0: the chord stays
 //   within a texel of the cell (cone_near.h). Relaxed. Only exits y count, so only pairs (i, j) whose y can

@@ -45,15 +45,15 @@ std::array<Vec2, 4> corners(const CellSlopes& cell, const Vec2& texelsPerSt) {
 }
 
 /// The nine patches, the cell itself in the middle.
-struct Neighbourhood {
+struct Neighborhood {
     std::array<CellSlopes, 9> cells;
     Vec2 texelsPerSt;
     const CellSlopes& at(int s, int t) const { return cells[static_cast<size_t>(3 * (t + 1) + s + 1)]; }
     std::array<Vec2, 4> gradients(int s, int t) const { return corners(at(s, t), texelsPerSt); }
 };
 
-Neighbourhood neighbourhood(const HeightMap& map, int column, int row) {
-    Neighbourhood n{{}, Vec2(map.width(), map.height())};
+Neighborhood neighborhood(const HeightMap& map, int column, int row) {
+    Neighborhood n{{}, Vec2(map.width(), map.height())};
     double depths[4][4];
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 4; ++i)
@@ -96,7 +96,7 @@ bool maySteepen(const Vec2& g, const Vec2& exit, double atLeast) {
 
 double nearSlope(const HeightMap& map, const ConeRule& rule, int column, int row, int sector,
                  double atLeast) {
-    const Neighbourhood near = neighbourhood(map, column, row);
+    const Neighborhood near = neighborhood(map, column, row);
     for (int t = -1; t <= 1; ++t)
         for (int s = -1; s <= 1; ++s) {
             const Directions directions = leadingTo(s, t, sector);

@@ -1,5 +1,5 @@
 // The part of a cell's cone that looks no farther than a texel: within the cell and into its eight
-// neighbours.
+// neighbors.
 //
 // A chord from a point of the cell to one less than a texel away along each axis runs through these nine
 // patches alone. Its slope is a mean of slopes -gradient . e along its direction e, so no steeper than the

@@ -23,7 +23,7 @@ struct ConeRule {
 };
 inline constexpr int kAllDirections = -1; // instead of a sector
 
-/// The two slices of a cone map (cone_map.h): cones of texel centres, and of whole cells for the bilinear
+/// The two slices of a cone map (cone_map.h): cones of texel centers, and of whole cells for the bilinear
 /// surface.
 enum class ConeSlice { Texels, Cells };
 

@@ -89,7 +89,7 @@ ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i
     // D_p - D_q <= above - slope . k, so the slope is at most above / distance + |slope| |k| / distance.
     const DepthPyramid::Plane& plane = pyramid_.plane(level, at);
     const double above =
-        query.depth - bound.residual - glm::dot(plane.slope, Vec2(query.texel - shift) - plane.centre);
+        query.depth - bound.residual - glm::dot(plane.slope, Vec2(query.texel - shift) - plane.center);
     const double distance =
         above > 0 ? std::sqrt(distanceSquared) : std::sqrt(pairs_.offsetSquared(farthest.x, farthest.y));
     const double byPlane = above / distance + plane.steepness * std::sqrt(offsetSquared / distanceSquared);
@@ -187,10 +187,10 @@ void ConeSearch::addChildren(const Query& query, const Block& block, Agenda& age
             agenda.add(query, boundOf(query, block.level - 1, {x, y}, block.shift));
 }
 
-/// The neighbour's winner, and where it would be had it come along.
-void ConeSearch::visitGuesses(Query& query, const Vec2i& neighboursWinner) const {
+/// The neighbor's winner, and where it would be had it come along.
+void ConeSearch::visitGuesses(Query& query, const Vec2i& neighborsWinner) const {
     for (const int step : {0, 1}) {
-        const Vec2i guess = neighboursWinner + Vec2i(step, 0);
+        const Vec2i guess = neighborsWinner + Vec2i(step, 0);
         const bool inMap = guess.x < size_.x || tiles_.x > 0;
         if (inMap && guess != query.texel) visitPair(query, guess);
     }

@@ -32,7 +32,7 @@ class ConeSearch {
     Block boundOf(const Query& query, int level, const Vec2i& at, const Vec2i& shift) const;
     void addImages(const Query& query, Agenda& agenda) const;
     void addChildren(const Query& query, const Block& block, Agenda& agenda) const;
-    void visitGuesses(Query& query, const Vec2i& neighboursWinner) const;
+    void visitGuesses(Query& query, const Vec2i& neighborsWinner) const;
     void visitLeaf(Query& query, const Block& block) const;
     void visitPair(Query& query, const Vec2i& at) const;
     void visitBeyondBorder(Query& query) const;

@@ -50,7 +50,7 @@ OctantUse octantUse(const ConePairs& pairs, int i, int j, unsigned octant) {
     const OctantRange range = octantRange(pairs.slice());
     OctantUse use;
     if (pairs.slice() == ConeSlice::Texels) {
-        // The difference towards the side the octant is on, as a slope along +s, +t.
+        // The difference toward the side the octant is on, as a slope along +s, +t.
         const int ds = octant & 1 ? -1 : 1, dt = octant & 2 ? -1 : 1;
         const double depth = map.texel(i, j);
         const Vec2 slope(ds * (map.texel(i + ds, j) - depth), dt * (map.texel(i, j + dt) - depth));
@@ -145,7 +145,7 @@ void DepthPyramid::makeLeaf(const Vec2i& at) {
     for (int j = low.y; j <= high.y; ++j)
         for (int i = low.x; i <= high.x; ++i) {
             const double depth = depthAt(i, j);
-            const double residual = depth - glm::dot(plane.slope, Vec2(i, j) - plane.centre) - kResidualSlack;
+            const double residual = depth - glm::dot(plane.slope, Vec2(i, j) - plane.center) - kResidualSlack;
             const auto take = [&](Bound& b, double reach) {
                 b.leastDepth = std::min(b.leastDepth, depth);
                 b.residual = std::min(b.residual, residual);
@@ -194,7 +194,7 @@ void DepthPyramid::makeParent(int levelIndex, const Vec2i& at) {
         const Plane& childPlane = finer.planes[child];
         // The child's plane above this one: linear, least at a corner of the child.
         const Vec2 tilt = glm::abs(childPlane.slope - plane.slope);
-        const double shift = -glm::dot(plane.slope, childPlane.centre - plane.centre) -
+        const double shift = -glm::dot(plane.slope, childPlane.center - plane.center) -
                              0.5 * glm::dot(tilt, Vec2(span)) - kResidualSlack;
         for (int c = 0; c < classes_; ++c) {
             const Bound& from = finer.bounds[child * static_cast<size_t>(classes_) + static_cast<size_t>(c)];

@@ -27,11 +27,11 @@ class DepthPyramid {
     /// Bounds of a block for texels seen from one octant, or all of them.
     struct Bound {
         double leastDepth; // infinite: no such texel
-        double residual;   // depth >= residual + slope . (texel - centre)
+        double residual;   // depth >= residual + slope . (texel - center)
         double leastReach; // none matters to a cone with both |k_s| and |k_t| below this
     };
     struct Plane {
-        Vec2 centre;      // texels
+        Vec2 center;      // texels
         Vec2 slope;       // depth per texel
         double steepness; // length of the slope, depth per st
     };

@@ -1,6 +1,6 @@
 // Distances to the relief on a grid of boxes, for sphere tracing.
 //
-// Voxel (i, j, k) is the box [i, i+1]/W x [j, j+1]/H of st around the centre of texel (i, j), and [k,
+// Voxel (i, j, k) is the box [i, i+1]/W x [j, j+1]/H of st around the center of texel (i, j), and [k,
 // k+1]/slices of relief depth. It is solid if any point of it lies on or below the bilinear relief. Space:
 // one map width is sx/sz long, one map height sy/sz, the relief depth 1; all distances are in this unit, the
 // relief's depth.
@@ -17,13 +17,13 @@
 //                              the map
 //   below the last slice       solid, as the last slice is: the distance is 0
 //
-// Channel 1, the field of the documents: from centre to centre, 0 in solid voxels, which here are those whose
-// centre is on or below the texel's depth. What is below the last slice counts as solid, so that a floor of
+// Channel 1, the field of the documents: from center to center, 0 in solid voxels, which here are those whose
+// center is on or below the texel's depth. What is below the last slice counts as solid, so that a floor of
 // depth 1 is a floor. It is no bound: the surface may be nearer by half a voxel's diagonal at either end, and
 // anywhere between two texels.
 //
 // Both are exact, axis by axis (Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, 2012):
-// in a column the nearest solid voxel is known, then squares are minimised along s and along t. A sum is
+// in a column the nearest solid voxel is known, then squares are minimized along s and along t. A sum is
 // always (depth + s) + t; rounding is monotonic, so the minimum over s may be taken before t is added, and
 // the result has the bits of the minimum over all solid voxels, however the work is cut.
 #include "realtime/bake/bake_kinds.h"
@@ -43,7 +43,7 @@ namespace {
 
 constexpr size_t kChannels = 2;
 constexpr int kLanes =
-    32; // neighbours in a row that are worked on together; a vector register holds some of them
+    32; // neighbors in a row that are worked on together; a vector register holds some of them
 
 /// Squares of the distances between voxels 0, 1, 2 … apart on one axis.
 std::vector<double> squaredGaps(int count, double side, int touching) {
@@ -83,7 +83,7 @@ int firstSolidBox(const HeightMap& map, int i, int j, int slices) {
     return std::max(0, static_cast<int>(std::ceil(leastDepthAround(map, i, j) * slices)) - 1);
 }
 
-int firstSolidCentre(const HeightMap& map, int i, int j, int slices) {
+int firstSolidCenter(const HeightMap& map, int i, int j, int slices) {
     return static_cast<int>(std::ceil(std::max(0.0, static_cast<double>(map.texel(i, j)) * slices - 0.5)));
 }
 
@@ -95,7 +95,7 @@ float roundedDown(double distance) {
 
 constexpr std::array<Measure, kChannels> kMeasures{
     {{0, 1, firstSolidBox, roundedDown},
-     {1, 0, firstSolidCentre, [](double distance) { return static_cast<float>(distance); }}}};
+     {1, 0, firstSolidCenter, [](double distance) { return static_cast<float>(distance); }}}};
 
 /// One axis of the grid: how far a search goes until it meets itself or the last voxel.
 struct Axis {
@@ -142,12 +142,12 @@ class DistanceField {
     void writeSlice(int k, float* values) {
         tbb::parallel_for(tbb::blocked_range<int>(0, t_.size), [&](const auto& rows) {
             for (int j = rows.begin(); j < rows.end(); ++j)
-                minimiseRow(j, k);
+                minimizeRow(j, k);
         });
         const int blocks = (s_.size + kLanes - 1) / kLanes;
         tbb::parallel_for(tbb::blocked_range<int>(0, blocks), [&](const auto& range) {
             for (int block = range.begin(); block < range.end(); ++block)
-                minimiseColumns(block * kLanes, values);
+                minimizeColumns(block * kLanes, values);
         });
     }
 
@@ -158,7 +158,7 @@ class DistanceField {
     }
 
     /// rows_: squares along depth and s.
-    void minimiseRow(int j, int k) {
+    void minimizeRow(int j, int k) {
         const int reach = s_.reach();
         std::vector<double> column(
             static_cast<size_t>(s_.size + 2 * reach)); // with what lies beyond the ends
@@ -174,7 +174,7 @@ class DistanceField {
     }
 
     /// Columns i to i + kLanes: adds t and writes the roots.
-    void minimiseColumns(int i, float* values) const {
+    void minimizeColumns(int i, float* values) const {
         const int lanes = std::min(kLanes, s_.size - i);
         double least = rows_[at(i, 0)];
         for (int j = 0; j < t_.size; ++j)

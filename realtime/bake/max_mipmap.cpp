@@ -1,6 +1,6 @@
 // Least and most relief depth of blocks of the bilinear surface, as a pyramid.
 //
-// Level 0 has a cell for each bilinear patch: (i, j) lies between the centres of texels (i, j) and (i + 1, j
+// Level 0 has a cell for each bilinear patch: (i, j) lies between the centers of texels (i, j) and (i + 1, j
 // + 1). A patch takes its extremes at its corners, so the bounds are values of the map itself: nothing is
 // rounded.
 #include "realtime/bake/bake_kinds.h"

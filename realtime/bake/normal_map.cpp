@@ -1,8 +1,8 @@
-// Unit normals of the relief at the centres of texels, and its depth beside them.
+// Unit normals of the relief at the centers of texels, and its depth beside them.
 //
 // Frame: (along s, along t, out of the surface). The relief z = -depth(s, t) has the normal (D_s sz/sx, D_t
 // sz/sy, 1) / length, D_s and D_t per map width and height (notation of realtime/README.md). They are central
-// differences of the neighbouring texels, which is the mean of the slopes of the bilinear patches on both
+// differences of the neighboring texels, which is the mean of the slopes of the bilinear patches on both
 // sides; beyond a clamped border the relief goes on flat, so that the slope there is half of the one within.
 #include "realtime/bake/bake_kinds.h"
 #include "realtime/bake/scale_ratios.h"

@@ -66,7 +66,7 @@ void walkRelief(const HeightMap& map, const DescendingRay& ray, double begin, do
                 std::vector<InsideInterval>& intervals) {
     intervals.clear();
     const Vec2 size(map.width(), map.height());
-    const Vec2 origin = ray.origin * size - 0.5, step = ray.slope * size; // texels from the centre of texel 0
+    const Vec2 origin = ray.origin * size - 0.5, step = ray.slope * size; // texels from the center of texel 0
     Vec2i cell(glm::floor(origin + begin * step));
     const auto borderDepth = [&](int axis) {
         if (step[axis] == 0) return kInfinity;

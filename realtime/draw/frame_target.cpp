@@ -144,7 +144,7 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
     checkSize(width_, height_);
     const std::string what =
         fmt::format("a frame of {} x {} pixels and {} lights", width_, height_, scene.lights.size());
-    if (context.softwareRasteriser())
+    if (context.softwareRasterizer())
         requireMemory(what, (int(kTargets) * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
                                 static_cast<double>(height_));
     clearGlErrors();

@@ -68,7 +68,7 @@ void checkTextureSize(const std::string& name, int width, int height, double byt
     if (width > largest || height > largest)
         throw MachineError(name, fmt::format("a map of {} x {} texels", width, height),
                            fmt::format("at most {} a side on this OpenGL", largest));
-    if (context.softwareRasteriser()) requireMemory(name, bytes);
+    if (context.softwareRasterizer()) requireMemory(name, bytes);
 }
 
 GLint wrapMode(Wrap wrap) {
@@ -139,7 +139,7 @@ GLuint GpuScene::colorMapTexture(const ColorMap& map, const GlContext& context) 
         checkTextureSize(map.name, map.width, map.height, 16.0 * map.width * map.height, context);
         texture =
             makeMap(GL_RGB32F, GL_RGB, map.width, map.height, map.rgb.data(), Wrap::Repeat, Wrap::Repeat);
-        checkGl("sending colour map " + map.name);
+        checkGl("sending color map " + map.name);
     }
     return texture.get();
 }

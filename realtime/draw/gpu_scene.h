@@ -1,4 +1,4 @@
-// The scene's objects on the GPU: proxy meshes, height maps, colour maps. Shared by all techniques.
+// The scene's objects on the GPU: proxy meshes, height maps, color maps. Shared by all techniques.
 #pragma once
 
 #include "realtime/draw/baked_input.h"
@@ -51,7 +51,7 @@ class GpuScene {
     void draw(size_t index, const GlProgram& program) const;
     /// Those with a relief, or those without.
     void drawObjects(bool withRelief, const GlProgram& program) const;
-    /// Sets colour, id and textures of one object.
+    /// Sets color, id and textures of one object.
     void setUniforms(size_t index, const GlProgram& program) const;
     std::vector<Vec2> stOrigins() const;
     /// Sends the vertices, relative to the origin a view chose.

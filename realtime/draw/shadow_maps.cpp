@@ -46,7 +46,7 @@ void ShadowMaps::allocate(const GlContext& context) {
     const int layers = layerCount(lights_);
     const std::string what = fmt::format("shadow maps of {} layers of {} x {} texels", layers, size_, size_);
     checkLayers(what, size_, layers);
-    if (context.softwareRasteriser()) requireMemory(what, 1.0 * sizeof(float) * layers * size_ * size_);
+    if (context.softwareRasterizer()) requireMemory(what, 1.0 * sizeof(float) * layers * size_ * size_);
     clearGlErrors();
     layers_ = GlTexture::make();
     glBindTexture(GL_TEXTURE_2D_ARRAY, layers_.get());

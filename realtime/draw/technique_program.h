@@ -18,7 +18,7 @@ StageSources plainSources(size_t lightCount, bool shadowMaps);
 /// Draws proxies with a relief by the technique. The technique's own file comes last, so that nothing in it
 /// can change the meaning of what stands before, and a redefinition is reported where the author wrote it.
 StageSources reliefSources(const Technique& technique, size_t lightCount);
-/// The same two in the light pass of shadow maps: they write a depth and no colour.
+/// The same two in the light pass of shadow maps: they write a depth and no color.
 StageSources plainLightSources();
 StageSources reliefLightSources(const Technique& technique);
 

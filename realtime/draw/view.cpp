@@ -50,11 +50,11 @@ View::View(const Scene& scene, const Bounds& boundsWorld) : scene_(scene) {
     camera_.clipFromRelative =
         glm::mat4(clipFromView(camera, kNearFraction * range.high, range.high) * viewFromRelative);
 
-    const Vec3 towardsCamera(viewFromWorldMatrix[0][2], viewFromWorldMatrix[1][2], viewFromWorldMatrix[2][2]);
+    const Vec3 towardCamera(viewFromWorldMatrix[0][2], viewFromWorldMatrix[1][2], viewFromWorldMatrix[2][2]);
     camera_.eye = perspective ? glm::vec4(glm::vec3(camera.positionWorld - originWorld_), 1)
-                              : glm::vec4(glm::vec3(towardsCamera), 0);
+                              : glm::vec4(glm::vec3(towardCamera), 0);
     // Z = -z_view.
-    camera_.depthPlane = glm::vec4(glm::vec3(-towardsCamera), static_cast<float>(-viewFromRelative[3][2]));
+    camera_.depthPlane = glm::vec4(glm::vec3(-towardCamera), static_cast<float>(-viewFromRelative[3][2]));
     camera_.depthRange = glm::vec2(range.low, 1.0 / (range.high - range.low));
 }
 

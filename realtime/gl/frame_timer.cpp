@@ -41,7 +41,7 @@ double median(std::vector<double> values) {
 } // namespace
 
 FrameTime timeFrame(const GlContext& context, double budgetMs, const std::function<void()>& draw) {
-    const bool software = context.softwareRasteriser();
+    const bool software = context.softwareRasterizer();
     const std::string timer = software ? "wall clock around glFinish" : "gpu timer query";
     const double firstMs = wallMs(draw);
     if (firstMs > kMostBudgets * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};

@@ -16,7 +16,7 @@ struct FrameTime {
 
 /// Calls `draw` once to warm up, then until the budget is spent, at least once and at most 25 times. A first
 /// frame that takes five budgets isn't drawn again: its only run counts, and `timer` says it was cold. Timer
-/// queries on a GPU; wall clock around glFinish on a software rasteriser, where queries don't measure the
+/// queries on a GPU; wall clock around glFinish on a software rasterizer, where queries don't measure the
 /// work.
 FrameTime timeFrame(const GlContext& context, double budgetMs, const std::function<void()>& draw);
 

@@ -107,7 +107,7 @@ void GlContext::describe() {
                            fmt::format("4.{} core or newer", kOldestMinorVersion));
 }
 
-bool GlContext::softwareRasteriser() const {
+bool GlContext::softwareRasterizer() const {
     constexpr std::array<std::string_view, 3> kSoftware{"llvmpipe", "softpipe", "swrast"};
     return std::any_of(kSoftware.begin(), kSoftware.end(),
                        [this](std::string_view name) { return renderer_.find(name) != std::string::npos; });

@@ -27,7 +27,7 @@ class GlContext {
     const std::string& renderer() const { return renderer_; } // GL_RENDERER
     const std::string& version() const { return version_; }   // GL_VERSION
     /// Drawn by the processor (llvmpipe, softpipe): timer queries mean nothing there.
-    bool softwareRasteriser() const;
+    bool softwareRasterizer() const;
 
   protected:
     explicit GlContext(std::string backend) : backend_(std::move(backend)) {}

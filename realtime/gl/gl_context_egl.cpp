@@ -112,7 +112,7 @@ std::vector<EGLDeviceEXT> eglDevices() {
     return devices;
 }
 
-/// EGL hands out one display per platform and device to the whole process. It stays initialised: eglTerminate
+/// EGL hands out one display per platform and device to the whole process. It stays initialized: eglTerminate
 /// would end it for every other context, and unload the driver with threads and statics of its own.
 EGLDisplay openDisplay(int device, const std::string& backend) {
     const auto getPlatformDisplay = eglFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");

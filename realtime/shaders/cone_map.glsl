@@ -1,8 +1,8 @@
 // Cone ratios: st distance per unit of relief depth in which nothing of the relief stands in the cone above a point
 // (realtime/bake/cone_map.h). Each function is counted by the texels it reads.
 //
-// Slice 0 holds the ratio of each texel's centre, slice 1 one that holds everywhere between four texels. One channel, or
-// four of them: towards +s, -s, +t, -t.
+// Slice 0 holds the ratio of each texel's center, slice 1 one that holds everywhere between four texels. One channel, or
+// four of them: toward +s, -s, +t, -t.
 
 uniform sampler2DArray uConeMap;
 

@@ -1,6 +1,6 @@
 // Distances to the relief on a grid of voxels, in units of the relief's depth (realtime/bake/README.md, kind distance_field).
 
-uniform sampler2DArray uDistanceField; // layers: slices of equal depth; r: from anywhere in the voxel, g: between centres
+uniform sampler2DArray uDistanceField; // layers: slices of equal depth; r: from anywhere in the voxel, g: between centers
 
 ivec3 distanceFieldSize() { return textureSize(uDistanceField, 0); }
 
@@ -13,7 +13,7 @@ float distanceOfVoxel(ReliefRay ray, vec3 position) {
     return texelFetch(uDistanceField, ivec3(texel, slice), 0).r * ray.depthWorld;
 }
 
-// Trilinear between voxel centres, as a sampler reads the field: near the relief it can say more than is free (TECHNIQUES E11).
+// Trilinear between voxel centers, as a sampler reads the field: near the relief it can say more than is free (TECHNIQUES E11).
 float distanceTrilinear(ReliefRay ray, vec3 position) {
     ++gBakedLookups;
     int slices = textureSize(uDistanceField, 0).z;

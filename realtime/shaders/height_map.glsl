@@ -11,7 +11,7 @@ int gIterations = 0;
 
 void countIteration() { ++gIterations; }
 
-// Texel position of a coordinate: integers at texel centres.
+// Texel position of a coordinate: integers at texel centers.
 float texelCoordinate(float s, int size, int clamps) {
     float unit = clamps != 0 ? clamp(s, -1.0, 2.0) : s - floor(s);
     return unit * float(size) - 0.5;
@@ -83,8 +83,8 @@ vec2 reliefDepthGradient(vec2 st) {
 }
 
 // --- the map cell by cell, for searches that follow its patches ----------------------------------------------------
-// Texel coordinates are those of texelPatch: st times the size, minus 1/2, so that whole numbers are texel centres. Cell
-// (i, j) is the square between the centres of texels (i, j) and (i+1, j+1); in it the exact depth is bilinear.
+// Texel coordinates are those of texelPatch: st times the size, minus 1/2, so that whole numbers are texel centers. Cell
+// (i, j) is the square between the centers of texels (i, j) and (i+1, j+1); in it the exact depth is bilinear.
 
 // 1 where the map continues its border texels along s, t; 0 where it repeats.
 ivec2 reliefMapClamps() { return uHeightMapClamps; }

@@ -4,7 +4,7 @@ in vec3 vPosition;
 in vec3 vNormal;
 in vec2 vSt;
 
-// Both sides are seen, as by the reference: shadow and light are those of the facet's side towards the camera.
+// Both sides are seen, as by the reference: shadow and light are those of the facet's side toward the camera.
 uniform bool uTwoSided;
 
 void main() {

@@ -11,10 +11,10 @@ vec2 quadricGradient(vec3 curvature, vec2 xy) {
     return 2.0 * curvature.xy * xy + curvature.z * xy.yx;
 }
 
-// The base `stTravelled` away from the fragment, depth measured along the fragment's own normal.
-ReliefFrame tiltedFrame(ReliefFrame frame, vec2 stTravelled) {
+// The base `stTraveled` away from the fragment, depth measured along the fragment's own normal.
+ReliefFrame tiltedFrame(ReliefFrame frame, vec2 stTraveled) {
     vec2 scale = reliefScale(frame);
-    vec2 fall = quadricGradient(frame.curvature, scale * stTravelled) * scale; // per unit of s and t
+    vec2 fall = quadricGradient(frame.curvature, scale * stTraveled) * scale; // per unit of s and t
     frame.positionS -= frame.normal * fall.x;
     frame.positionT -= frame.normal * fall.y;
     return frame;

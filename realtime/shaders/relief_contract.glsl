@@ -25,7 +25,7 @@ struct ReliefRay {
 struct ReliefHit {
     bool hit;
     float t;  // where on the ray: decides position and depth
-    vec2 st;  // where on the map: decides normal and colour
+    vec2 st;  // where on the map: decides normal and color
 };
 
 // --- given to a search --------------------------------------------------------------------------------------------

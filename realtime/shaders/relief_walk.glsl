@@ -1,6 +1,6 @@
 // The ray's way through the cells of the map, for searches that follow its bilinear patches.
 //
-// Between texel centres the depth D is a bilinear patch and the ray's st is linear in t, so D along the ray is a quadratic in t, as
+// Between texel centers the depth D is a bilinear patch and the ray's st is linear in t, so D along the ray is a quadratic in t, as
 // is d(t): the first root of D - d in a cell is the first hit there, no step can be too long.
 //
 // All positions are texels relative to the cell the ray starts in, and every crossing of a border is computed from the border's

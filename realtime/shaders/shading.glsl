@@ -15,11 +15,11 @@ const float kAmbient = 0.05;
 
 struct SurfacePoint {
     vec3 position; // relative
-    vec3 normal;   // world, unit; the side towards the camera where both sides are seen
+    vec3 normal;   // world, unit; the side toward the camera where both sides are seen
     vec2 st;
 };
 
-// Unit vector from a point towards light `i`. xyz w: direction and 0, or position and 1.
+// Unit vector from a point toward light `i`. xyz w: direction and 0, or position and 1.
 vec3 directionToLight(int i, vec3 position) {
     vec4 light = uLights[i];
     return light.w > 0.5 ? directionOr(light.xyz - position, vec3(0.0)) : light.xyz;

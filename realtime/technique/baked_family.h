@@ -16,7 +16,7 @@ struct BakedFamily {
     std::vector<const char*> kinds;
 };
 const std::vector<BakedFamily>& bakedFamilies();
-/// The first texture unit behind the height map's, the colour map's and those of the families.
+/// The first texture unit behind the height map's, the color map's and those of the families.
 int unitBehindBaked();
 /// Throws InputError for a name that is no kind of baked map.
 const BakedFamily& bakedFamily(const std::string& kind);

@@ -27,8 +27,8 @@ uint64_t hashOf(const Vec3f& p) {
 
 /// 1 if a triangle turns its front to the viewer, -1 its back, 0 its edge.
 int8_t facingOf(const Viewpoint& viewpoint, const Vec3& a, const Vec3& b, const Vec3& c) {
-    const double towards = glm::dot(glm::cross(b - a, c - a), viewpoint.towards(a));
-    return static_cast<int8_t>((towards > 0) - (towards < 0));
+    const double toward = glm::dot(glm::cross(b - a, c - a), viewpoint.toward(a));
+    return static_cast<int8_t>((toward > 0) - (toward < 0));
 }
 
 } // namespace

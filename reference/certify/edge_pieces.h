@@ -17,7 +17,7 @@ struct EdgePiece {
     Vec3 middle() const { return 0.5 * (a + b); }
     /// Nearest point of the piece, in pixels; z by interpolation.
     Vec3 nearest(const Vec2& pixel) const;
-    /// Beside the middle by a little: towards the micro-triangle, and away from it.
+    /// Beside the middle by a little: toward the micro-triangle, and away from it.
     Vec3 justInside() const;
     Vec3 justOutside() const { return outside(0); }
     /// Farther out, by a share of the reach.

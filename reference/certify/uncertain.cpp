@@ -34,22 +34,22 @@ class CoverageMarker {
           width_(camera.width), height_(camera.height) {}
 
     void consider(const EdgePiece& piece) const {
-        const auto firstCentre = [&](double a, double b) {
+        const auto firstCenter = [&](double a, double b) {
             return std::max(std::ceil(std::min(a, b) - piece.reach - 0.5), 0.0);
         };
-        const auto lastCentre = [&](double a, double b, int size) {
+        const auto lastCenter = [&](double a, double b, int size) {
             return std::min(std::floor(std::max(a, b) + piece.reach - 0.5), size - 1.0);
         };
-        const int x0 = static_cast<int>(firstCentre(piece.a.x, piece.b.x)),
-                  x1 = static_cast<int>(lastCentre(piece.a.x, piece.b.x, width_));
-        const int y0 = static_cast<int>(firstCentre(piece.a.y, piece.b.y)),
-                  y1 = static_cast<int>(lastCentre(piece.a.y, piece.b.y, height_));
+        const int x0 = static_cast<int>(firstCenter(piece.a.x, piece.b.x)),
+                  x1 = static_cast<int>(lastCenter(piece.a.x, piece.b.x, width_));
+        const int y0 = static_cast<int>(firstCenter(piece.a.y, piece.b.y)),
+                  y1 = static_cast<int>(lastCenter(piece.a.y, piece.b.y, height_));
         std::optional<Sides> sides;
         for (int y = y0; y <= y1; ++y)
             for (int x = x0; x <= x1; ++x) {
                 const size_t pixel = indexIn(width_, x, y);
-                const Vec2 centre(x + 0.5, y + 0.5);
-                if (glm::length(Vec2(piece.nearest(centre)) - centre) > piece.reach ||
+                const Vec2 center(x + 0.5, y + 0.5);
+                if (glm::length(Vec2(piece.nearest(center)) - center) > piece.reach ||
                     (isMarked(uncertain_[pixel]) && isMarked(otherSheet_[pixel])))
                     continue;
                 if (!sides) sides = sidesOf(piece);

@@ -3,7 +3,7 @@
 // Let every point of the micro-triangles be moved by at most its grid's bound (MicroGrid::errorWorld): that
 // is where the true surface may be. As long as a line of sight stays farther than that from every contour
 // edge, the sheets it crosses remain the same ones (a sheet without folds over a disc, moved by less than the
-// disc's radius, still covers its centre). So what is seen through a pixel, or whether a light is, can change
+// disc's radius, still covers its center). So what is seen through a pixel, or whether a light is, can change
 // only within that distance of a contour where beyond it something else is seen.
 #pragma once
 

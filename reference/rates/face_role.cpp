@@ -24,7 +24,7 @@ constexpr double kBulge = 1.25;
 constexpr double kTurnedAway = -0.35;
 
 struct Ball {
-    Vec3 centre{0};
+    Vec3 center{0};
     double radius = 0;
 };
 
@@ -55,16 +55,16 @@ std::vector<Halfspace> viewVolume(const Camera& camera) {
 
 bool isOutside(const Ball& ball, const std::vector<Halfspace>& volume) {
     return std::ranges::any_of(volume,
-                               [&](const Halfspace& half) { return half.above(ball.centre) < -ball.radius; });
+                               [&](const Halfspace& half) { return half.above(ball.center) < -ball.radius; });
 }
 
 /// Whether a ball's shadow can reach the volume: it doesn't if the ball is beyond a plane and its shadow goes
 /// on away from it.
 bool shadowReaches(const Ball& ball, const Light& light, const std::vector<Halfspace>& volume) {
     return std::ranges::none_of(volume, [&](const Halfspace& half) {
-        if (half.above(ball.centre) >= -ball.radius) return false;
+        if (half.above(ball.center) >= -ball.radius) return false;
         if (light.kind == Light::Kind::Directional) return glm::dot(half.normal, light.toLightWorld) >= 0;
-        return half.above(light.positionWorld) - half.above(ball.centre) >=
+        return half.above(light.positionWorld) - half.above(ball.center) >=
                ball.radius; // the light is on the near side of the ball
     });
 }
@@ -92,11 +92,11 @@ class Placer {
                 points.push_back(base.position + reliefDirection(base, relief_) * height);
                 bounds.add(points.back());
             }
-            turnedAway &= glm::dot(base.normal, rays_.towardsCamera(base.position)) < kTurnedAway;
+            turnedAway &= glm::dot(base.normal, rays_.towardCamera(base.position)) < kTurnedAway;
         }
-        Ball ball{bounds.centre(), 0};
+        Ball ball{bounds.center(), 0};
         for (const Vec3& point : points)
-            ball.radius = std::max(ball.radius, kBulge * glm::length(point - ball.centre));
+            ball.radius = std::max(ball.radius, kBulge * glm::length(point - ball.center));
         if (!turnedAway && !isOutside(ball, volume_)) {
             result.role = FaceRole::Seen;
             result.pixelsPerWorld = nearestScale(points, ball.radius);

@@ -1,8 +1,8 @@
 // The lattice of a patch: where its micro-vertices stand, and how it is cut into the grids of a MicroMesh.
 //
-// A patch has columns x rows cells, both powers of two. A side that it shares with a coarser neighbour has
+// A patch has columns x rows cells, both powers of two. A side that it shares with a coarser neighbor has
 // fewer samples than the lattice has steps there: the lattice's vertices on that side stand on the nearest of
-// those samples, so that neighbours meet in the very same vertices. The cells along such a side are no
+// those samples, so that neighbors meet in the very same vertices. The cells along such a side are no
 // rectangles any more and some of their triangles have no area.
 #pragma once
 

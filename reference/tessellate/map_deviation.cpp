@@ -125,8 +125,8 @@ double edgeDeviation(const HeightMap& map, const MapPoint& from, const MapPoint&
     return worst;
 }
 
-/// At the texel centres inside.
-double centreDeviation(const HeightMap& map, const LinearTriangle& triangle, const Vec2& low,
+/// At the texel centers inside.
+double centerDeviation(const HeightMap& map, const LinearTriangle& triangle, const Vec2& low,
                        const Vec2& high) {
     double worst = 0;
     for (double j = std::ceil(low.y); j <= high.y; ++j)
@@ -159,7 +159,7 @@ double triangleDeviation(const HeightMap& map, const std::array<MapPoint, 3>& co
     for (size_t k = 0; k < 3; ++k)
         worst = std::max(worst, edgeDeviation(map, corners[k], corners[(k + 1) % 3]));
     const LinearTriangle triangle(corners);
-    if (triangle.area != 0) worst = std::max(worst, centreDeviation(map, triangle, low, high));
+    if (triangle.area != 0) worst = std::max(worst, centerDeviation(map, triangle, low, high));
     return worst;
 }
 

@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// Texel coordinates of st: texel centres, where creases between bilinear patches cross, lie at whole
+/// Texel coordinates of st: texel centers, where creases between bilinear patches cross, lie at whole
 /// numbers.
 inline Vec2 texelCoordinates(const HeightMap& map, const Vec2& st) {
     return {st.x * map.width() - 0.5, st.y * map.height() - 0.5};
@@ -21,7 +21,7 @@ struct MapPoint {
 
 /// Largest |d - (linear between the corners)| over a triangle in texel space, in units of depth; too large
 /// only for triangles over more than 64 texels, whose bound is the map's range. A bilinear patch less a plane
-/// is a saddle, which has no extremum inside; so the extremum over the triangle is at a texel centre inside
+/// is a saddle, which has no extremum inside; so the extremum over the triangle is at a texel center inside
 /// it, or on an edge, at a crease or between two.
 double triangleDeviation(const HeightMap& map, const std::array<MapPoint, 3>& corners);
 

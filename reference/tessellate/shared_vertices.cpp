@@ -229,7 +229,7 @@ class SharedVertexBuilder {
         }
     }
 
-    /// Spoke k runs from the middle of edge k, which the mesh has, to the centre.
+    /// Spoke k runs from the middle of edge k, which the mesh has, to the center.
     void sampleSpokes(const Face& face) {
         const int cells = item(shared_.faceRates_, face.face) / 2;
         if (cells == 0) return;
@@ -239,7 +239,7 @@ class SharedVertexBuilder {
             for (int step = 1; step < cells; ++step)
                 shared_.vertices_[spokes.first + indexIn(cells, step, k)] =
                     vertexInside({first + k, {1, double(step) / cells}});
-        shared_.vertices_[spokes.centre] = vertexInside({first, {1, 1}});
+        shared_.vertices_[spokes.center] = vertexInside({first, {1, 1}});
     }
 
     MicroVertex vertexInside(const PatchPlace& at) {
@@ -282,7 +282,7 @@ size_t SharedVertices::onEdge(int face, int k, int step) const {
 size_t SharedVertices::onSpoke(int face, int spoke, int step) const {
     const int cells = item(faceRates_, face) / 2;
     const Spokes& spokes = item(spokes_, face);
-    if (step == cells) return spokes.centre;
+    if (step == cells) return spokes.center;
     if (step > 0) return spokes.first + indexIn(cells, step, spoke);
     return onEdge(face, spoke, samples_.edgeRate(item(surface_.faceEdges(face), spoke)) / 2);
 }

@@ -34,9 +34,9 @@ class SharedVertices {
     friend class SharedVertexBuilder;
 
     struct Spokes {
-        size_t first;  // into vertices_: spoke k of the face has `cells` of them from the edge on, the centre
+        size_t first;  // into vertices_: spoke k of the face has `cells` of them from the edge on, the center
                        // left out
-        size_t centre; // one for all spokes
+        size_t center; // one for all spokes
     };
 
     /// Vertices a face has of its own on an edge, as (step, vertex), ascending.

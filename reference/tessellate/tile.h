@@ -11,7 +11,7 @@
 
 namespace plumbline {
 
-/// Grids side by side in a tile: enough that its border, sampled by its neighbours too, costs little.
+/// Grids side by side in a tile: enough that its border, sampled by its neighbors too, costs little.
 inline constexpr int kTileGrids = 8;
 
 struct TileVertex {
@@ -30,7 +30,7 @@ struct Tile {
     /// are no parallelogram.
     Vec2 bend;
     std::vector<TileVertex> vertices; // (columns + 1) x (rows + 1), row by row
-    /// How far the vertex shared with the neighbours is from the one this patch would have, world units; the
+    /// How far the vertex shared with the neighbors is from the one this patch would have, world units; the
     /// largest of a grid.
     std::vector<double> tears; // as vertices
 

@@ -38,7 +38,7 @@ class EmbreeScene {
         float distance;
     };
     /// Nearest hit with distance in [0, inf). A ray that had to be traced again reports the hit of its
-    /// neighbour: resolveHit finds its own. The calling thread must flush denormals (FlushDenormals).
+    /// neighbor: resolveHit finds its own. The calling thread must flush denormals (FlushDenormals).
     std::optional<Hit> intersect(const Vec3f& origin, const Vec3f& direction) const;
     /// Whether anything lies at a distance in [0, maxDistance].
     bool occluded(const Vec3f& origin, const Vec3f& direction, float maxDistance) const;

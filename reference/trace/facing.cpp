@@ -50,7 +50,7 @@ double reachAlongSurface(double errorWorld, double cosine) {
     return errorWorld * (1 + 2 * std::sqrt(std::max(1 - cosine * cosine, 0.0)) / across);
 }
 
-bool facesThroughout(const BaseSample& base, const Relief* relief, double radiusWorld, const Vec3& towards,
+bool facesThroughout(const BaseSample& base, const Relief* relief, double radiusWorld, const Vec3& toward,
                      double side) {
     assert(side == 1 || side == -1);
     const ReliefDirection k = sampleReliefDirection(base, relief);
@@ -64,7 +64,7 @@ bool facesThroughout(const BaseSample& base, const Relief* relief, double radius
     const Vec2 st = textureCoordinates(base, relief);
     const double height = displacement(st, relief);
     const Vec3 a = base.positionU + k.alongU * height, b = base.positionV + k.alongV * height;
-    const double level = side * glm::dot(glm::cross(a, b), towards);
+    const double level = side * glm::dot(glm::cross(a, b), toward);
     const double margin = turn * glm::length(a) * glm::length(b);
     if (!relief || relief->map->leastDepth() == relief->map->mostDepth()) return level > margin;
 
@@ -75,8 +75,8 @@ bool facesThroughout(const BaseSample& base, const Relief* relief, double radius
     if (!gradientsWithin(map, texelCoordinates(map, st),
                          glm::abs(texelsU) * reachU + glm::abs(texelsV) * reachV, box))
         return false;
-    const double byHeightU = side * glm::dot(glm::cross(k.along, b), towards);
-    const double byHeightV = side * glm::dot(glm::cross(a, k.along), towards);
+    const double byHeightU = side * glm::dot(glm::cross(k.along, b), toward);
+    const double byHeightV = side * glm::dot(glm::cross(a, k.along), toward);
     double least = kInfinity, steepest = 0;
     for (const double s : {box.low.x, box.high.x})
         for (const double t : {box.low.y, box.high.y}) {

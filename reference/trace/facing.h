@@ -10,7 +10,7 @@ namespace plumbline {
 /// more than once. `cosine`: between ray and normal, either sign.
 double reachAlongSurface(double errorWorld, double cosine);
 
-/// True if P_u x P_v, times `side` (1 or -1), has a positive component along the unit vector `towardsWorld`
+/// True if P_u x P_v, times `side` (1 or -1), has a positive component along the unit vector `towardWorld`
 /// everywhere within `radiusWorld` of the place of `base`: then a line along it meets the surface there at
 /// most once, and the surface doesn't shadow itself. False where that isn't certain.
 ///
@@ -18,6 +18,6 @@ double reachAlongSurface(double errorWorld, double cosine);
 /// direction, is linear in the map's gradient: it is smallest at a corner of the box of gradients the texels
 /// around have. A, B and k are taken to turn with the base's curvature.
 bool facesThroughout(const BaseSample& base, const Relief* relief, double radiusWorld,
-                     const Vec3& towardsWorld, double side);
+                     const Vec3& towardWorld, double side);
 
 } // namespace plumbline

@@ -61,7 +61,7 @@ bool Polisher::move(PatchPlace& place, const Vec2& next) const {
         place.uv = next;
         return true;
     }
-    if (const auto beyond = neighbours_.beyond(place.patch, next)) {
+    if (const auto beyond = neighbors_.beyond(place.patch, next)) {
         place = held(*beyond);
         return true;
     }

@@ -1,7 +1,7 @@
 // A hit on a micro-triangle moved onto the surface P(u,v) it stands for.
 #pragma once
 
-#include "reference/trace/patch_neighbours.h"
+#include "reference/trace/patch_neighbors.h"
 #include "scenes/core/math.h"
 #include "scenes/scene/relief.h"
 #include "scenes/surface/base_surface.h"
@@ -26,8 +26,8 @@ struct PolishedHit {
 /// Not to be shared by threads.
 class Polisher {
   public:
-    Polisher(const BaseSurface& surface, const Relief* relief, const PatchNeighbours& neighbours)
-        : surface_(surface), relief_(relief), neighbours_(neighbours), evaluator_(surface) {}
+    Polisher(const BaseSurface& surface, const Relief* relief, const PatchNeighbors& neighbors)
+        : surface_(surface), relief_(relief), neighbors_(neighbors), evaluator_(surface) {}
 
     /// Newton's method on P(u,v) = origin + t direction, in double, from a micro-triangle's hit at `start`
     /// and `distance`. Nothing where it doesn't settle, or farther than `reachWorld` from there: at a
@@ -52,7 +52,7 @@ class Polisher {
 
     const BaseSurface& surface_;
     const Relief* relief_;
-    const PatchNeighbours& neighbours_;
+    const PatchNeighbors& neighbors_;
     BaseSurface::Evaluator evaluator_;
     int patch_ = -1; // the evaluator's
 };

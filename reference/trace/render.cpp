@@ -38,7 +38,7 @@ constexpr double kBelowReach = 4;
 // Sheets behind the place seen that are looked at for another object: own ones are passed, all but the last.
 constexpr int kSheetsPassed = 4;
 
-// Cells of a torn patch's border that the wall between it and its neighbour may shadow or hide: the one it
+// Cells of a torn patch's border that the wall between it and its neighbor may shadow or hide: the one it
 // stands in for and the next.
 constexpr double kTearCells = 2;
 
@@ -62,7 +62,7 @@ class FrameTracer {
         for (const Light& light : scene.lights)
             shadows_.push_back(frame_.add(shadowChannel(light.name)).data());
         for (const TracedObject& object : objects) {
-            neighbours_.emplace_back(*object.surface);
+            neighbors_.emplace_back(*object.surface);
             for (const MicroGrid& grid : object.mesh->grids)
                 largestError_ = std::max(largestError_, grid.errorWorld);
         }
@@ -147,7 +147,7 @@ class FrameTracer {
                                   const PixelHit& hit = hits[i];
                                   if (!previous || previous->object != hit.object)
                                       polisher.emplace(*objects_[hit.object].surface,
-                                                       objects_[hit.object].relief, neighbours_[hit.object]);
+                                                       objects_[hit.object].relief, neighbors_[hit.object]);
                                   previous = &hit;
                                   shade(hit, *polisher);
                               }
@@ -207,7 +207,7 @@ class FrameTracer {
         return false;
     }
 
-    /// Whether the place is in the outermost cells of a patch whose neighbour disagrees with it.
+    /// Whether the place is in the outermost cells of a patch whose neighbor disagrees with it.
     bool isBesideTear(const PixelHit& hit) const {
         const MicroMesh& mesh = *objects_[hit.object].mesh;
         if (!mesh.grids[hit.grid].torn) return false;
@@ -223,14 +223,14 @@ class FrameTracer {
         return std::min(uv.x, 1 - uv.x) < nearU || std::min(uv.y, 1 - uv.y) < nearV;
     }
 
-    /// Whether within the error's reach the surface turns one side towards a direction that has this cosine
+    /// Whether within the error's reach the surface turns one side toward a direction that has this cosine
     /// to the facet.
-    bool facesThroughout(const PixelHit& hit, const SurfaceSample& surface, const Vec3& towards,
+    bool facesThroughout(const PixelHit& hit, const SurfaceSample& surface, const Vec3& toward,
                          double side) const {
         if (isBesideTear(hit)) return false;
-        const double cosine = glm::dot(hit.facetNormal, towards);
+        const double cosine = glm::dot(hit.facetNormal, toward);
         return plumbline::facesThroughout(surface.base, objects_[hit.object].relief,
-                                          reachAlongSurface(errorOf(hit), cosine), towards, side);
+                                          reachAlongSurface(errorOf(hit), cosine), toward, side);
     }
 
     /// Writes one pixel.
@@ -238,7 +238,7 @@ class FrameTracer {
         const SceneObject& object = *objects_[hit.object].object;
         // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the
         // facet faces.
-        const double side = glm::dot(hit.facetNormal, rays_.towardsCamera(hit.position)) < 0 ? -1 : 1;
+        const double side = glm::dot(hit.facetNormal, rays_.towardCamera(hit.position)) < 0 ? -1 : 1;
         const SurfaceSample sampled = surfaceAt(hit, polisher, side);
         const DisplacedSample& surface = sampled.displaced;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
@@ -313,7 +313,7 @@ class FrameTracer {
     CameraRays rays_;
     Frame frame_;
     FrameEvidence evidence_;
-    std::vector<PatchNeighbours> neighbours_; // per object
+    std::vector<PatchNeighbors> neighbors_; // per object
     std::vector<float*> channels_, shadows_;
     float largestCoordinate_, largestError_ = 0;
 };

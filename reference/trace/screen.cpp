@@ -16,15 +16,15 @@ Screen Screen::ofCamera(const Camera& camera) {
     screen.perspective_ = camera.projection == Camera::Projection::Perspective;
     screen.scale_ = camera.height / (screen.perspective_ ? 2 * std::tan(0.5 * radians(camera.fovYDegrees))
                                                          : camera.viewHeight);
-    screen.centre_ = 0.5 * Vec2(camera.width, camera.height);
+    screen.center_ = 0.5 * Vec2(camera.width, camera.height);
     screen.viewpoint_ = {!screen.perspective_, screen.perspective_ ? screen.origin_ : -screen.forward_};
     return screen;
 }
 
-Screen Screen::ofDistantLight(const Vec3& toLight, const Vec3& centre, double pixelWorld) {
+Screen Screen::ofDistantLight(const Vec3& toLight, const Vec3& center, double pixelWorld) {
     Screen screen;
     screen.perspective_ = false;
-    screen.origin_ = centre;
+    screen.origin_ = center;
     screen.forward_ = -toLight;
     const Vec3 axis = std::abs(toLight.y) < 0.9 ? Vec3(0, 1, 0) : Vec3(1, 0, 0);
     screen.right_ = glm::normalize(glm::cross(screen.forward_, axis));
@@ -44,7 +44,7 @@ Screen Screen::ofCubeFace(const Vec3& light, int face, int size) {
     screen.right_[(axis + 1) % 3] = 1;
     screen.down_ = glm::cross(screen.forward_, screen.right_);
     screen.scale_ = 0.5 * size;
-    screen.centre_ = Vec2(0.5 * size);
+    screen.center_ = Vec2(0.5 * size);
     screen.viewpoint_ = {false, light};
     return screen;
 }
@@ -53,20 +53,20 @@ Vec3 Screen::project(const Vec3& point) const {
     const Vec3 offset = point - origin_;
     const double depth = glm::dot(offset, forward_);
     const double pixels = perspective_ ? scale_ / depth : scale_;
-    return {centre_.x + glm::dot(offset, right_) * pixels, centre_.y + glm::dot(offset, down_) * pixels,
+    return {center_.x + glm::dot(offset, right_) * pixels, center_.y + glm::dot(offset, down_) * pixels,
             depth};
 }
 
 double Screen::pixelsPerWorld(const Vec3& p) const {
     if (!perspective_) return scale_;
     // A small ball at an angle to the axis is seen stretched by one over its cosine.
-    const Vec2 off = (Vec2(p) - centre_) / scale_;
+    const Vec2 off = (Vec2(p) - center_) / scale_;
     return scale_ / p.z * std::sqrt(1 + glm::dot(off, off));
 }
 
 Vec3 Screen::unproject(const Vec3& p) const {
     const double world = (perspective_ ? p.z : 1) / scale_;
-    return origin_ + forward_ * p.z + (right_ * (p.x - centre_.x) + down_ * (p.y - centre_.y)) * world;
+    return origin_ + forward_ * p.z + (right_ * (p.x - center_.x) + down_ * (p.y - center_.y)) * world;
 }
 
 } // namespace plumbline

@@ -10,8 +10,8 @@ namespace plumbline {
 /// Where a surface is looked at from.
 struct Viewpoint {
     bool distant = false;
-    Vec3 place{0}; // world; if distant: unit direction towards the viewer
-    Vec3 towards(const Vec3& point) const { return distant ? place : place - point; }
+    Vec3 place{0}; // world; if distant: unit direction toward the viewer
+    Vec3 toward(const Vec3& point) const { return distant ? place : place - point; }
 };
 
 /// A plane in front of a viewer, in units of its own ("pixels").
@@ -20,7 +20,7 @@ class Screen {
     /// The picture: pixel coordinates as in camera.h.
     static Screen ofCamera(const Camera& camera);
     /// Across a distant light's direction; one pixel is `pixelWorld`.
-    static Screen ofDistantLight(const Vec3& toLightWorld, const Vec3& centreWorld, double pixelWorld);
+    static Screen ofDistantLight(const Vec3& toLightWorld, const Vec3& centerWorld, double pixelWorld);
     /// One of the six faces of a cube around a light, each a square of `size` pixels.
     static Screen ofCubeFace(const Vec3& lightWorld, int face, int size);
 
@@ -38,7 +38,7 @@ class Screen {
     bool perspective_ = true;
     Vec3 origin_{0}, right_{1, 0, 0}, down_{0, 1, 0}, forward_{0, 0, 1};
     double scale_ = 1; // pixels per world unit, at depth 1 if perspective
-    Vec2 centre_{0};
+    Vec2 center_{0};
 };
 
 } // namespace plumbline

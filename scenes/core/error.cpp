@@ -31,7 +31,7 @@ std::string lowerCase(std::string_view text) {
     return result;
 }
 
-/// Edit distance with insertions, deletions, substitutions and swaps of neighbours (optimal string
+/// Edit distance with insertions, deletions, substitutions and swaps of neighbors (optimal string
 /// alignment).
 size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<size_t> beforePrevious(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);

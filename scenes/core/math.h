@@ -49,7 +49,7 @@ struct Bounds {
     }
     bool empty() const { return low.x > high.x; }
     double diagonal() const { return empty() ? 0.0 : glm::length(high - low); }
-    Vec3 centre() const { return 0.5 * (low + high); }
+    Vec3 center() const { return 0.5 * (low + high); }
 };
 
 } // namespace plumbline

@@ -13,7 +13,7 @@ namespace {
 /// barely better.
 constexpr double kGoodEnough = 0.95;
 
-/// Direction from the object to a camera: from +Z towards +X by the azimuth, then up.
+/// Direction from the object to a camera: from +Z toward +X by the azimuth, then up.
 Vec3 viewDirection(double azimuthDegrees, double elevationDegrees) {
     const double azimuth = radians(azimuthDegrees), elevation = radians(elevationDegrees);
     return {std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
@@ -38,8 +38,8 @@ View viewAlong(const Vec3& toCamera) {
 ///
 /// With x, y along right and up, w along forward, c the camera's w and k the tangent of half the angle left
 /// by the margin, a point is inside if |x - cx| <= k (w - c). So with a = max(x - k w) and b = max(-x - k w):
-/// a <= cx - k c and b <= -cx - k c, which some cx fulfils as long as c <= -(a + b) / (2 k); cx = (a - b) / 2
-/// is in the middle. Likewise y.
+/// a <= cx - k c and b <= -cx - k c, which some cx fulfills as long as c <= -(a + b) / (2 k); cx = (a - b) /
+/// 2 is in the middle. Likewise y.
 void placeCamera(Camera& camera, const View& view, const std::vector<Vec3>& points) {
     const double tangentY = std::tan(0.5 * radians(camera.fovYDegrees)) * (1 - 2 * kDraftMargin);
     const Vec2 k(tangentY * camera.width / camera.height, tangentY);
@@ -52,11 +52,11 @@ void placeCamera(Camera& camera, const View& view, const std::vector<Vec3>& poin
         b = glm::max(b, -across - k * w);
         depths.add(Vec3(w));
     }
-    const Vec2 farthest = -(a + b) / (2.0 * k), centre = 0.5 * (a - b);
+    const Vec2 farthest = -(a + b) / (2.0 * k), center = 0.5 * (a - b);
     const double c = std::min(farthest.x, farthest.y);
-    const Vec3 axis = view.right * centre.x + view.up * centre.y;
+    const Vec3 axis = view.right * center.x + view.up * center.y;
     camera.positionWorld = axis + view.forward * c;
-    camera.targetWorld = axis + view.forward * depths.centre().x;
+    camera.targetWorld = axis + view.forward * depths.center().x;
 }
 
 /// Taller than wide objects get an upright picture.
@@ -83,7 +83,7 @@ View chooseView(const SurfaceSurvey& survey, std::string& reason) {
     const Candidate& chosen = *std::ranges::find_if(
         candidates, [&](double share) { return share >= kGoodEnough * best; }, &Candidate::share);
     reason = fmt::format(
-        "{} degrees {} the horizon, {} degrees off +Z towards {}: of 16 views the first that shows the "
+        "{} degrees {} the horizon, {} degrees off +Z toward {}: of 16 views the first that shows the "
         "broad side.",
         std::abs(chosen.elevation), chosen.elevation > 0 ? "above" : "below", std::abs(chosen.azimuth),
         chosen.azimuth > 0 ? "+X" : "-X");
@@ -106,7 +106,7 @@ Vec3 chooseLight(const SurfaceSurvey& survey, const View& view, std::string& rea
         {{"upper left", -1, 1}, {"upper right", 1, 1}, {"lower left", -1, -1}, {"lower right", 1, -1}}};
     const Vec3 toCamera = -view.forward;
     for (Candidate& candidate : candidates) {
-        // 0.55 aside, 0.6 up, 0.7 towards the camera: 49 degrees off the view.
+        // 0.55 aside, 0.6 up, 0.7 toward the camera: 49 degrees off the view.
         candidate.toLight = glm::normalize(view.right * (0.55 * candidate.right) +
                                            view.up * (0.6 * candidate.up) + toCamera * 0.7);
         double seen = 0;

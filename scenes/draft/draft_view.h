@@ -24,7 +24,7 @@ View chooseView(const SurfaceSurvey& survey, std::string& reason);
 /// looks along `view` and has them inside the margin.
 void frameWith(Camera& camera, const View& view, const std::vector<Vec3>& points);
 
-/// Unit vector towards a light aslant: from the upper left of the picture, or the first other corner that
+/// Unit vector toward a light aslant: from the upper left of the picture, or the first other corner that
 /// lights what is seen. `reason`: a sentence.
 Vec3 chooseLight(const SurfaceSurvey& survey, const View& view, std::string& reason);
 

@@ -23,7 +23,7 @@ constexpr double kDepthShare = 0.04;
 constexpr double kTightShare = 0.5;
 /// One map width is this share of the object's diagonal.
 constexpr double kMapShare = 1.0 / 3;
-/// Centres farther away than so many radii are moved: single precision, which rays and shaders have, would
+/// Centers farther away than so many radii are moved: single precision, which rays and shaders have, would
 /// show (2^-24 of 100 radii is a few thousandths of a pixel).
 constexpr double kFarAway = 100;
 
@@ -155,8 +155,8 @@ SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const Draft
     draft.scheme = wishes.scheme ? *wishes.scheme : chooseScheme(mesh, draft.reasons.scheme);
     ControlMesh placed = mesh;
     draft.lengthStep = 5e-4 * bounds.diagonal(); // a quarter of a pixel of a picture that the object fills
-    if (glm::length(bounds.centre()) > kFarAway * 0.5 * bounds.diagonal()) {
-        draft.translate = -bounds.centre();
+    if (glm::length(bounds.center()) > kFarAway * 0.5 * bounds.diagonal()) {
+        draft.translate = -bounds.center();
         draft.reasons.translate = "To the origin: far from it, single precision is coarse.";
         for (Vec3& point : placed.points)
             point += draft.translate;

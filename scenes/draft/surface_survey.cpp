@@ -79,7 +79,7 @@ class Survey {
         if (result_.pieces.empty())
             throw InputError(surface_.mesh().name, "no face of it is part of the surface",
                              "a face that is no hole and does more than support others");
-        summarise();
+        summarize();
         return std::move(result_);
     }
 
@@ -120,7 +120,7 @@ class Survey {
         if (!std::isnan(curvature)) radii_.push_back({curvature > 0 ? 1 / curvature : kInfinity, area});
     }
 
-    void summarise() {
+    void summarize() {
         Vec3 meanNormal(0);
         for (const SurfacePiece& piece : result_.pieces) {
             result_.area += piece.area;

@@ -17,10 +17,10 @@ constexpr std::string_view kLightPlaceholder = "<light>";
 // On a miss there is no point, normal, coordinate or shadow to speak of: NaN says so, and can't be averaged
 // by mistake. R G B hold the scene's background there; the renderer writes it over the 0 of this table.
 constexpr std::array<ChannelInfo, 24> kChannels{{
-    {"R", "", "linear", 0, "red of the shaded colour; the background's on a miss"},
-    {"G", "", "linear", 0, "green of the shaded colour; the background's on a miss"},
-    {"B", "", "linear", 0, "blue of the shaded colour; the background's on a miss"},
-    {"A", "", "", 0, "coverage of the pixel centre, 0 or 1"},
+    {"R", "", "linear", 0, "red of the shaded color; the background's on a miss"},
+    {"G", "", "linear", 0, "green of the shaded color; the background's on a miss"},
+    {"B", "", "linear", 0, "blue of the shaded color; the background's on a miss"},
+    {"A", "", "", 0, "coverage of the pixel center, 0 or 1"},
     {"Z", "world units", "view", kInfinityF, "planar camera depth, > 0"},
     {"P.X", "world units", "world", kNanF, "position of the displaced surface, x"},
     {"P.Y", "world units", "world", kNanF, "position of the displaced surface, y"},

@@ -17,7 +17,7 @@ struct ChannelInfo {
     std::string_view name; // "shadow.<light>" stands for one channel per light
     std::string_view unit;
     std::string_view space;
-    float missValue; // where no surface covers the pixel centre
+    float missValue; // where no surface covers the pixel center
     std::string_view meaning;
 };
 

@@ -16,7 +16,7 @@ namespace plumbline {
 ///   in
 ///                             pixels
 ///   lights                    names, separated by spaces
-///   light.<name>              "to_light x y z": direction towards it, world; or "position x y z", world
+///   light.<name>              "to_light x y z": direction toward it, world; or "position x y z", world
 ///   object.<id>.name          <id> is the value of the frame's id channel, from 1
 ///   object.<id>.relief_depth  world units; only objects with a relief have it and the three that follow
 ///   object.<id>.relief_axis   "x y z", unit, world: what it goes along; absent where that is the normal

@@ -1,5 +1,5 @@
 // OpenEXR files as named planes of float: the one place that talks to the OpenEXR library. Frames
-// (frame_exr.h) are written and pictures (image_file.h) read through it. Row 0 = top row; no colour
+// (frame_exr.h) are written and pictures (image_file.h) read through it. Row 0 = top row; no color
 // conversion.
 #pragma once
 

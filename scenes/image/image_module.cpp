@@ -30,7 +30,7 @@ struct Layout {
 
 std::unique_ptr<oiio::ImageInput> openPicture(const char* file) {
     oiio::ImageSpec hints;
-    hints["oiio:UnassociatedAlpha"] = 1; // colours as stored, not multiplied with alpha
+    hints["oiio:UnassociatedAlpha"] = 1; // colors as stored, not multiplied with alpha
     auto input = oiio::ImageInput::open(file, &hints);
     if (!input) throw Failure{fmt::format("is not a picture that can be read ({})", oiio::geterror())};
     return input;
@@ -49,8 +49,8 @@ std::vector<int> orderChannels(const oiio::ImageSpec& spec) {
     std::vector<int> order;
     if (r && g && b) {
         order = {*r, *g, *b};
-    } else if (const auto grey = findChannel(spec, "Y")) {
-        order = {*grey};
+    } else if (const auto gray = findChannel(spec, "Y")) {
+        order = {*gray};
     } else if (spec.nchannels == 1) {
         order = {0};
     } else {
@@ -58,7 +58,7 @@ std::vector<int> orderChannels(const oiio::ImageSpec& spec) {
         for (int c = 0; c < std::min(spec.nchannels, 16); ++c)
             names += fmt::format(" {}", std::string(spec.channel_name(c)));
         throw Failure{
-            fmt::format("has the channels{}; expected R G B, R G B A, grey, or grey with alpha", names)};
+            fmt::format("has the channels{}; expected R G B, R G B A, gray, or gray with alpha", names)};
     }
     if (alpha && spec.nchannels > 1) order.push_back(*alpha);
     return order;

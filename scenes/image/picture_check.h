@@ -1,4 +1,4 @@
-// Is a PNG or JPEG file whole? libjpeg fills what a truncated file lacks with grey and calls that a warning;
+// Is a PNG or JPEG file whole? libjpeg fills what a truncated file lacks with gray and calls that a warning;
 // libpng prints lines of its own to stderr. So damage is looked for before either is asked.
 #pragma once
 

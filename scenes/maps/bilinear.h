@@ -1,4 +1,4 @@
-// One axis of a bilinear look-up, shared by height maps and colour maps (conventions: height_map.h).
+// One axis of a bilinear look-up, shared by height maps and color maps (conventions: height_map.h).
 #pragma once
 
 #include "scenes/maps/height_map.h"
@@ -23,8 +23,8 @@ inline double repeatUnit(double s) {
     return s - (truncated > s ? truncated - 1.0 : truncated);
 }
 
-/// `size` texels, centres at (i + 0.5) / size. The coordinate must not be NaN, nor infinite under
-/// Wrap::Repeat; on a texel centre the pair begins with that texel.
+/// `size` texels, centers at (i + 0.5) / size. The coordinate must not be NaN, nor infinite under
+/// Wrap::Repeat; on a texel center the pair begins with that texel.
 inline TexelPair texelPair(double s, int size, Wrap wrap) {
     const bool repeat = wrap == Wrap::Repeat;
     assert(size > 0 && (repeat ? std::isfinite(s) : !std::isnan(s)));

@@ -1,4 +1,4 @@
-// A colour picture on a surface, looked up like the relief's map (conventions: height_map.h).
+// A color picture on a surface, looked up like the relief's map (conventions: height_map.h).
 #pragma once
 
 #include "scenes/core/math.h"

@@ -16,8 +16,8 @@ namespace {
 // What random numbers are for; two purposes never share numbers.
 enum Purpose : uint32_t { kBrickTop = 100, kPinWidth, kFinWidth, kWavePhase };
 
-/// Tile coordinate of the centre of texel i.
-double centre(int i, int size) {
+/// Tile coordinate of the center of texel i.
+double center(int i, int size) {
     return (i + 0.5) / size;
 }
 
@@ -31,9 +31,9 @@ std::vector<float> brickTexels(int size, unsigned seed) {
                      kBevel = 0.018;   // tile units: half a joint, and from there to the full height
     constexpr double kLowestTop = 0.3; // depth
     return fillTexels(size, [=](int i, int j) {
-        const double t = centre(j, size) * kRows;
+        const double t = center(j, size) * kRows;
         const int row = static_cast<int>(t);
-        const double s = fraction(centre(i, size) + (row % 2 ? 0.5 / kColumns : 0.0)) * kColumns;
+        const double s = fraction(center(i, size) + (row % 2 ? 0.5 / kColumns : 0.0)) * kColumns;
         const int column = static_cast<int>(s);
         const double x = fraction(s), y = fraction(t);
         const double toEdge = std::min(std::min(x, 1 - x) / kColumns, std::min(y, 1 - y) / kRows);
@@ -45,7 +45,7 @@ std::vector<float> brickTexels(int size, unsigned seed) {
 std::vector<float> pyramidTexels(int size, unsigned) {
     constexpr int kCells = 8;
     return fillTexels(size, [=](int i, int j) {
-        const double x = fraction(centre(i, size) * kCells), y = fraction(centre(j, size) * kCells);
+        const double x = fraction(center(i, size) * kCells), y = fraction(center(j, size) * kCells);
         return 2 * std::max(std::abs(x - 0.5), std::abs(y - 0.5));
     });
 }
@@ -90,14 +90,14 @@ std::vector<float> waveTexels(int size, unsigned seed) {
     const auto phase = [&](int wave) { return seed == 0 ? 0.0 : randomAt(seed, kWavePhase, wave); };
     const double a = phase(0), b = phase(1), c = phase(2);
     return fillTexels(size, [=](int i, int j) {
-        const double s = centre(i, size), t = centre(j, size);
+        const double s = center(i, size), t = center(j, size);
         return 0.5 - (0.25 * sineOfTurns(2 * s + t + a) + 0.15 * sineOfTurns(3 * t - s + b) +
                       0.1 * sineOfTurns(4 * s - 3 * t + c));
     });
 }
 
 std::vector<float> rampTexels(int size, unsigned) {
-    return fillTexels(size, [=](int i, int) { return 1 - std::abs(2 * centre(i, size) - 1); });
+    return fillTexels(size, [=](int i, int) { return 1 - std::abs(2 * center(i, size) - 1); });
 }
 
 struct Kind {

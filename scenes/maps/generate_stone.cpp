@@ -98,12 +98,12 @@ class Stones {
     Place at(double s, double t) const {
         const double x = s * kCells, y = t * kCells;
         const int cellX = static_cast<int>(x), cellY = static_cast<int>(y);
-        std::array<Neighbour, 25> around;
+        std::array<Neighbor, 25> around;
         size_t nearest = 0, k = 0;
         for (int j = cellY - 2; j <= cellY + 2; ++j)
             for (int i = cellX - 2; i <= cellX + 2; ++i, ++k) {
                 const Site& site = sites_[index(i, j)];
-                Neighbour& n = around[k];
+                Neighbor& n = around[k];
                 n.x = i + site.x;
                 n.y = j + site.y;
                 n.top = site.top;
@@ -117,19 +117,19 @@ class Stones {
     struct Site {
         double x, y, top; // x, y within the cell
     };
-    struct Neighbour {
+    struct Neighbor {
         double x, y, top, squared; // squared distance to the place
     };
     static size_t index(int i, int j) { return indexIn(kCells, wrapped(i, kCells), wrapped(j, kCells)); }
 
     /// Distances e to the bisectors of the nearest site with each other one, (r^2 - r0^2) / (2 |p - p0|),
     /// joined to (sum 1/e^4)^(-1/4): their least, rounded off where two are nearly equal.
-    static double toBorder(const std::array<Neighbour, 25>& around, size_t nearest) {
-        const Neighbour& own = around[nearest];
+    static double toBorder(const std::array<Neighbor, 25>& around, size_t nearest) {
+        const Neighbor& own = around[nearest];
         double sum = 0;
         for (size_t k = 0; k < around.size(); ++k) {
             if (k == nearest) continue;
-            const Neighbour& n = around[k];
+            const Neighbor& n = around[k];
             const double between = (n.x - own.x) * (n.x - own.x) + (n.y - own.y) * (n.y - own.y);
             const double gap = n.squared - own.squared;
             if (!(gap > 0)) return 0;                         // on the border

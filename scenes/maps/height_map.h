@@ -2,7 +2,7 @@
 // realtime/shaders/height_map.glsl; a test holds the two together).
 //
 // Conventions, once: d in [0,1], 0 = top of the relief layer, 1 = deepest. Row 0 is the bottom row (image
-// rows are flipped on load). Texel (i,j) has its centre at ((i+0.5)/width, (j+0.5)/height). Bilinear at the
+// rows are flipped on load). Texel (i,j) has its center at ((i+0.5)/width, (j+0.5)/height). Bilinear at the
 // base level, exact: no mip level, no 8-bit filter weights.
 #pragma once
 

@@ -12,8 +12,8 @@
 namespace plumbline {
 namespace {
 
-constexpr float kGreyNoiseInteger = 8.0f / 255.0f;
-constexpr float kGreyNoiseFloat = 1e-4f;
+constexpr float kGrayNoiseInteger = 8.0f / 255.0f;
+constexpr float kGrayNoiseFloat = 1e-4f;
 
 bool hasColor(const Image& image) {
     return image.channels >= 3;
@@ -43,9 +43,9 @@ void refuseTexels(const Image& image, const std::string& name, size_t channels, 
                      expected);
 }
 
-void checkGrey(const Image& image, const std::string& name) {
+void checkGray(const Image& image, const std::string& name) {
     if (!hasColor(image)) return;
-    const float tolerance = image.integer ? kGreyNoiseInteger : kGreyNoiseFloat;
+    const float tolerance = image.integer ? kGrayNoiseInteger : kGrayNoiseFloat;
     float widest = 0;
     for (size_t texel = 0; texel < image.texelCount(); ++texel) {
         const std::span<const float> values = image.texel(texel);
@@ -55,8 +55,8 @@ void checkGrey(const Image& image, const std::string& name) {
     if (!(widest > tolerance)) return;
     throw InputError(
         name,
-        fmt::format("is a colour picture: red, green and blue of a texel differ by up to {:.3g}", widest),
-        fmt::format("a grey one (differences up to {:.3g})", tolerance),
+        fmt::format("is a color picture: red, green and blue of a texel differ by up to {:.3g}", widest),
+        fmt::format("a gray one (differences up to {:.3g})", tolerance),
         "store the heights in a picture with one channel");
 }
 
@@ -73,7 +73,7 @@ HeightMap readHeightMap(const std::filesystem::path& file, Stores stores, Wrap w
     const std::string name = file.string();
     refuseTexels(image, name, hasColor(image) ? 3 : 1, "NaN or outside [0,1]", "heights or depths in [0,1]",
                  [](float value) { return !(value >= 0.0f && value <= 1.0f); });
-    checkGrey(image, name);
+    checkGray(image, name);
     std::vector<float> depths(image.texelCount());
     for (size_t texel = 0; texel < depths.size(); ++texel) {
         const double value = image.texel(texel)[0];
@@ -90,7 +90,7 @@ ColorMap readColorMap(const std::filesystem::path& file) {
     map.width = image.width;
     map.height = image.height;
     refuseTexels(image, map.name, hasColor(image) ? 3 : 1, "negative or not finite",
-                 "linear colours, 0 or more",
+                 "linear colors, 0 or more",
                  [](float value) { return !(value >= 0.0f && std::isfinite(value)); });
     map.rgb.resize(image.texelCount() * 3);
     for (size_t texel = 0; texel < image.texelCount(); ++texel)

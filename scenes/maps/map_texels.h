@@ -14,7 +14,7 @@
 
 namespace plumbline {
 
-/// Mixes 64 bits (the finaliser of SplitMix64: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number
+/// Mixes 64 bits (the finalizer of SplitMix64: Steele, Lea, Flood, "Fast Splittable Pseudorandom Number
 /// Generators", 2014).
 inline uint64_t mixBits(uint64_t x) {
     x += 0x9e3779b97f4a7c15u;

@@ -130,7 +130,7 @@ void checkCreases(const ControlMesh& mesh, const MeshEdges& edges) {
             throw InputError(
                 whereOfTag(mesh, crease.line),
                 fmt::format("no face has an edge from vertex {} to {}", crease.from + 1, crease.to + 1),
-                "neighbours in a face", "'t' lines count vertices from 0, faces and scene files from 1");
+                "neighbors in a face", "'t' lines count vertices from 0, faces and scene files from 1");
         checkSharpness(mesh, crease.sharpness, crease.line);
         const auto [place, isNew] = creased.emplace(std::minmax(crease.from, crease.to), crease.sharpness);
         if (!isNew && place->second != crease.sharpness)

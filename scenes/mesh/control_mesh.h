@@ -36,7 +36,7 @@ struct SubdivisionTags {
     };
     std::vector<Crease> creases; // an edge more than once only with the same sharpness
     std::vector<Corner> corners; // likewise a vertex
-    std::vector<Hole> holes;     // these faces shape their neighbours, but are no part of the surface
+    std::vector<Hole> holes;     // these faces shape their neighbors, but are no part of the surface
     /// True: the boundary is a curve that passes its corners by (VTX_BOUNDARY_EDGE_ONLY). Nothing to
     /// boundaryFacesSupportOnly.
     bool boundaryCornersRound = false;

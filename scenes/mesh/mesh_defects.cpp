@@ -158,18 +158,18 @@ class DefectFinder {
                          ": right for a cavity, inside out otherwise; a relief goes the other way");
     }
 
-    /// Signed volume between a face and the mesh's first point. The face is a fan about its centre, so that
+    /// Signed volume between a face and the mesh's first point. The face is a fan about its center, so that
     /// the two sides of a sheet hold nothing between them.
     double volumeUnder(const MeshFace& face) const {
         const Vec3 origin = mesh_.points[0];
-        Vec3 centre(0), areaVector(0);
+        Vec3 center(0), areaVector(0);
         for (size_t k = 0; k < face.size; ++k) {
             const Vec3 a = mesh_.pointAt(face.corner(k)) - origin,
                        b = mesh_.pointAt(face.corner(k + 1)) - origin;
-            centre += a / static_cast<double>(face.size);
+            center += a / static_cast<double>(face.size);
             areaVector += 0.5 * glm::cross(a, b);
         }
-        return glm::dot(centre, areaVector) / 3; // = sum of centre . (a x b) / 6
+        return glm::dot(center, areaVector) / 3; // = sum of center . (a x b) / 6
     }
 
     void findUnusedVertices() {

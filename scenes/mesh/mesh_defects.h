@@ -10,7 +10,7 @@ namespace plumbline {
 /// warnings first. Faces and vertices count from 1. The mesh must have passed checkControlMesh.
 ///
 /// - Edges with three faces or more: infinitely sharp under Catmull-Clark and Loop.
-/// - Neighbours that run along their edge in the same direction, so that one of them is inside out: the edge
+/// - Neighbors that run along their edge in the same direction, so that one of them is inside out: the edge
 /// is
 ///   infinitely sharp, its vertices are corners.
 /// - Vertices where faces meet that share no edge there: corners.

@@ -169,7 +169,7 @@ class ObjReader {
         fail(fmt::format("unknown keyword '{}'", shortened(keyword)), "v, vt, vn, f or another OBJ keyword");
     }
 
-    /// Numbers beyond those needed (a weight, a colour) are read past, but must be numbers.
+    /// Numbers beyond those needed (a weight, a color) are read past, but must be numbers.
     template <class Vector>
     void readElement(Elements& elements, Words arguments, std::vector<Vector>& into) {
         constexpr size_t kNumbers = Vector::length();

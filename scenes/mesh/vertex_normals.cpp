@@ -21,8 +21,8 @@ Vec3 polygonNormal(const ControlMesh& mesh, const MeshFace& face) {
     return sum;
 }
 
-/// Sums of unit vectors shorter than this have cancelled: what is left of them is rounding, some 1e-15.
-constexpr double kCancelled = 1e-9;
+/// Sums of unit vectors shorter than this have canceled: what is left of them is rounding, some 1e-15.
+constexpr double kCanceled = 1e-9;
 
 /// Corners whose vertex got no normal take their face's.
 void fallBackOnFaceNormals(ControlMesh& mesh) {
@@ -53,7 +53,7 @@ void addAngleWeightedNormals(ControlMesh& mesh) {
         }
     }
     for (Vec3& normal : mesh.normals)
-        normal = glm::length(normal) > kCancelled ? glm::normalize(normal) : Vec3(0);
+        normal = glm::length(normal) > kCanceled ? glm::normalize(normal) : Vec3(0);
     mesh.faceNormals = mesh.faceVertices;
     fallBackOnFaceNormals(mesh);
 }

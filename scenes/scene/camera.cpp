@@ -62,7 +62,7 @@ Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld) {
 }
 
 CameraRays::CameraRays(const Camera& camera)
-    : origin_(camera.positionWorld), centreX_(0.5 * camera.width), centreY_(0.5 * camera.height),
+    : origin_(camera.positionWorld), centerX_(0.5 * camera.width), centerY_(0.5 * camera.height),
       perspective_(camera.projection == Camera::Projection::Perspective) {
     const ViewAxes axes = viewAxes(camera);
     const double side = pixelSide(camera);
@@ -72,12 +72,12 @@ CameraRays::CameraRays(const Camera& camera)
 }
 
 Ray CameraRays::ray(double x, double y) const {
-    const Vec3 offset = right_ * (x - centreX_) + up_ * (centreY_ - y);
+    const Vec3 offset = right_ * (x - centerX_) + up_ * (centerY_ - y);
     if (perspective_) return {origin_, glm::normalize(forward_ + offset)};
     return {origin_ + offset, forward_};
 }
 
-Vec3 CameraRays::towardsCamera(const Vec3& positionWorld) const {
+Vec3 CameraRays::towardCamera(const Vec3& positionWorld) const {
     if (!perspective_) return -forward_;
     const Vec3 offset = origin_ - positionWorld;
     const double distance = glm::length(offset);

@@ -1,7 +1,7 @@
-// The camera both renderers share: a pixel is the ray through its centre.
+// The camera both renderers share: a pixel is the ray through its center.
 //
 // View space: right-handed, the camera looks down -Z, +Y up. Pixel (0,0) is the top-left one, as in the EXR
-// file; pixel centres lie at +0.5. Planar depth Z = -z_view, positive in front of the camera, world units.
+// file; pixel centers lie at +0.5. Planar depth Z = -z_view, positive in front of the camera, world units.
 #pragma once
 
 #include "scenes/core/math.h"
@@ -30,7 +30,7 @@ Mat4 viewFromWorld(const Camera& camera);
 /// NDC x = -1 is the left edge of the picture and y = +1 its top.
 Mat4 clipFromView(const Camera& camera, double near, double far);
 
-/// Pixels and planar depth of a world point: x right, y down, (0.5, 0.5) the centre of the top-left pixel;
+/// Pixels and planar depth of a world point: x right, y down, (0.5, 0.5) the center of the top-left pixel;
 /// z is the planar depth (may be <= 0 behind a perspective camera, then x and y mean nothing).
 Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld);
 
@@ -38,19 +38,19 @@ Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld);
 class CameraRays {
   public:
     explicit CameraRays(const Camera& camera);
-    /// Ray through (x, y) in pixels; pass i + 0.5 for a centre. Perspective rays start at the camera,
+    /// Ray through (x, y) in pixels; pass i + 0.5 for a center. Perspective rays start at the camera,
     /// orthographic ones in the camera's plane.
     Ray ray(double x, double y) const;
     /// Planar depth of a world point.
     double planarDepth(const Vec3& positionWorld) const {
         return glm::dot(positionWorld - origin_, forward_);
     }
-    /// Unit vector from a world point towards the camera.
-    Vec3 towardsCamera(const Vec3& positionWorld) const;
+    /// Unit vector from a world point toward the camera.
+    Vec3 towardCamera(const Vec3& positionWorld) const;
 
   private:
     Vec3 origin_, right_, up_, forward_; // right_ and up_ span one pixel (perspective: at unit depth)
-    double centreX_, centreY_;           // pixels
+    double centerX_, centerY_;           // pixels
     bool perspective_;
 };
 

@@ -12,11 +12,11 @@ struct Light {
 
     std::string name;
     Kind kind = Kind::Directional;
-    Vec3 toLightWorld{0, 1, 0};  // directional: unit vector towards the light
+    Vec3 toLightWorld{0, 1, 0};  // directional: unit vector toward the light
     Vec3 positionWorld{0, 0, 0}; // point
 };
 
-/// Unit vector from `pointWorld` towards the light and the distance to it (infinite for a directional one).
+/// Unit vector from `pointWorld` toward the light and the distance to it (infinite for a directional one).
 struct LightSample {
     Vec3 toLightWorld;
     double distance;

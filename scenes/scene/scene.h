@@ -36,7 +36,7 @@ struct SceneObject {
     Vec3 axisWorld() const;
     /// The mesh with points and normals in world space.
     ControlMesh meshWorld() const;
-    /// Colour of the surface at st, linear.
+    /// Color of the surface at st, linear.
     Vec3 colorAt(const Vec2& st) const { return colorMap ? colorMap->sample(st) : color; }
 };
 
@@ -63,7 +63,7 @@ struct Scene {
         changes; // fields that were given other values than the file's: "camera.width=400"
 };
 
-/// The one shading formula: colour * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
+/// The one shading formula: color * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
 /// GLSL twin: shadeLinear in realtime/shaders/shading.glsl.
 inline constexpr double kAmbient = 0.05;
 

@@ -30,7 +30,7 @@ std::optional<CameraFault> findPlaceFault(const char* field, const Vec3& place) 
 }
 
 /// `orbit = { distance, polar_degrees, azimuth_degrees }`: around the target, seen from `polar_degrees` off
-/// world +Y, towards +Z at azimuth 0 and +X at 90. The picture's up is where the polar angle falls, so that
+/// world +Y, toward +Z at azimuth 0 and +X at 90. The picture's up is where the polar angle falls, so that
 /// straight from above is a view like any other.
 void readOrbit(const TomlTable& table, Camera& camera) {
     const TomlTable orbit = table.table("orbit");

@@ -46,7 +46,7 @@ void readPath(const TomlTable& table, double sharpness, const MeshEdges& edges, 
     for (size_t i = 0; i + 1 < path.size(); ++i) {
         if (!edges.contains(path[i] - 1, path[i + 1] - 1))
             table.fail("edges", fmt::format("no face has an edge from vertex {} to {}", path[i], path[i + 1]),
-                       "vertices that are neighbours in a face, counted from 1");
+                       "vertices that are neighbors in a face, counted from 1");
         tags.add(SubdivisionTags::Crease{path[i] - 1, path[i + 1] - 1, sharpness});
     }
 }

@@ -88,7 +88,7 @@ struct BaseSurface::Impl {
                              "at least one face away from the boundary and no hole");
     }
 
-    /// False for a face that only supports its neighbours. Throws InputError for one that should be more.
+    /// False for a face that only supports its neighbors. Throws InputError for one that should be more.
     bool hasLimitSurface(int face) const {
         if (!factory || factory->FaceHasLimitSurface(face)) return true;
         if (mesh.boundaryFacesSupportOnly) return false;
@@ -243,9 +243,9 @@ struct BaseSurface::Evaluator::State {
         const Vec3 cross = glm::cross(pu, pv);
         const double length = glm::length(cross);
         if (length > kDegenerateSine * glm::length(pu) * glm::length(pv)) return cross / length;
-        const double centre = patch.triangular ? 1.0 / 3 : 0.5;
+        const double center = patch.triangular ? 1.0 / 3 : 0.5;
         Vec3 p, nudgedU, nudgedV;
-        firstOrder(u + kNudge * (centre - u), v + kNudge * (centre - v), p, nudgedU, nudgedV);
+        firstOrder(u + kNudge * (center - u), v + kNudge * (center - v), p, nudgedU, nudgedV);
         return unitOrZero(glm::cross(nudgedU, nudgedV));
     }
 
@@ -264,7 +264,7 @@ struct BaseSurface::Evaluator::State {
         s.uv = uv.at(u, v);
         s.uvU = uv.byU(v);
         s.uvV = uv.byV(u);
-        Vec3 raw, rawU, rawV; // an unnormalised normal and its derivatives
+        Vec3 raw, rawU, rawV; // an unnormalized normal and its derivatives
         if (surface.scheme == Scheme::None) {
             firstOrder(u, v, s.position, s.positionU, s.positionV);
             raw = normal.at(u, v);

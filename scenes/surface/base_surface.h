@@ -4,7 +4,7 @@
 //
 // The surface is a list of patches. A quad face is one patch over the unit square; a triangle under Loop or
 // Scheme::None is one patch over u, v >= 0, u + v <= 1; any other face of n corners is n patches over unit
-// squares, patch k going from corner k (0,0) to the middle of edge k (1,0), the face's centre (1,1) and the
+// squares, patch k going from corner k (0,0) to the middle of edge k (1,0), the face's center (1,1) and the
 // middle of edge k-1 (0,1).
 //
 // Space: that of the mesh given, which is world space everywhere in this project. Safe to use from many
@@ -61,7 +61,7 @@ class BaseSurface {
     /// Vertex an edge starts from; a face whose corner k is not this vertex runs along the edge backwards.
     int edgeStart(int edge) const;
 
-    /// False for a face that only supports its neighbours: a hole, or one of
+    /// False for a face that only supports its neighbors: a hole, or one of
     /// ControlMesh::boundaryFacesSupportOnly.
     bool hasLimit(int face) const;
     /// Index of a face's first patch; its others follow. Only for a face that has a limit.

@@ -7,7 +7,7 @@
 //
 // S and n are the limit surface's, or, on the proxy base, those of the triangles the real-time module draws:
 // pushed out by `offset` at their vertices, with the vertices' normals interpolated linearly and
-// renormalised. There the offset is in S:
+// renormalized. There the offset is in S:
 //
 //     P = S' + k * (-depth * d(st)),     S' = S + k * offset at the vertices, linear in between
 //

@@ -24,12 +24,12 @@ LinearPatch<T> makeLinearPatch(int faceSize, int subFaceCorner, bool triangular,
     if (triangular) return {value(0), value(1), value(2), T{}, true};
     if (subFaceCorner < 0) return {value(0), value(1), value(3), value(2), false};
     const int k = subFaceCorner;
-    T centre{};
+    T center{};
     for (int i = 0; i < faceSize; ++i)
-        centre += value(i);
-    centre /= faceSize;
+        center += value(i);
+    center /= faceSize;
     return {value(k), 0.5 * (value(k) + value((k + 1) % faceSize)),
-            0.5 * (value(k) + value((k + faceSize - 1) % faceSize)), centre, false};
+            0.5 * (value(k) + value((k + faceSize - 1) % faceSize)), center, false};
 }
 
 } // namespace plumbline

@@ -1,5 +1,5 @@
 // The displaced surface of one object as micro-triangles: what reference/ traces, and what the control
-// technique `micro_triangles` of realtime/ rasterises. World space, float: these very floats are the geometry
+// technique `micro_triangles` of realtime/ rasterizes. World space, float: these very floats are the geometry
 // of both.
 //
 // A grid is a block of at most kMaxGridSide x kMaxGridSide vertices, row by row. Cell (column, row) has the
@@ -23,7 +23,7 @@ inline constexpr int kMaxGridSide = 17; // 16 cells
 /// The lattice of micro-vertices of one patch of the BaseSurface: columns x rows cells over its (u, v), both
 /// powers of two. Each side has `sides` segments, a power of two not above the cells along it: where there
 /// are fewer, the lattice's vertices on that side stand on the nearest end of a segment
-/// (reference/tessellate/lattice.h), and meet the neighbour's there.
+/// (reference/tessellate/lattice.h), and meet the neighbor's there.
 struct PatchLattice {
     uint16_t columns = 0, rows = 0;
     std::array<uint16_t, 4> sides{}; // at v = 0, u = 1, v = 1, u = 0; triangular: v = 0, the long side, u = 0

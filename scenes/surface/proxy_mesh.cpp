@@ -83,9 +83,9 @@ class ProxyBuilder {
         const Vec2 tile = relief_ ? relief_->tile : Vec2(1);
         Derivatives derivatives{};
         if (!solveDerivatives(base, tile, derivatives)) {
-            const double centre = surface_.patch(at.patch).triangular ? 1.0 / 3 : 0.5;
+            const double center = surface_.patch(at.patch).triangular ? 1.0 / 3 : 0.5;
             const BaseSample inside =
-                evaluator_.sample(at.u + kNudge * (centre - at.u), at.v + kNudge * (centre - at.v));
+                evaluator_.sample(at.u + kNudge * (center - at.u), at.v + kNudge * (center - at.v));
             if (!solveDerivatives(inside, tile, derivatives)) derivatives = Derivatives{};
         }
         vertex.positionS = derivatives.byS;
@@ -137,8 +137,8 @@ class ProxyBuilder {
         for (ProxyVertex& vertex : proxy_.vertices) {
             if (glm::length(vertex.positionS) == 0) continue;
             ring.clear();
-            for (const size_t neighbour : places_[vertex.place].ring)
-                ring.push_back(places_[neighbour].position);
+            for (const size_t neighbor : places_[vertex.place].ring)
+                ring.push_back(places_[neighbor].position);
             vertex.ringQuadric =
                 fitQuadric({vertex.position, vertex.positionS, vertex.positionT, vertex.normal}, ring);
         }

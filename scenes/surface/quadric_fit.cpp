@@ -42,8 +42,8 @@ Sums sumRing(const QuadricFrame& frame, std::span<const Vec3> ring) {
     Sums sums;
     const ObliqueAxes axes(frame.tangentS, frame.tangentT);
     if (!axes.areTwo()) return sums;
-    for (const Vec3& neighbour : ring) {
-        const Vec3 offset = neighbour - frame.origin;
+    for (const Vec3& neighbor : ring) {
+        const Vec3 offset = neighbor - frame.origin;
         const Vec2 p = axes.coordinates(offset);
         const std::array<double, 3> row{p.x * p.x, p.y * p.y, p.x * p.y};
         const double fall = -glm::dot(offset, frame.normal);

@@ -34,7 +34,7 @@ RingFit fitQuadric(const QuadricFrame& frame, std::span<const Vec3> ring);
 
 /// From the derivatives of position and unit normal along s and t: the second fundamental form of the surface
 /// pushed out by `offset` along its normals. Along the unit tangents of the one that wasn't, from which its
-/// own differ wherever they aren't the principal directions. 0 at a centre of curvature, and where a tangent
+/// own differ wherever they aren't the principal directions. 0 at a center of curvature, and where a tangent
 /// is 0.
 QuadricCoefficients quadricOfDerivatives(const Vec3& positionS, const Vec3& positionT, const Vec3& normalS,
                                          const Vec3& normalT, double offset);

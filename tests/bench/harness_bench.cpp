@@ -109,7 +109,7 @@ std::unique_ptr<GlProgram> buildBareProgram(const Technique& technique) {
     return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
 }
 
-/// Instructions of the optimised shader's functions, 0 if the tools aren't there. Declarations, labels and
+/// Instructions of the optimized shader's functions, 0 if the tools aren't there. Declarations, labels and
 /// the like don't count.
 int instructionCount(const ShaderSource& source) {
     const std::filesystem::path file =
@@ -251,7 +251,7 @@ void printSurfaces() try {
         fmt::print("{:<26}{:>10}{:>12.2f}{:>10.2f}\n", "Eq. 6 / Eq. 7", filter,
                    times[3].fullMs / times[1].fullMs, times[3].bareMs / times[1].bareMs);
     }
-    fmt::print("instructions: of the bare fragment shader as SPIR-V, optimised (glslangValidator, "
+    fmt::print("instructions: of the bare fragment shader as SPIR-V, optimized (glslangValidator, "
                "spirv-opt); - without these\n");
 } catch (const MachineError& error) {
     fmt::print("\nsurfaces: not measured: {}\n", error.what());

@@ -160,7 +160,7 @@ void raysStage(benchmark::State& state) {
         [&] { traced.traceRays(traced.bare); });
 }
 
-/// The whole frame: rays, hits in double, moved onto the surface, normals by second derivatives, colour.
+/// The whole frame: rays, hits in double, moved onto the surface, normals by second derivatives, color.
 /// Bare: Embree's rays alone.
 void traceStage(benchmark::State& state) {
     const TracedTorus traced(static_cast<int>(state.range(0)));

@@ -42,8 +42,8 @@ class Bake : public EndToEnd {
         EXPECT_EQ(filesBelow(folder_), before) << part;
     }
 
-    /// A grey picture, row 0 on top.
-    void writeGrey(const std::string& name, int width, int height, const std::vector<float>& values) const {
+    /// A gray picture, row 0 on top.
+    void writeGray(const std::string& name, int width, int height, const std::vector<float>& values) const {
         writeExr(folder_ / name, width, height, {{"R", values}, {"G", values}, {"B", values}}, {});
     }
 };
@@ -58,7 +58,7 @@ std::vector<std::string> withScale(std::vector<std::string> arguments) {
 // Heights 1, 3/4, 1/2, 1/4 a row: depths 0, 1/4, 1/2, 3/4 along s. The bounds of the four patches, the last
 // one back to the first under repeat.
 TEST_F(Bake, KnownImage_EqualsHandComputed) {
-    writeGrey("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
+    writeGray("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
     const Outcome made =
         bake({"ramp.exr", "--kind", "max_mipmap", "--stores", "height", "-o", "pictures/bounds.exr"});
     ASSERT_EQ(made.exitCode, 0) << made.err;
@@ -99,8 +99,8 @@ TEST_F(Bake, Scale_TakesEffect) {
         EXPECT_EQ(picture.attributes.at("relief_depth"), "0.5");
         return picture.planes.at(channel)[1] / picture.planes.at("n.Z")[1];
     };
-    writeGrey("along_s.exr", 4, 1, {0.0f, 0.25f, 0.5f, 0.75f});
-    writeGrey("along_t.exr", 1, 4, {0.75f, 0.5f, 0.25f, 0.0f}); // the top row first
+    writeGray("along_s.exr", 4, 1, {0.0f, 0.25f, 0.5f, 0.75f});
+    writeGray("along_t.exr", 1, 4, {0.75f, 0.5f, 0.25f, 0.0f}); // the top row first
     EXPECT_FLOAT_EQ(slope("along_s.exr", "n.X"), 0.25f);
     EXPECT_FLOAT_EQ(slope("along_t.exr", "n.Y"), 1.0f / 6);
 }
@@ -162,7 +162,7 @@ TEST_F(Bake, TwoProcesses_ShareCache) {
 }
 
 TEST_F(Bake, DamagedFile_IsRemade) {
-    writeGrey("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
+    writeGray("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
     const std::vector<std::string> arguments{"ramp.exr", "--kind", "max_mipmap", "--stores", "height"};
     ASSERT_EQ(bake(arguments).exitCode, 0);
     const std::filesystem::path file = folder_ / "cache" / keptFiles().at(0);
@@ -183,9 +183,9 @@ TEST_F(Bake, DamagedFile_IsRemade) {
 }
 
 TEST_F(Bake, NoCache_StillBakes) {
-    writeGrey("grey.exr", 2, 1, {0.5f, 0.25f});
+    writeGray("gray.exr", 2, 1, {0.5f, 0.25f});
     writeFile(folder_ / "file", "in the way");
-    const std::vector<std::string> arguments{"bake",     "grey.exr", "--kind", "max_mipmap",
+    const std::vector<std::string> arguments{"bake",     "gray.exr", "--kind", "max_mipmap",
                                              "--stores", "depth",    "-o",     "a.exr"};
     const Outcome blocked =
         runProgram(arguments, folder_, {{"PLUMBLINE_CACHE", (folder_ / "file/cache").string()}});
@@ -200,8 +200,8 @@ TEST_F(Bake, NoCache_StillBakes) {
 }
 
 TEST_F(Bake, OneTexelAndConstant_Bake) {
-    writeGrey("one.exr", 1, 1, {0.5f});
-    writeGrey("flat.exr", 7, 3, std::vector<float>(21, 1.0f));
+    writeGray("one.exr", 1, 1, {0.5f});
+    writeGray("flat.exr", 7, 3, std::vector<float>(21, 1.0f));
     for (const char* map : {"one.exr", "flat.exr"})
         for (const char* wrap : {"repeat,repeat", "clamp,repeat", "clamp,clamp"}) {
             const std::vector<std::string> common{map, "--stores", "depth", "--wrap", wrap, "--kind"};
@@ -225,11 +225,11 @@ TEST_F(Bake, BadMaps_AreRefused) {
     expectRefused(stores("."), ".");
     writeFile(folder_ / "text.png", "no picture\n");
     expectRefused(stores("text.png"), "text.png");
-    writeGrey("nan.exr", 3, 2, {0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0});
+    writeGray("nan.exr", 3, 2, {0, 0, 0, 0, std::numeric_limits<float>::quiet_NaN(), 0});
     expectRefused(stores("nan.exr"),
                   "nan.exr: 1 of 6 texels are NaN or outside [0,1], the first is nan at column 1, "
                   "row 1 from the top");
-    writeGrey("high.exr", 1, 1, {1.5f});
+    writeGray("high.exr", 1, 1, {1.5f});
     expectRefused(stores("high.exr"), "high.exr");
     expectRefused({"small.toml", "--kind", "max_mipmap"}, "SCENE.toml#NAME");
     expectRefused({"small.toml#ston", "--kind", "max_mipmap"}, "did you mean 'stone'?");
@@ -242,7 +242,7 @@ TEST_F(Bake, BadMaps_AreRefused) {
 }
 
 TEST_F(Bake, BadOptions_AreRefused) {
-    writeGrey("a.exr", 1, 1, {0.5f});
+    writeGray("a.exr", 1, 1, {0.5f});
     const auto with = [](const std::string& kind, std::vector<std::string> more) {
         more.insert(more.begin(), {"a.exr", "--stores", "depth", "--kind", kind});
         return more;
@@ -268,7 +268,7 @@ TEST_F(Bake, BadOptions_AreRefused) {
 }
 
 TEST_F(Bake, UnwritableOutput_IsRefused) {
-    writeGrey("a.exr", 1, 1, {0.5f});
+    writeGray("a.exr", 1, 1, {0.5f});
     const auto into = [](const std::string& file) {
         return std::vector<std::string>{"a.exr", "--stores", "depth", "--kind", "max_mipmap", "-o", file};
     };

@@ -2,7 +2,7 @@
 
     blender -b -P tests/end_to_end/blender_frame.py -- MESH.ply CAMERA.json OUT.exr
 
-OUT.exr: multilayer, 32-bit float, one ray through the centre of each pixel; passes Combined, Z, Position, Normal, UV and
+OUT.exr: multilayer, 32-bit float, one ray through the center of each pixel; passes Combined, Z, Position, Normal, UV and
 IndexOB (the object_id of the mesh file). `plumbline compare REFERENCE.exr OUT.exr` reads it as it is.
 
 The world is taken over without turning it: Y stays up. Blender 3.4; needs NumPy.
@@ -86,9 +86,9 @@ def add_lights(lights):
         obj = bpy.data.objects.new(light["name"], data)
         if sun:
             data.energy, data.angle = math.pi, 0.0
-            towards = Matrix.Identity(3).col[2].copy()
-            towards[:] = light["to_light"]
-            obj.rotation_euler = towards.to_track_quat("Z", "Y").to_euler()
+            toward = Matrix.Identity(3).col[2].copy()
+            toward[:] = light["to_light"]
+            obj.rotation_euler = toward.to_track_quat("Z", "Y").to_euler()
         else:
             data.energy, data.shadow_soft_size = 100.0, 0.0
             obj.location = light["position"]

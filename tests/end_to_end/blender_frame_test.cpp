@@ -39,7 +39,7 @@ TEST_F(BlenderFrame, ExportedMesh_CoversEqualPixels) {
     EXPECT_THAT(compared.out, HasSubstr("read as a frame of Blender"));
     const auto results = nlohmann::json::parse(compared.out);
     const auto& figures = results["techniques"][0];
-    // Blender aims within 0.005 pixels of the centre: a contour of some 2000 pixels may change hands in about
+    // Blender aims within 0.005 pixels of the center: a contour of some 2000 pixels may change hands in about
     // ten of 212 000.
     EXPECT_GE(figures["silhouette"]["iou"], 0.9999);
     EXPECT_GT(figures["silhouette"]["reference_px"], 200000);

@@ -38,7 +38,7 @@ struct Patch {
 class MouseEye : public EndToEnd, public testing::WithParamInterface<Patch> {
   protected:
     std::filesystem::path writeScene() const {
-        // Straight down, so that the rays go all around and none is flatter than 12 degrees. Texel centres
+        // Straight down, so that the rays go all around and none is flatter than 12 degrees. Texel centers
         // fall on lattice vertices: with W = 64 texels a tile, st W - 1/2 is whole at the corners of the
         // faces.
         const Patch& patch = GetParam();

@@ -134,8 +134,8 @@ TEST_F(Validate, AllTechniques_HaveResults) {
     }
 }
 
-// The control draws the triangles that the reference traces. What may differ is a pixel whose centre lies
-// within the rasteriser's sub-pixel grid of an edge: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of
+// The control draws the triangles that the reference traces. What may differ is a pixel whose center lies
+// within the rasterizer's sub-pixel grid of an edge: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of
 // the relief.
 /// The control draws the micro-triangles, the reference's depths are those of the true surface: along a ray
 /// at an angle to the surface they differ by the certificate's error over the cosine; half of the pixels are
@@ -337,7 +337,7 @@ TEST_F(Validate, BadManifest_IsRowWithMessage) {
     const std::vector<std::string> chosen{"--technique", "normal_mapping", "--technique",
                                           mine.string(), "--technique",    "linear_binary"};
     for (const auto& [damaged, part] :
-         {std::pair<std::string, std::string>{"colour = 1\n" + manifest, "colour"},
+         {std::pair<std::string, std::string>{"color = 1\n" + manifest, "color"},
           {manifest.substr(manifest.find('\n')), "title"},
           {manifest.substr(0, manifest.size() / 2), "technique.toml"}}) {
         writeFile(mine / "technique.toml", damaged);

@@ -109,7 +109,7 @@ TEST(ProxyBase, ConstantDepth_LiesBelowTriangles) {
         if (frame.channel("A")[i] == 0) continue;
         const Vec3 position(frame.channel("P.X")[i], frame.channel("P.Y")[i], frame.channel("P.Z")[i]);
         // The triangle point X with X - 0.1 n(X) = P: by fixed-point iteration X <- P + 0.1 n(X), n from the
-        // triangle the ray from the sphere's centre through X meets; n turns slowly, so each step leaves
+        // triangle the ray from the sphere's center through X meets; n turns slowly, so each step leaves
         // about a tenth of the error.
         Vec3 onTriangle = position * 1.1;
         ProxyHit hit;

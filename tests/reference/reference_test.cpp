@@ -58,7 +58,7 @@ TEST(Reference, PlaneAtConstantDepth_HasExactDepth) {
     EXPECT_EQ(covered, 400);
 }
 
-// A ramp d = s over the whole square: texel centres of a 2-texel clamped map at s = 1/4 and 3/4; between them
+// A ramp d = s over the whole square: texel centers of a 2-texel clamped map at s = 1/4 and 3/4; between them
 // d = 2 s - 1/2. With depth 1 and x = 2 s - 1 the surface is z = -(x + 1/2) for |x| <= 1/2, 0 to the left and
 // -1 to the right. Its normal on the slope is (1, 0, 1) / sqrt 2.
 TEST(Reference, Ramp_HasSlopeAndNormal) {
@@ -150,8 +150,8 @@ TEST(Reference, BackSide_IsSeenAndShadedForCamera) {
 }
 
 // The ramp at rate 1 is one flat facet from (-1, ., 0) to (1, ., -1), normal (1, 0, 2); the true normal on
-// its slope is (1, 0, 1). A camera towards (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), though
-// the true normal leans away (-1 + 0.8 < 0). A light towards (1, 0, 0.2) is on the outer side of both: lit.
+// its slope is (1, 0, 1). A camera toward (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), though
+// the true normal leans away (-1 + 0.8 < 0). A light toward (1, 0, 0.2) is on the outer side of both: lit.
 TEST(Reference, SideSeen_IsFacets) {
     const auto map =
         std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
@@ -303,7 +303,7 @@ TEST(Reference, InvalidRates_AreRefused) {
 }
 
 // A square of 16 x 16 faces of which the picture shows the middle 4 x 4, lit from above: what is outside
-// can't shadow anything in it. Under a light from the side the faces towards it can, and only those.
+// can't shadow anything in it. Under a light from the side the faces toward it can, and only those.
 TEST(Reference, UnseenFaces_AreCoarseUnlessCasting) {
     Scene scene = squareScene(roughMap(), 0.05, 16);
     scene.objects[0].mesh = squareMesh(8, 16);

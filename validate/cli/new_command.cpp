@@ -81,7 +81,7 @@ CommandRun addOptions(CLI::App& command) {
     command.add_option("--mesh", arguments->mesh, "A mesh with texture coordinates")
         ->required()
         ->type_name("M.obj");
-    command.add_option("--height", arguments->height, "The relief, a grey picture")
+    command.add_option("--height", arguments->height, "The relief, a gray picture")
         ->required()
         ->type_name("H.png");
     command.add_option("-o", arguments->output, "The scene file")->required()->type_name("SCENE.toml");

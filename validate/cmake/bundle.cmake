@@ -1,5 +1,5 @@
 # Run by install() for the component `bundle`: copies to lib/plumbline every library that BUNDLE_PROGRAM and BUNDLE_LIBRARIES
-# need, but those of the C and C++ runtime, and to share/doc/plumbline/bundled their licences.
+# need, but those of the C and C++ runtime, and to share/doc/plumbline/bundled their licenses.
 #
 # The runtime is the machine's own. A second libc can't be had, and a libstdc++ older than the one the machine's GL driver was
 # built against would keep that driver from loading; where glibc is new enough for the program, so is libstdc++.
@@ -19,8 +19,8 @@ endforeach()
 
 set(prefix $ENV{DESTDIR}${CMAKE_INSTALL_PREFIX})
 set(folder ${prefix}/lib/plumbline)
-set(licences ${prefix}/share/doc/plumbline/bundled)
-file(MAKE_DIRECTORY ${folder} ${licences})
+set(licenses ${prefix}/share/doc/plumbline/bundled)
+file(MAKE_DIRECTORY ${folder} ${licenses})
 set(patterns "")
 foreach(library IN LISTS libraries)
     get_filename_component(name ${library} NAME)
@@ -38,6 +38,6 @@ list(TRANSFORM packages STRIP)
 list(REMOVE_DUPLICATES packages)
 foreach(package IN LISTS packages)
     file(REAL_PATH /usr/share/doc/${package}/copyright file)
-    file(COPY_FILE ${file} ${licences}/${package})
+    file(COPY_FILE ${file} ${licenses}/${package})
 endforeach()
-execute_process(COMMAND dpkg-query -W ${packages} OUTPUT_FILE ${licences}/packages.txt COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND dpkg-query -W ${packages} OUTPUT_FILE ${licenses}/packages.txt COMMAND_ERROR_IS_FATAL ANY)

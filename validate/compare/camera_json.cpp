@@ -47,7 +47,7 @@ std::string cameraJson(const Scene& scene) {
     Json json{{"program", programName()}, {"scene", scene.name}, {"scene_hash", scene.hash}};
     json["conventions"] =
         "World: right-handed, Y up. View: the camera looks down -Z, +Y up. Matrices: rows, for column "
-        "vectors. Pixels: square, (0,0) top left, a pixel is the ray through its centre.";
+        "vectors. Pixels: square, (0,0) top left, a pixel is the ray through its center.";
     addCamera(scene.camera, json);
     json["background"] = toJson(scene.background);
     json["lights"] = Json::array();

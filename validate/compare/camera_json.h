@@ -11,14 +11,14 @@ namespace plumbline {
 /// A JSON object:
 ///   program, scene, scene_hash   strings
 ///   conventions                  the lines below, for a reader who has the file alone
-///   width, height                pixels, which are square; pixel (0,0) is the top-left one, its centre at
+///   width, height                pixels, which are square; pixel (0,0) is the top-left one, its center at
 ///   (0.5, 0.5) aspect                       width / height projection                   "perspective" with
 ///   fov_y_degrees, the vertical field of view, or "orthographic" with view_height,
 ///                                world units from the bottom to the top of the picture
 ///   position, target, up         world: right-handed, Y up, world units
 ///   world_to_view, view_to_world 4 rows of 4; they multiply column vectors. View space: right-handed, the
 ///   camera looks down -Z, +Y up background                   linear RGB lights                       name
-///   and kind: "directional" with to_light, unit, towards the light; or "point" with position objects name,
+///   and kind: "directional" with to_light, unit, toward the light; or "point" with position objects name,
 ///   id (the frame's channel and the mesh file's object_id), color (linear RGB) and, with a relief,
 ///                                relief_depth in world units
 std::string cameraJson(const Scene& scene);

@@ -77,7 +77,7 @@ bool contains(std::span<const std::string> names, std::string_view name) {
 }
 
 /// By channels that only one of them writes.
-FrameLayout recognise(std::span<const std::string> names) {
+FrameLayout recognize(std::span<const std::string> names) {
     if (contains(names, "dzdx") && contains(names, "Ns.X") && contains(names, "P.X"))
         return FrameLayout::Pbrt;
     for (const std::string& name : names) {
@@ -182,7 +182,7 @@ const char* nameOf(FrameLayout layout) {
 ChannelPlan planChannels(std::span<const std::string> names, std::span<const ChannelMapping> mappings,
                          const std::string& where) {
     ChannelPlan plan;
-    plan.layout = recognise(names);
+    plan.layout = recognize(names);
     for (const ChannelMapping& mapping : mappings) {
         if (!contains(names, mapping.theirs))
             throw InputError(where, fmt::format("has no channel '{}'", mapping.theirs), listOf(names),

@@ -49,9 +49,9 @@ std::optional<PositionSpace> findPositionSpace(const std::array<std::span<const 
         for (const size_t pixel : probes) {
             const Vec4 theirs(planes[0][pixel], planes[1][pixel], planes[2][pixel], 1);
             const Vec3 seen = pixelFromWorld(camera, Vec3(space.worldFromTheirs * theirs));
-            const Vec2 centre(static_cast<double>(pixel % width) + 0.5,
+            const Vec2 center(static_cast<double>(pixel % width) + 0.5,
                               static_cast<double>(pixel / width) + 0.5);
-            const double offset = glm::length(Vec2(seen) - centre);
+            const double offset = glm::length(Vec2(seen) - center);
             offsets.push_back(seen.z > 0 && std::isfinite(offset) ? offset : kBehindPx);
         }
         space.medianOffsetPx = medianOf(std::move(offsets));

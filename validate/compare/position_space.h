@@ -13,7 +13,7 @@ namespace plumbline {
 struct PositionSpace {
     const char* name; // as in a sentence
     Mat4 worldFromTheirs;
-    double medianOffsetPx; // between where a position is seen and its pixel's centre
+    double medianOffsetPx; // between where a position is seen and its pixel's center
 };
 
 /// Of our world, one with Z up, and pbrt's camera space that in which positions lie nearest to their own

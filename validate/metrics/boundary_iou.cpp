@@ -43,7 +43,7 @@ class RimFinder {
 
     /// Per pixel of the list; 0 outside the mask, which `inside(pixel)` tells for every pixel of the picture.
     ///
-    /// The nearest pixel outside the mask has a 4-neighbour in it: one step towards the mask's pixel is
+    /// The nearest pixel outside the mask has a 4-neighbor in it: one step toward the mask's pixel is
     /// nearer. So those are all that must be known.
     template <class Inside>
     RimBits find(const Inside& inside) const {

@@ -5,7 +5,7 @@
 // With R the pixels that show an object in the reference and R_d those of them within the distance d of its
 // outline, T and T_d likewise of the test:
 //     boundary IoU = sum_k |R_d n T_d| / sum_k |R_d u T_d|, k the objects of the selection
-// R_d: the pixels of R with a pixel of the picture outside R whose centre is at most d away, Euclidean. So
+// R_d: the pixels of R with a pixel of the picture outside R whose center is at most d away, Euclidean. So
 // R_1 is the contour of contour_distance.h. The paper's code erodes by squares, which is the distance
 // max(|dx|, |dy|): a rim thinner by 0.7 along diagonals; the distance meant is the one that turning a picture
 // leaves as it is. It also takes the picture's border for outline; here it isn't, as for every figure of

@@ -82,7 +82,7 @@ ContourDistance computeContourDistance(const FramePair& pair, ObjectSelection se
 Metric contourDistanceMetric() {
     return makeMetric<ContourDistance>({
         .group = "silhouette",
-        .domain = "contours A of R, B of T: pixels with a 4-neighbour in the picture outside the silhouette",
+        .domain = "contours A of R, B of T: pixels with a 4-neighbor in the picture outside the silhouette",
         .rows = {{{.key = "contour_mean_px",
                    .label = "outline off, mean",
                    .unit = Unit::Pixels,

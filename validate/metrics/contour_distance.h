@@ -1,11 +1,11 @@
 // Outlines: how far apart, in pixels, the outlines of two silhouettes run.
 //
 // The mask of a frame is the pixels that show an object of the selection: of several objects their union, so
-// that lines between them are no outline. Its contour is the pixels of the mask with a 4-neighbour inside the
+// that lines between them are no outline. Its contour is the pixels of the mask with a 4-neighbor inside the
 // picture that is outside the mask; along the picture's border a mask has none, for what is beyond isn't
 // known. Where an object outside the selection stands in front, its edge is a contour too.
 //
-// With A and B the contours of reference and test, d(a, B) the Euclidean distance of the centre of a to the
+// With A and B the contours of reference and test, d(a, B) the Euclidean distance of the center of a to the
 // nearest of B:
 //     mean = (sum_a d(a, B) + sum_b d(b, A)) / (|A| + |B|)
 //         average symmetric surface distance (Heimann et al. 2009, "Comparison and evaluation of methods for

@@ -8,7 +8,7 @@
 
 namespace plumbline {
 
-/// Centres lie on whole numbers: x right, y down.
+/// Centers lie on whole numbers: x right, y down.
 struct Pixel {
     int x = 0, y = 0;
 };

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kColors{"R", "G", "B"};
 
-using Planes = std::array<std::span<const float>, 3>; // one a colour
+using Planes = std::array<std::span<const float>, 3>; // one a color
 
 Planes planesOf(const Frame& frame) {
     return {frame.channel("R"), frame.channel("G"), frame.channel("B")};
@@ -25,7 +25,7 @@ ImageError absentImageError(const std::string& reason) {
     return result;
 }
 
-/// srgbCode by look-up, for it takes a power: it never falls as the colour grows, so where each code begins
+/// srgbCode by look-up, for it takes a power: it never falls as the color grows, so where each code begins
 /// says all.
 class SrgbCodes {
   public:
@@ -56,7 +56,7 @@ class SrgbCodes {
     std::array<uint8_t, kCells + 1> codeAt_{}; // where each cell begins
 };
 
-/// Codes between the two frames' colours at a pixel, per channel; nullopt if one isn't finite.
+/// Codes between the two frames' colors at a pixel, per channel; nullopt if one isn't finite.
 std::optional<std::array<int, 3>> codesApart(const SrgbCodes& codes, const Planes& reference,
                                              const Planes& test, size_t pixel) {
     std::array<int, 3> apart{};
@@ -87,7 +87,7 @@ ImageError computeImageError(const FramePair& pair) {
             sumSquares += static_cast<uint64_t>(codes * codes);
     }
 
-    ImageError result = absentImageError("no pixel has a finite colour in both frames");
+    ImageError result = absentImageError("no pixel has a finite color in both frames");
     result.domainPx = domainPx;
     result.invalidPx = pixelCount - domainPx;
     if (domainPx == 0) return result;
@@ -104,7 +104,7 @@ ImageError computeImageError(const FramePair& pair) {
 Metric imageErrorMetric() {
     return makeMetric<ImageError>({
         .group = "image",
-        .domain = "all pixels of the picture, background included, with finite colours in both",
+        .domain = "all pixels of the picture, background included, with finite colors in both",
         .scope = Scope::Picture,
         .channels = {kColors.begin(), kColors.end()},
         .figuresName = "figures of the picture",
@@ -141,10 +141,10 @@ Metric imageErrorMetric() {
                    .meaning = "numerator of badpix_2codes"},
                   &ImageError::bad2CodesPx},
                  {{.key = "invalid_px",
-                   .label = "without colour",
+                   .label = "without color",
                    .unit = Unit::PixelCount,
                    .goal = Goal::Zero,
-                   .meaning = "pixels without a finite colour in both frames: not in the domain"},
+                   .meaning = "pixels without a finite color in both frames: not in the domain"},
                   &ImageError::invalidPx}},
         .compute = [](const MetricInput& input, ObjectSelection,
                       const std::string&) { return computeImageError(input.pair); },

@@ -1,7 +1,7 @@
-// Pictures: the difference of the two frames' colours, as the report's PNGs show them.
+// Pictures: the difference of the two frames' colors, as the report's PNGs show them.
 //
 // Domain: every pixel of the picture, whatever it shows, whose R G B are finite in both frames. With c the
-// 8-bit sRGB code of a channel (scenes/core/srgb.h: colours below 0 and above 1 count as 0 and 1):
+// 8-bit sRGB code of a channel (scenes/core/srgb.h: colors below 0 and above 1 count as 0 and 1):
 //     RMSE = sqrt(mean over pixels and channels of ((c_test - c_reference) / 255)^2)
 //     PSNR = 20 log10(1 / RMSE)                           in dB
 //     badpix_2codes = share of the pixels a channel of which differs by more than 2 codes
@@ -19,7 +19,7 @@ namespace plumbline {
 
 struct ImageError {
     uint64_t domainPx = 0;
-    uint64_t invalidPx = 0; // a colour is NaN or infinite: not in the domain
+    uint64_t invalidPx = 0; // a color is NaN or infinite: not in the domain
     Figure psnrDb;          // absent where no code differs
     Figure rmse;            // in [0, 1]
     Figure badpix2Codes;    // in [0, 1]

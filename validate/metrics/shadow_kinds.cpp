@@ -96,7 +96,7 @@ ShadowKinds computeShadowKinds(const FramePair& pair, ObjectSelection selection,
         counts.falseLit += dark && !darkInTest;
     });
     return {attached.part("no pixel of the domain is turned away from the light"),
-            cast.part("no pixel of the domain is turned towards the light"), static_cast<double>(noNormalPx)};
+            cast.part("no pixel of the domain is turned toward the light"), static_cast<double>(noNormalPx)};
 }
 
 namespace {
@@ -145,7 +145,7 @@ Metric shadowKindsMetric() {
     appendRows(rows, &ShadowKinds::attached, "attached", "N·L <= 0",
                "pixels turned away from the light: dark in truth");
     appendRows(rows, &ShadowKinds::cast, "cast", "N·L > 0",
-               "pixels turned towards the light: every shadow there is cast");
+               "pixels turned toward the light: every shadow there is cast");
     for (FigureRow<ShadowKinds>& row : rows)
         if (row.info.key == "cast_agreement") row.info.report = {"cast shadows", "", "{:.4f}", "shadow.ber"};
     rows.push_back(
@@ -156,7 +156,7 @@ Metric shadowKindsMetric() {
          &ShadowKinds::noNormalPx});
     return makeMetric<ShadowKinds>({
         .group = "shadow",
-        .domain = "of shadow's domain; N the reference's normal on the camera's side, L towards the light",
+        .domain = "of shadow's domain; N the reference's normal on the camera's side, L toward the light",
         .scope = Scope::ObjectsByLight,
         .rows = std::move(rows),
         .compute =

@@ -25,7 +25,7 @@ constexpr std::array<Rgb, 9> kYlOrBr{{{255, 255, 229},
                                       {153, 52, 4},
                                       {102, 37, 6}}};
 
-// Ends before black, where the farthest pixel would look like kNothing; Greys of d3-scale-chromatic is black
+// Ends before black, where the farthest pixel would look like kNothing; Grays of d3-scale-chromatic is black
 // there.
 constexpr std::array<Rgb, 2> kGrays{{{240, 240, 240}, {48, 48, 48}}};
 

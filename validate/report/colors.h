@@ -1,10 +1,10 @@
-// The colours of frames and their differences: what a pixel is, and how a value is coloured. 8-bit sRGB
+// The colors of frames and their differences: what a pixel is, and how a value is colored. 8-bit sRGB
 // codes.
 //
 // These are the only tables. pictures.cpp paints PNG pictures from them; report_data.cpp hands them to the
 // page, whose page/src/viewer/colors.ts paints its canvases from them code for code.
 //
-// Colours are told apart with any common colour blindness (palette: Okabe and Ito 2008, "Color universal
+// Colors are told apart with any common color blindness (palette: Okabe and Ito 2008, "Color universal
 // design").
 #pragma once
 
@@ -23,7 +23,7 @@ using Rgb = std::array<uint8_t, 3>;
 /// What a pixel is.
 namespace palette {
 inline constexpr Rgb kNothing{24, 26, 30};   // neither frame shows anything
-inline constexpr Rgb kAgree{190, 190, 190};  // light grey
+inline constexpr Rgb kAgree{190, 190, 190};  // light gray
 inline constexpr Rgb kMissing{230, 159, 0};  // orange: should be there and isn't; lit and should be dark
 inline constexpr Rgb kExtra{0, 114, 178};    // blue: is there and shouldn't be; dark and should be lit
 inline constexpr Rgb kOther{204, 121, 167};  // reddish purple: another object in front
@@ -37,7 +37,7 @@ inline constexpr Rgb kUncertainDiffers{0, 158, 115};  // bluish green: differs, 
 std::vector<std::pair<std::string, Rgb>> all();
 } // namespace palette
 
-/// How a value becomes a colour: on straight lines in sRGB codes between stops equally far apart.
+/// How a value becomes a color: on straight lines in sRGB codes between stops equally far apart.
 struct ColorMap {
     std::string_view name; // in templates and in the page's data
     /// x of the first stop: 0, or -1 where the map diverges from its middle stop. x of the last one is 1.

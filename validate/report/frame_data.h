@@ -16,10 +16,10 @@ struct FrameData {
     std::string json;
 };
 
-/// Colour, object, depth, shadows, uncertain pixels. `depth`: planar, empty if there is none.
+/// Color, object, depth, shadows, uncertain pixels. `depth`: planar, empty if there is none.
 FrameData packReference(const FramePair& pair, std::span<const float> depth);
 
-/// Colour, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test
+/// Color, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test
 /// frame.
 FrameData packTest(const FramePair& pair, std::span<const float> depth);
 

@@ -2,7 +2,7 @@
 //
 // Bytes of equal weight stand side by side, the most significant first, and each byte is replaced by its
 // difference to the one before (as TIFF's predictor 3, Adobe Photoshop TIFF Technical Note 3, 2005):
-// neighbours are similar there. Then zlib (RFC 1950), then base64 (RFC 4648).
+// neighbors are similar there. Then zlib (RFC 1950), then base64 (RFC 4648).
 #pragma once
 
 #include <cstdint>

@@ -8,7 +8,7 @@
 namespace plumbline {
 namespace {
 
-/// A picture whose pixel i has the colour colorOf(i).
+/// A picture whose pixel i has the color colorOf(i).
 template <class ColorOf>
 Picture paint(const Frame& frame, ColorOf&& colorOf) {
     Picture picture{frame.width(), frame.height(), {}};
@@ -20,7 +20,7 @@ Picture paint(const Frame& frame, ColorOf&& colorOf) {
     return picture;
 }
 
-/// Colour of a pixel that doesn't show the same object in both frames.
+/// Color of a pixel that doesn't show the same object in both frames.
 Rgb unsharedColor(int inReference, int inTest) {
     return inReference == 0 && inTest == 0 ? palette::kNothing : palette::kUnshared;
 }

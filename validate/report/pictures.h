@@ -15,8 +15,8 @@ struct Picture {
     std::vector<uint8_t> rgb;
 };
 
-/// The frame's R G B, sRGB-encoded, pixels that aren't finite in kInvalid; grey coverage if the frame has no
-/// colour.
+/// The frame's R G B, sRGB-encoded, pixels that aren't finite in kInvalid; gray coverage if the frame has no
+/// color.
 Picture colorPicture(const Frame& frame);
 
 /// Agree, missing, extra, another object.

@@ -26,7 +26,7 @@ FramePair pairOf(const Comparison& comparison, const Frame& reference, const Fra
     return {reference, test, objects};
 }
 
-/// Those of an earlier run, recognised by their beginning: the folder may hold other files.
+/// Those of an earlier run, recognized by their beginning: the folder may hold other files.
 void removeOldFrames(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (!entry.is_regular_file() || entry.path().extension() != ".js") continue;
@@ -91,7 +91,7 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
                                                    const FramePair& pair) const {
     const Frame& test = pair.test();
     std::vector<ReportPicture> entries;
-    entries.push_back({save(stem, "_color", colorPicture(test)), "Colour", Kind::Color});
+    entries.push_back({save(stem, "_color", colorPicture(test)), "Color", Kind::Color});
     entries.push_back(
         {save(stem, "_silhouette", silhouettePicture(pair)), "Silhouette difference", Kind::Silhouette});
     if (!comparison.referenceDepth.empty() && !comparison.testDepth.empty()) {

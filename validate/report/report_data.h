@@ -1,4 +1,4 @@
-// The data that the page's script gets beside its frames: results, list of frames, curves, ranges, colours.
+// The data that the page's script gets beside its frames: results, list of frames, curves, ranges, colors.
 // src/data.ts of the page describes its structure.
 #pragma once
 
@@ -21,7 +21,7 @@ struct FrameEntry {
     std::optional<ErrorCurves> curves = {};
 };
 
-/// Where the colour map of signed depth errors ends, world units: at a quarter of the largest relief depth,
+/// Where the color map of signed depth errors ends, world units: at a quarter of the largest relief depth,
 /// so that pictures of different techniques and runs can be compared; without a relief depth, at the
 /// comparison's own p95 (1 if that is 0).
 struct DepthRange {

@@ -40,7 +40,7 @@ std::vector<std::string> referenceLimits(const ReferenceSummary& reference) {
                 object.name, object.rate, object.wantedRate));
     for (const std::string& sentence : certificateSentences(reference.certificate))
         limits.push_back(sentence);
-    limits.emplace_back("One sample per pixel, at its centre, without anti-aliasing.");
+    limits.emplace_back("One sample per pixel, at its center, without anti-aliasing.");
     return limits;
 }
 
@@ -70,7 +70,7 @@ data referenceData(const ReferenceSummary& reference) {
     return entry;
 }
 
-/// A palette's colours, and maps as the stops of a CSS gradient.
+/// A palette's colors, and maps as the stops of a CSS gradient.
 data colorsData() {
     data colors{data::type::object};
     for (const auto& [name, color] : palette::all())

@@ -14,7 +14,7 @@ struct ReportPicture {
     enum class Kind { Color, Silhouette, DepthError, Shadow, Iterations, Curvature }; // decides the legend
     std::string file, caption;
     Kind kind = Kind::Color;
-    /// Depth error: the colour map ends at +-range world units, and why there. Iterations: it ends at range.
+    /// Depth error: the color map ends at +-range world units, and why there. Iterations: it ends at range.
     /// Curvature: it ends at +-range.
     std::string range = {}, rangeNote = {};
     std::vector<uint64_t> histogram = {}; // of iterations: pixels by their number

@@ -1,7 +1,7 @@
 // A run's outcome in memory, and the two files it becomes: results.json (schema 1) and results.csv.
 //
 // Equal results give equal bytes; of two runs over equal inputs only timings and peak_bytes differ. A figure
-// that is absent is left out, and its reason stands in the neighbouring "absent" object; NaN and infinity are
+// that is absent is left out, and its reason stands in the neighboring "absent" object; NaN and infinity are
 // never written.
 #pragma once
 

@@ -12,11 +12,11 @@
 //
 // surfaceA: k1, k2 and the ray along x, y (ray.cosine along z); surfaceB: (s, t) per unit of x, then of y.
 
-// 1 - 2 l k at least: beyond the centres of curvature (a relief deeper than the radius) there is no one nearest point.
+// 1 - 2 l k at least: beyond the centers of curvature (a relief deeper than the radius) there is no one nearest point.
 const float kLeastFocal = 1e-3;
 // The end of the search is found to this part of the relief depth: a sixteenth of the finest step of ten and six bisections.
 const float kEndTolerance = 1e-4;
-// Each of Newton's steps squares the error; towards a ray that touches depth 1, where the root is double, it quarters it.
+// Each of Newton's steps squares the error; toward a ray that touches depth 1, where the root is double, it quarters it.
 const int kEndSteps = 8;
 const float kFurthest = 4.0;
 // The most that counts as less than 1 deep.
@@ -77,7 +77,7 @@ vec4 principalFrame(ReliefFrame frame, vec2 scale, out vec2 curvatures) {
     float mean = 0.5 * (first + second), difference = 0.5 * (first - second);
     float radius = length(vec2(difference, 0.5 * mixed));
     curvatures = mean + vec2(radius, -radius);
-    vec2 along = vec2(1.0, 0.0); // half the angle of (difference, mixed / 2), without cancelling
+    vec2 along = vec2(1.0, 0.0); // half the angle of (difference, mixed / 2), without canceling
     if (radius > 0.0) {
         float half0 = sqrt(0.5 + 0.5 * abs(difference) / radius), half1 = 0.25 * mixed / (radius * half0);
         along = difference >= 0.0 ? vec2(half0, half1) : vec2(half1, half0);

@@ -6,7 +6,7 @@
 // `interval = printed`: the listing of Premecz, section 2.3, starts at the top with steps of 1 / (2 binary_steps), which
 // together can't get deeper than 1 / binary_steps (E6 of the project's errata: the first size has to be the interval's, 1).
 //
-// Over a quadric a ray may leave the layer again: then its end isn't inside either. The bisection goes on towards the end as
+// Over a quadric a ray may leave the layer again: then its end isn't inside either. The bisection goes on toward the end as
 // long as its middles are outside, and the fragment is discarded unless one of them was inside.
 
 ReliefHit bisectInterval(ReliefRay ray) {

@@ -2,7 +2,7 @@
 // stored there, and the ray cut with it (Premecz, section 3, before its "safe" form).
 //
 // With D(t) = d0 + t grad D . stTravel and d = t on a flat base, t = d0 / (1 - grad D . stTravel). The denominator is
-// (n . E) / (n_z cosine), E towards the eye: where the plane faces away from it (n . E <= 0) the cut lies behind the eye, and the
+// (n . E) / (n_z cosine), E toward the eye: where the plane faces away from it (n . E <= 0) the cut lies behind the eye, and the
 // safe form t = d0 n_z cosine is the answer. No point of the relief is outside of its layer: t is kept in it.
 //
 // The normal has to follow the relief's scale: `rescale_normal = false` is the printed code, which scales the height alone (E7 of the

@@ -54,9 +54,9 @@ class LimitMask {
 
   private:
     struct Ring {
-        Vec3 neighbours{0};      // sum over the edges of the vertex at the other end
+        Vec3 neighbors{0};       // sum over the edges of the vertex at the other end
         Vec3 edges{0}, faces{0}; // sums of the refined edge and face points
-        Vec3 boundary{0};        // sum of the two neighbours along the boundary
+        Vec3 boundary{0};        // sum of the two neighbors along the boundary
         int boundaryEdges = 0;
     };
 
@@ -84,8 +84,8 @@ class LimitMask {
         }
         const Vec3 edgePoint =
             0.25 * (low + high + item(facePoints, edge.face) + item(facePoints, edge.otherFace));
-        ofLow.neighbours += high;
-        ofHigh.neighbours += low;
+        ofLow.neighbors += high;
+        ofHigh.neighbors += low;
         ofLow.edges += edgePoint;
         ofHigh.edges += edgePoint;
     }
@@ -94,7 +94,7 @@ class LimitMask {
         if (valence == 0) return point; // no face uses it
         if (ring.boundaryEdges > 0) return valence == 1 ? point : (ring.boundary + 4.0 * point) / 6.0;
         const double n = valence;
-        const Vec3 refined = ((n - 2) / n) * point + (ring.neighbours + ring.faces) / (n * n);
+        const Vec3 refined = ((n - 2) / n) * point + (ring.neighbors + ring.faces) / (n * n);
         return (n * n * refined + 4.0 * ring.edges + ring.faces) / (n * (n + 5));
     }
 

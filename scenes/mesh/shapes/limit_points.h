@@ -10,7 +10,7 @@ namespace plumbline {
 /// their corners. The mesh must be manifold and oriented (the built-in shapes are).
 ///
 /// One refinement step makes every face a quad; there the limit of a vertex of valence n is
-/// (n^2 v + 4 sum(e) + sum(f)) / (n (n + 5)), e its edge neighbours, f the far corners of its quads; on a
+/// (n^2 v + 4 sum(e) + sum(f)) / (n (n + 5)), e its edge neighbors, f the far corners of its quads; on a
 /// boundary (e1 + 4 v + e2) / 6 (Halstead, Kass, DeRose: Efficient, Fair Interpolation using Catmull-Clark
 /// Surfaces, 1993).
 std::vector<Vec3> limitPoints(const ControlMesh& mesh);

@@ -46,7 +46,7 @@ ControlMesh makePlane(double width, double depth, int segmentsX, int segmentsZ) 
     requireSegments("plane", "segments[0]", segmentsX, 1, kMostShapeSegments);
     requireSegments("plane", "segments[1]", segmentsZ, 1, kMostShapeSegments);
     requireFaces("plane", int64_t(segmentsX) * segmentsZ);
-    // Linear data is kept by the boundary rule too, so the limit is this very rectangle, evenly parametrised.
+    // Linear data is kept by the boundary rule too, so the limit is this very rectangle, evenly parametrized.
     return makeLattice("plane", segmentsX, segmentsZ, false, false, [&](int i, int j) {
         return Vec3(width * (double(i) / segmentsX - 0.5), 0, depth * (0.5 - double(j) / segmentsZ));
     });
@@ -99,7 +99,7 @@ ControlMesh makeTorus(double major, double minor, int segmentsMajor, int segment
     requireSegments("torus", "segments[0]", segmentsMajor, 3, kMostShapeSegments);
     requireSegments("torus", "segments[1]", segmentsMinor, 3, kMostShapeSegments);
     requireFaces("torus", int64_t(segmentsMajor) * segmentsMinor);
-    // The limit mask is the product of the two rings': the tube's pulls towards its centre line, the other
+    // The limit mask is the product of the two rings': the tube's pulls toward its center line, the other
     // one then shrinks the distance from the axis as a whole.
     const double tube = minor / ringShrink(segmentsMinor), ring = ringShrink(segmentsMajor);
     return makeLattice("torus", segmentsMajor, segmentsMinor, true, true, [&](int i, int j) {

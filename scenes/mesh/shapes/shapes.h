@@ -23,7 +23,7 @@ namespace plumbline {
 inline constexpr int kMostShapeSegments = 4096; // along one direction
 inline constexpr int kMostShapeFaces = 1 << 18; // a cage is coarse: finer detail is the tessellator's part
 
-/// A plane in the xz plane facing +Y, centred; uv (0,0) at (-x, +z), so that seen from above it isn't
+/// A plane in the xz plane facing +Y, centered; uv (0,0) at (-x, +z), so that seen from above it isn't
 /// mirrored. Segments >= 1.
 ControlMesh makePlane(double width, double depth, int segmentsX, int segmentsZ);
 
@@ -38,7 +38,7 @@ ControlMesh makeQuadric(double a, double b, double halfSize, int segments);
 /// seams. Segments >= 1.
 ControlMesh makeSphere(double radius, int segmentsPerCubeEdge);
 
-/// Around Y, centred, without caps; u runs once around, counter-clockwise seen from above, from +x, and v
+/// Around Y, centered, without caps; u runs once around, counter-clockwise seen from above, from +x, and v
 /// once from bottom to top. segmentsAround >= 3, segmentsUp >= 1.
 ControlMesh makeCylinder(double radius, double height, int segmentsAround, int segmentsUp);
 
@@ -46,8 +46,8 @@ ControlMesh makeCylinder(double radius, double height, int segmentsAround, int s
 /// from its outermost circle upwards. minor < major; segments >= 3.
 ControlMesh makeTorus(double major, double minor, int segmentsMajor, int segmentsMinor);
 
-/// Edge lengths along x, y, z, centred; uv runs once over each face, as seen from outside with +y up (top and
-/// bottom: continuing the front). Normals are the faces', so that `scheme = "none"` keeps hard edges.
+/// Edge lengths along x, y, z, centered; uv runs once over each face, as seen from outside with +y up (top
+/// and bottom: continuing the front). Normals are the faces', so that `scheme = "none"` keeps hard edges.
 /// Segments >= 1.
 ControlMesh makeBox(const Vec3& size, int segments);
 

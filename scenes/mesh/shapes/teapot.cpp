@@ -23,7 +23,7 @@ constexpr ProfilePoint kBody[] = {{1.5, 0.15},       {1.5, 0.225},  {2, 0.45},  
 /// From its edge to the top of the knob, whose widest control ring is the one exception from 0.56.
 constexpr ProfilePoint kLid[] = {{1.3, 2.4}, {1.3, 2.55},       {0.4, 2.55}, {0.2, 2.7},
                                  {0, 2.85},  {0.8, 3.15, 0.45}, {0, 3.15}};
-/// From the centre outwards.
+/// From the center outwards.
 constexpr ProfilePoint kBottom[] = {{0, 0}, {1.425, 0}, {1.5, 0.075}, {1.5, 0.15}};
 
 /// A control section of handle or spout: x and z where it crosses y = 0, and how far it reaches to either
@@ -31,7 +31,7 @@ constexpr ProfilePoint kBottom[] = {{0, 0}, {1.425, 0}, {1.5, 0.075}, {1.5, 0.15
 struct Section {
     double x0, z0, x1, z1, halfWidth;
 };
-/// From the upper end to the lower one; the side towards the body first.
+/// From the upper end to the lower one; the side toward the body first.
 constexpr Section kHandle[] = {{-1.6, 2.025, -1.5, 2.25, 0.3}, {-2.3, 2.025, -2.5, 2.25, 0.3},
                                {-2.7, 2.025, -3, 2.25, 0.3},   {-2.7, 1.8, -3, 1.8, 0.3},
                                {-2.7, 1.575, -3, 1.35, 0.3},   {-2.5, 1.125, -2.65, 0.9375, 0.3},

@@ -37,7 +37,7 @@ TEST_F(BakedMapPicture, Channels_AreNamedByKind) {
     EXPECT_THAT(names("normal"), ElementsAre("D", "n.X", "n.Y", "n.Z"));
     EXPECT_THAT(names("max_mipmap"), ElementsAre("least", "most"));
     EXPECT_THAT(names("distance_field"),
-                ElementsAre("slice000.box", "slice000.centre", "slice001.box", "slice001.centre"));
+                ElementsAre("slice000.box", "slice000.center", "slice001.box", "slice001.center"));
     const BakedMap cones{"cone_step_relaxed", 2, 1, {{1, 1, {0.5f, 0.25f}}}};
     EXPECT_THAT(namesOf(written(cones)), ElementsAre("cell.R", "texel.R"));
     EXPECT_EQ(written(cones).planes.at("cell.R"), std::vector{0.25f});
@@ -63,7 +63,7 @@ TEST_F(BakedMapPicture, EveryVoxel_IsInImage) {
                 const auto pixel = static_cast<size_t>((2 - j) * 4 + i);
                 const std::string slice = fmt::format("slice00{}.", k);
                 EXPECT_EQ(picture.planes.at(slice + "box")[pixel], field.at(0, k, i, j)[0]);
-                EXPECT_EQ(picture.planes.at(slice + "centre")[pixel], field.at(0, k, i, j)[1]);
+                EXPECT_EQ(picture.planes.at(slice + "center")[pixel], field.at(0, k, i, j)[1]);
             }
 }
 

@@ -52,7 +52,7 @@ TEST(ConeCheck, ClampedBordersAndOddSizes_NeverSkipSurface) {
         }
 }
 
-/// TECHNIQUES.md, E20: "never misses" is true of the texel centres alone.
+/// TECHNIQUES.md, E20: "never misses" is true of the texel centers alone.
 TEST(ConeCheck, InterpolatedRatiosOfBricks_SkipSurface) {
     const HeightMap map = generateMap("bricks", 128, 1, Wrap::Repeat, Wrap::Repeat);
     const BakedMap cones = bake(map, "cone_step");

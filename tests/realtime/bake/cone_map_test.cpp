@@ -123,7 +123,7 @@ TEST(ConeMap, Cones_ContainNoSurface) {
                 const Vec2 x(draw(0), draw(1));
                 const double angle = draw(2), reach = std::exp(-7 * draw(3));
                 Vec2 y = x + reach * Vec2(sineOfTurns(angle + 0.25), sineOfTurns(angle));
-                if (n % 3 == 0) y = (glm::floor(y * size - 0.5) + 0.5) / size; // a texel centre
+                if (n % 3 == 0) y = (glm::floor(y * size - 0.5) + 0.5) / size; // a texel center
                 if (n % 3 == 1) y.x = (std::floor(y.x * size.x) + 0.5) / size.x;
                 if (y == x) continue;
                 const Vec2i cell = glm::clamp(Vec2i(glm::floor(x * size - 0.5)), Vec2i(-1), Vec2i(size) - 1);
@@ -226,7 +226,7 @@ TEST(ConeMap, RelaxedCones_AreAtLeastAsWide) {
 }
 
 /// Listing 18-2 with its errata mended (an exit is a sample that is outside again; steps of 1/32 of a texel):
-/// from depth 0 over p through each texel centre q and on until the ray leaves. The exit lies between the
+/// from depth 0 over p through each texel center q and on until the ray leaves. The exit lies between the
 /// last sample inside and the first outside: two ratios.
 struct MarchedRatio {
     double least = 1, most = 1;
@@ -256,7 +256,7 @@ MarchedRatio ratioByMarching(const HeightMap& map, int column, int row) {
     return ratio;
 }
 
-/// The marched exits hold those at texel centres that the criterion finds, and others between texels next to
+/// The marched exits hold those at texel centers that the criterion finds, and others between texels next to
 /// them. So single ratios may differ, mostly by less than the two texels that lie between an exit and the
 /// texels around it, and their means agree within the marching's own step.
 TEST(ConeMap, Criterion2007_EqualsListingsMarch) {

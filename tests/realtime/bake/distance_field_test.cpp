@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-constexpr int kBox = 0, kCentre = 1; // channels
+constexpr int kBox = 0, kCenter = 1; // channels
 
 BakedMap fieldOf(const HeightMap& map, const BakeScale& scale, int slices) {
     return bakeMap(map, {.kind = "distance_field", .scale = scale, .slices = slices});
@@ -49,9 +49,9 @@ BakedMap definition(const HeightMap& map, const BakeScale& scale, int slices) {
     for (int solidJ = 0; solidJ < height; ++solidJ)
         for (int solidI = 0; solidI < width; ++solidI)
             for (int solidK = 0; solidK <= slices; ++solidK) {
-                const bool below = solidK == slices; // the ground: solid for the centres' field
+                const bool below = solidK == slices; // the ground: solid for the centers' field
                 const bool solidBox = !below && leastInBox(map, solidI, solidJ) * slices <= solidK + 1;
-                const bool solidCentre =
+                const bool solidCenter =
                     below || static_cast<double>(map.texel(solidI, solidJ)) * slices <= solidK + 0.5;
                 for (int k = 0; k < slices; ++k)
                     for (int j = 0; j < height; ++j)
@@ -60,8 +60,8 @@ BakedMap definition(const HeightMap& map, const BakeScale& scale, int slices) {
                                                stepsApart(j, solidJ, height, map.wrapT()),
                                                std::abs(k - solidK)};
                             const auto voxel = static_cast<size_t>((k * height + j) * width + i);
-                            for (const int channel : {kBox, kCentre}) {
-                                if (!(channel == kBox ? solidBox : solidCentre)) continue;
+                            for (const int channel : {kBox, kCenter}) {
+                                if (!(channel == kBox ? solidBox : solidCenter)) continue;
                                 const auto gap = [&](int axis) {
                                     return std::max(0, steps[axis] - (channel == kBox ? 1 : 0));
                                 };
@@ -80,7 +80,7 @@ BakedMap definition(const HeightMap& map, const BakeScale& scale, int slices) {
         auto down = static_cast<float>(box);
         if (down > box) down = std::nextafter(down, 0.0f);
         field.levels[0].values.insert(field.levels[0].values.end(),
-                                      {down, static_cast<float>(std::sqrt(squares[kCentre][voxel]))});
+                                      {down, static_cast<float>(std::sqrt(squares[kCenter][voxel]))});
     }
     return field;
 }
@@ -109,25 +109,25 @@ TEST(DistanceField, SeveralBlocks_EqualDefinition) {
 }
 
 // A floor at depth 1/2 under 8 slices, each 1/8: the floor touches slices 3 and 4, so slice k is 3 - k - 1
-// slices away from the first solid one; centres: slice 4 is the first whose centre, 9/16, is below 1/2.
+// slices away from the first solid one; centers: slice 4 is the first whose center, 9/16, is below 1/2.
 TEST(DistanceField, FlatFloor_HasClosedForm) {
     const BakedMap field = fieldOf(HeightMap("floor", 6, 5, std::vector<float>(30, 0.5f)), {1, 1, 0.2}, 8);
     EXPECT_EQ(field.slices, 8);
     EXPECT_EQ(field.channels, 2);
     for (int k = 0; k < 8; ++k) {
         EXPECT_EQ(field.at(0, k, 3, 2)[kBox], static_cast<float>(std::max(0, 2 - k)) / 8) << k;
-        EXPECT_EQ(field.at(0, k, 3, 2)[kCentre], static_cast<float>(std::max(0, 4 - k)) / 8) << k;
+        EXPECT_EQ(field.at(0, k, 3, 2)[kCenter], static_cast<float>(std::max(0, 4 - k)) / 8) << k;
     }
 }
 
 // A needle of depth 0 on texel 8 of 16, a tile 2 units wide and 1 deep: a voxel is 1/8 wide, and the patches
 // around the needle reach depth 1/2 half a texel away from it. In the top slice of 2 (depths 0 to 1/2) texels
 // 7, 8 and 9 are solid, and voxel 3 is 3 voxels away from the nearest of them; the floor, in the second
-// slice, touches it. Centres: texel 8 alone, 5/8 away, against the ground's 1 below: (2 slices of 1/2).
+// slice, touches it. Centers: texel 8 alone, 5/8 away, against the ground's 1 below: (2 slices of 1/2).
 TEST(DistanceField, Needle_HasClosedForm) {
     const BakedMap needle = fieldOf(needleMap(16, 1, 8, 0), {2, 4000, 1}, 2);
-    EXPECT_EQ(needle.at(0, 0, 3, 0)[kCentre], 0.625f);
-    EXPECT_EQ(needle.at(0, 0, 8, 0)[kCentre], 0.0f);
+    EXPECT_EQ(needle.at(0, 0, 3, 0)[kCenter], 0.625f);
+    EXPECT_EQ(needle.at(0, 0, 8, 0)[kCenter], 0.0f);
     EXPECT_EQ(needle.at(0, 0, 3, 0)[kBox], 0.0f);
     const BakedMap finer = fieldOf(needleMap(16, 1, 8, 0), {2, 4000, 1}, 64);
     EXPECT_EQ(finer.at(0, 0, 8, 0)[kBox], 0.0f);

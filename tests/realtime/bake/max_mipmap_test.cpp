@@ -32,7 +32,7 @@ TEST(MaxMipmap, Levels_HalveToOneCell) {
         EXPECT_EQ(std::pair(pyramid.levels[k].width, pyramid.levels[k].height), sizes[k]);
 }
 
-// A row of depths 0 .2 .4 .6 .8: cells between neighbours, the last one back to the first under repeat and
+// A row of depths 0 .2 .4 .6 .8: cells between neighbors, the last one back to the first under repeat and
 // flat under clamp; above them the blocks {0 1} and {2 3 4}, above these all of it.
 TEST(MaxMipmap, OneRow_EqualsHandComputed) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {

@@ -63,7 +63,7 @@ TEST(NormalMap, LinearRelief_HasClosedForm) {
     expectNormal(alongT.at(0, 0, 1, 2), {0, 0.75, 1});
 }
 
-// The gradient of the exact bilinear surface on both sides of a texel's centre, of which the central
+// The gradient of the exact bilinear surface on both sides of a texel's center, of which the central
 // difference is the mean.
 TEST(NormalMap, Texel_IsMeanOfSurroundingSlopes) {
     for (const HeightMap& map : awkwardMaps()) {
@@ -72,13 +72,13 @@ TEST(NormalMap, Texel_IsMeanOfSurroundingSlopes) {
         const BakedMap normals = normalsOf(map, scale);
         for (int j = 0; j < map.height(); ++j)
             for (int i = 0; i < map.width(); ++i) {
-                const Vec2 centre((i + 0.5) / map.width(), (j + 0.5) / map.height());
+                const Vec2 center((i + 0.5) / map.width(), (j + 0.5) / map.height());
                 const Vec2 aside(0.25 / map.width(), 0.25 / map.height());
                 const auto slope = [&](int axis) {
                     Vec2 step(0);
                     step[axis] = aside[axis];
-                    return (map.sample(centre + step).gradient[axis] +
-                            map.sample(centre - step).gradient[axis]) /
+                    return (map.sample(center + step).gradient[axis] +
+                            map.sample(center - step).gradient[axis]) /
                            2;
                 };
                 expectNormal(normals.at(0, 0, i, j),

@@ -38,7 +38,7 @@ TEST(ReliefWalk, Ridge_IsEnteredAndLeft) {
     EXPECT_NEAR(intervals[0].deepest, 0.5 - ridge, 1e-12);
 }
 
-/// One saddle, D = 1 - 4 x (1 - x) / 2 along its diagonal (x from one texel centre to the next): a parabola a
+/// One saddle, D = 1 - 4 x (1 - x) / 2 along its diagonal (x from one texel center to the next): a parabola a
 /// chord at d = 0.75 cuts where x (1 - x) = 1/8, and which it goes 0.25 below at x = 1/2. The chord must
 /// descend: by 1e-9 over the cell.
 TEST(ReliefWalk, Patch_GivesBothRoots) {

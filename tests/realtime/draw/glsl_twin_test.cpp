@@ -21,7 +21,7 @@ HeightMap randomMap(int width, int height, Wrap wrapS, Wrap wrapT, unsigned seed
     return HeightMap("random", width, height, std::move(depths), wrapS, wrapT);
 }
 
-/// Inside, outside, negative, on texel centres, on texel borders, on seams.
+/// Inside, outside, negative, on texel centers, on texel borders, on seams.
 std::vector<glm::vec4> coordinates(const HeightMap& map, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> anywhere(-3, 4);
@@ -78,7 +78,7 @@ class LookUp : public testing::TestWithParam<MapCase> {
         const std::vector<glm::vec4> points = coordinates(map, 11);
         const std::vector<glm::vec4> found = lookUp(map, points, hardware);
         // The texel position st * size - 0.5 is rounded a few times at magnitude size: that is its error in
-        // texels, and neighbouring depths differ by up to 1 along each axis. Interpolation itself adds a few
+        // texels, and neighboring depths differ by up to 1 along each axis. Interpolation itself adds a few
         // roundings below 1. A sampler rounds the weights to 8 bits on GPUs, which the specification allows:
         // half of 1/256 along each axis.
         const double tolerance =

@@ -1,4 +1,4 @@
-// The shaders stay in the common subset of GLSL 4.1 and GLSL ES 3.0, by the reference compiler's judgement.
+// The shaders stay in the common subset of GLSL 4.1 and GLSL ES 3.0, by the reference compiler's judgment.
 #include "realtime/draw/technique_program.h"
 #include "realtime/technique/composition.h"
 #include "realtime/technique/technique_list.h"

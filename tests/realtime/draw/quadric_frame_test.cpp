@@ -62,7 +62,7 @@ TEST(QuadricFrame, Positions_LieOnParabola) {
         // The fit on a 256-gon is 0.01 % off the curvature, its facets sag by 1 - cos(pi / 256) = 7.5e-5,
         // which moves a fragment by up to 7.5e-5 / cos a along the ray.
         EXPECT_NEAR(vectorAt(frame, "P", pixel).z, cosine - tau, 6e-4 / cosine) << sine;
-        // Its normal is N + 2 A x T with x = -tau sin a in the plane of the fragment: turned towards the
+        // Its normal is N + 2 A x T with x = -tau sin a in the plane of the fragment: turned toward the
         // axis' side.
         const Vec3 normal = vectorAt(frame, "N", pixel);
         const Vec3 fragmentNormal(sine, 0, cosine), tangent(cosine, 0, -sine);

@@ -66,10 +66,10 @@ Foot nearestByTrying(const Case& at, const Vec3& point) {
     Vec2 best(point.x, point.y);
     double least = inside * inside;
     for (double reach = std::abs(inside); reach > 1e-9 * at.depth; reach *= 0.4) {
-        const Vec2 centre = best;
+        const Vec2 center = best;
         for (int i = -4; i <= 4; ++i)
             for (int j = -4; j <= 4; ++j) {
-                const Vec2 place = centre + Vec2(i, j) * (reach / 4);
+                const Vec2 place = center + Vec2(i, j) * (reach / 4);
                 const Vec3 offset = Vec3(place, at.base(place.x, place.y)) - point;
                 if (const double squared = glm::dot(offset, offset); squared < least) {
                     least = squared;
@@ -368,7 +368,7 @@ VerticalEnd verticalEnd(const Case& at) {
 
 TEST(QuadricEnd, Saddle_EndsNearNearestPoint) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Around the asymptotes of saddles, where the base bends away from the ray (f > 0), towards it (f < 0) or
+    // Around the asymptotes of saddles, where the base bends away from the ray (f > 0), toward it (f < 0) or
     // not at all, D_z comes to 1 and D_n often doesn't: there it stays below 1 for ever, f <= 0, or until the
     // ray is back on the base, at c / f, however far. Up to four times the way of D_z counts, and beyond that
     // the end of D_z.

@@ -25,14 +25,14 @@ Camera fromAbove(double viewHeight, int pixels = kPixels) {
     return orthographicCamera({0, 5, 0}, {0, 0, -1}, viewHeight, pixels);
 }
 
-/// In the xy plane, `angle` from the normal of the square, +z up: rays go down and towards +x.
+/// In the xy plane, `angle` from the normal of the square, +z up: rays go down and toward +x.
 Camera fromTheSide(double angleDegrees, double viewHeight, int pixels = kPixels) {
     return orthographicCamera(5.0 *
                                   Vec3(-std::sin(radians(angleDegrees)), std::cos(radians(angleDegrees)), 0),
                               {0, 0, -1}, viewHeight, pixels);
 }
 
-/// Calls `check(pixel, ray through its centre)` for every covered pixel; returns their number.
+/// Calls `check(pixel, ray through its center)` for every covered pixel; returns their number.
 size_t forEachHit(const Frame& frame, const Camera& camera,
                   const std::function<void(size_t, const Ray&)>& check) {
     const CameraRays rays(camera);
@@ -101,8 +101,8 @@ TEST(ReliefFrame, Shading_EqualsFormula) {
 
 TEST(ReliefFrame, Ramp_IsPlaneWithItsNormal) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Two clamped texels 0 and 1: between their centres D = 2 (s - 1/4). With s = (x + 1) / 2 and depth 0.3
-    // the surface is y = -0.3 (x + 1/2) for |x| < 1/2, its normal (0.3, 1, 0) normalised. 16 bisections of a
+    // Two clamped texels 0 and 1: between their centers D = 2 (s - 1/4). With s = (x + 1) / 2 and depth 0.3
+    // the surface is y = -0.3 (x + 1/2) for |x| < 1/2, its normal (0.3, 1, 0) normalized. 16 bisections of a
     // 64th leave an error of 2.4e-7 of the depth.
     const Camera camera = fromTheSide(35, 0.5);
     const Frame frame = draw(sceneOf(squareObject(2, profileMap({0, 1}, Wrap::Clamp), 0.3), camera),
@@ -224,7 +224,7 @@ TEST(ReliefFrame, Step_CastsShadowOfItsHeight) {
 
 TEST(ReliefFrame, Bias_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A ramp is a plane: it shadows nothing. Both searches end up to 1/640 of the depth below it. Towards
+    // A ramp is a plane: it shadows nothing. Both searches end up to 1/640 of the depth below it. Toward
     // this light the ramp falls by 0.5 of the depth while a ray rises by 1, so that it is still inside one
     // step back for half of the pixels: without a bias they shadow themselves. 0.02 is many times that error.
     Scene scene = sceneOf(squareObject(2, profileMap({0, 1}, Wrap::Clamp), 0.3), fromAbove(0.5));
@@ -399,7 +399,7 @@ TEST(ReliefFrame, TriangleBounds_DiscardHitsOutside) {
         }
     }
     // Each triangle, legs 1 in st, loses what a shift by 0.15 moves out of it: the one whose leg faces the
-    // shift 0.15 - 0.15^2/2 of 1/2, the other one the same. Hits in the neighbour are dropped, too: together
+    // shift 0.15 - 0.15^2/2 of 1/2, the other one the same. Hits in the neighbor are dropped, too: together
     // 2 (0.15 - 0.01125) = 0.2775.
     const double share = static_cast<double>(dropped) / static_cast<double>(kept + dropped);
     EXPECT_NEAR(share, 0.2775, 0.02); // pixels along edges: 64 a side

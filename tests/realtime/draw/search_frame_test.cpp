@@ -9,7 +9,7 @@ namespace {
 // --- frames
 // ------------------------------------------------------------------------------------------------------------
 
-/// In the xy plane, `angle` from the normal of the square: rays go down and towards +x, turned about +y by
+/// In the xy plane, `angle` from the normal of the square: rays go down and toward +x, turned about +y by
 /// `turn`.
 Camera fromTheSide(double angleDegrees, double turnDegrees, double viewHeight, int pixels) {
     const double angle = radians(angleDegrees), turn = radians(turnDegrees);
@@ -142,7 +142,7 @@ TEST(SearchFrames, ExactCells_CastsExactShadows) {
     // A wall 0.2 high at x = 0 lit at 45 degrees shades the floor to x = 0.2; a fin one texel wide at x =
     // -0.6 to x = -0.4, which ten steps miss. A texel is 2 / 512 wide; pixel 0.8 / 256.
     std::vector<float> depths(512, 1);
-    depths[102] = 0; // centre x = 102.5 / 256 - 1 = -0.5996
+    depths[102] = 0; // center x = 102.5 / 256 - 1 = -0.5996
     Scene scene = sceneOf(squareObject(2, std::make_shared<HeightMap>(profile(depths, Wrap::Clamp)), 0.2),
                           orthographicCamera({-0.4, 5, 0}, {0, 0, -1}, 0.8, 256));
     scene.camera.targetWorld = Vec3(-0.4, 0, 0);

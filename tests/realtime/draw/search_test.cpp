@@ -45,7 +45,7 @@ TEST(KnownRoots, ConstantDepth_IsExact) {
 
 TEST(KnownRoots, Ramp_IsExact) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Two clamped texels: D = 2 (s - 1/4) between their centres. From s = 0.3 over 0.1: D = 0.1 + 0.2 t = t
+    // Two clamped texels: D = 2 (s - 1/4) between their centers. From s = 0.3 over 0.1: D = 0.1 + 0.2 t = t
     // at t = 1/8.
     const HeightMap map = profile({0, 1}, Wrap::Clamp);
     const ReliefLine line{{0.3f, 0.5f}, {0.1f, 0}};
@@ -71,7 +71,7 @@ TEST(KnownRoots, Ramp_IsExact) {
 TEST(KnownRoots, Step_IsHitOnItsWall) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Down at s = 0.1, up again at s = 0.5: a ray from s = 0.3 runs against the wall between texels 31 and 32
-    // of 64, whose centres are at s = 31.5/64 and 32.5/64. D = 1 - (64 s - 31.5) there, with s = 0.3 + 0.4 t:
+    // of 64, whose centers are at s = 31.5/64 and 32.5/64. D = 1 - (64 s - 31.5) there, with s = 0.3 + 0.4 t:
     // D = t at t = 13.3 / 26.6.
     std::vector<float> depths(64, 0);
     std::fill(depths.begin() + 6, depths.begin() + 32, 1.0f);
@@ -89,7 +89,7 @@ TEST(KnownRoots, Step_IsHitOnItsWall) {
 TEST(KnownRoots, TwoBumps_FirstIsHitExceptByBisection) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Ridges between texels 20 and 24, and 44 and 50, of 64; the ray crosses the whole map. It enters the
-    // first where D falls from 1 to 0 between the centres of texels 19 and 20: 1 - (64 t - 19.5) = t, t
+    // first where D falls from 1 to 0 between the centers of texels 19 and 20: 1 - (64 t - 19.5) = t, t
     // = 20.5 / 65. The middle is between the ridges, so that bisection goes on in the second half: it meets
     // the second ridge at 44.5 / 65.
     const HeightMap map = ridge(64, {{20, 24}, {44, 50}});
@@ -235,7 +235,7 @@ TEST(ExactCells, ManyTiles_AreFollowed) {
     const HeightMap map("needle", 512, 512, std::move(depths));
     size_t onNeedle = 0;
     std::vector<ReliefLine> lines;
-    for (int i = 0; i < 64; ++i) { // past the needle of the fifth tile, at up to 1.6 texels from its centre
+    for (int i = 0; i < 64; ++i) { // past the needle of the fifth tile, at up to 1.6 texels from its center
         const double t = (5 + 100.5 / 512 - 0.25) / 7;
         lines.push_back(
             {{0.25f, static_cast<float>(3 + (200.5 + (i - 32) / 20.0) / 512 - t * 0.5)}, {7, 0.5f}});

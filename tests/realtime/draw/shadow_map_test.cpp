@@ -32,7 +32,7 @@ Camera fromAbove(double viewHeight) {
 TEST(ShadowMap, Sun_CastsPoleShadowOfFormula) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A pole 0.1 thick and 1 tall on a plain floor, the sun at 45 degrees from +x: a point at height y
-    // shadows the floor at x - y. A receiver reads a texel whose centre is up to half of its diagonal away,
+    // shadows the floor at x - y. A receiver reads a texel whose center is up to half of its diagonal away,
     // across the rays: times sqrt(2) along the floor. Near the pole's foot the bias lets light through:
     // nothing nearer to the point than h (1 + tan 45) along the ray shadows it, which the pole is for x >
     // -0.05 - 2 h / sqrt(2).
@@ -156,7 +156,7 @@ TEST(ShadowMap, BiasOnPlanes_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A plain square, lights from head-on to 86 degrees from its normal; coarse and fine maps. The derivation
     // holds for every texel: wherever N.L is at least the 0.05 up to which the bias grows, not one pixel may
-    // be in shadow. Without a bias about half are, those whose texel's centre is nearer to the light; under a
+    // be in shadow. Without a bias about half are, those whose texel's center is nearer to the light; under a
     // head-on sun rounding decides.
     for (const double angle : {0.0, 20.0, 45.0, 70.0, 86.0})
         for (const int size : {16, 100, 1024}) {
@@ -229,12 +229,12 @@ TEST(ShadowMap, Lamp_ReachesAllSixFaces) {
     std::vector<SceneObject> objects{roomObject(2)};
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
-            Vec3 size(0.2), centre(0);
+            Vec3 size(0.2), center(0);
             size[axis] = 0.01;
-            centre[axis] = sign * 0.505; // its face towards the lamp at 0.5
-            centre[(axis + 1) % 3] = 0.1;
-            centre[(axis + 2) % 3] = 0.05;
-            objects.push_back(boxObject("plate" + std::to_string(objects.size()), size, centre));
+            center[axis] = sign * 0.505; // its face toward the lamp at 0.5
+            center[(axis + 1) % 3] = 0.1;
+            center[(axis + 2) % 3] = 0.05;
+            objects.push_back(boxObject("plate" + std::to_string(objects.size()), size, center));
         }
     for (const double side : {1.0, -1.0}) {
         Camera camera;
@@ -467,9 +467,9 @@ TEST(ShadowMap, TooManyLayers_IsMachineError) {
 
 TEST(ShadowMap, TooMuchMemory_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasteriser draws in the memory we
+    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasterizer draws in the memory we
     // can ask about.
-    const bool software = createGlContext({})->softwareRasteriser();
+    const bool software = createGlContext({})->softwareRasterizer();
     if (!software) GTEST_SKIP() << "a GPU's memory isn't asked for before it is used up";
     if (freeMemoryBytes() > uint64_t(24) << 30)
         GTEST_SKIP() << "24 GiB of shadow maps would fit this machine";

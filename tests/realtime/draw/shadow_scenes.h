@@ -18,13 +18,13 @@ inline Light pointLight(const std::string& name, const Vec3& position) {
     return light;
 }
 
-/// A plain one, centred.
-inline SceneObject boxObject(const std::string& name, const Vec3& size, const Vec3& centre) {
+/// A plain one, centered.
+inline SceneObject boxObject(const std::string& name, const Vec3& size, const Vec3& center) {
     SceneObject object;
     object.name = name;
     object.mesh = makeBox(size, 1);
     object.scheme = Scheme::None;
-    object.translate = centre;
+    object.translate = center;
     return object;
 }
 

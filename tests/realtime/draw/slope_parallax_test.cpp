@@ -8,7 +8,7 @@ namespace plumbline {
 namespace {
 
 constexpr int kPixels = 16;
-// Depth of the relief over its map, 64 x 64 texels, between the centres of the outermost ones.
+// Depth of the relief over its map, 64 x 64 texels, between the centers of the outermost ones.
 constexpr double kDepthAtCorner = 0.1, kSlopeS = 0.5, kSlopeT = 0.3;
 
 std::shared_ptr<const HeightMap> slopingMap() {
@@ -35,8 +35,8 @@ struct PlaneCase {
 void forEachPixel(const std::string& technique, double angle, double turn, double depth, double scale,
                   const std::function<void(const PlaneCase&, double)>& check) {
     const double a = radians(angle), b = radians(turn);
-    const Vec3 towardsEye(-std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
-    const Camera camera = orthographicCamera(5.0 * towardsEye, {0, 1, 0.1}, 0.1, kPixels);
+    const Vec3 towardEye(-std::sin(a) * std::cos(b), std::cos(a), std::sin(a) * std::sin(b));
+    const Camera camera = orthographicCamera(5.0 * towardEye, {0, 1, 0.1}, 0.1, kPixels);
     const CameraRays rays(camera);
     const Frame frame = draw(sceneOf(squareObject(2, slopingMap(), depth), camera), technique);
     const double slopeX = scale * kSlopeS * depth / 2, slopeY = scale * kSlopeT * depth / 2;

@@ -192,7 +192,7 @@ TEST(TechniqueResult, EglAndOsmesa_GiveEqualBytes) {
         const TechniqueResult a = egl.render(resolveTechnique(technique), nullptr);
         const TechniqueResult b = osmesa.render(resolveTechnique(technique), nullptr);
         if (a.renderer != b.renderer) {
-            GTEST_SKIP() << a.renderer << " and " << b.renderer << " are different rasterisers";
+            GTEST_SKIP() << a.renderer << " and " << b.renderer << " are different rasterizers";
         }
         EXPECT_TRUE(sameBytes(a.frame, b.frame)) << technique;
     }

@@ -51,7 +51,7 @@ void bindMap(const HeightMap& map, const GlTexture& texture, const GlProgram& pr
     glUniform2i(program.uniform("uHeightMapClamps"), map.wrapS() == Wrap::Clamp, map.wrapT() == Wrap::Clamp);
 }
 
-/// Every t in [0,1] at which the ray crosses a line of texel centres, with both ends, in order.
+/// Every t in [0,1] at which the ray crosses a line of texel centers, with both ends, in order.
 std::vector<double> crossings(const HeightMap& map, const ReliefLine& line) {
     std::vector<double> places{0, 1};
     for (const int axis : {0, 1}) {

@@ -1,5 +1,5 @@
 // Runs a search over rays given as numbers, and finds their true first hits: the maths of a search without a
-// camera, a rasteriser and their rounding.
+// camera, a rasterizer and their rounding.
 #pragma once
 
 #include "scenes/maps/height_map.h"
@@ -34,7 +34,7 @@ std::vector<TracedHit> traceGlsl(const std::string& technique, const HeightMap& 
                                  const std::vector<ReliefLine>& lines, const ReliefPath& path = {});
 
 /// The first t in [0,1] at which the map is no deeper than the ray, in double: between the places where the
-/// ray crosses lines of texel centres, depth - d(t) is a quadratic, known from three of its values.
+/// ray crosses lines of texel centers, depth - d(t) is a quadratic, known from three of its values.
 struct TrueHit {
     double t;
     double descent; // of depth - d(t) at t, per unit of t, >= 0: small = the ray grazes the relief

@@ -13,7 +13,7 @@ namespace plumbline {
 
 class ExactPicture {
   public:
-    /// Places are in pixels, centres at + 0.5. The scene must outlive the picture.
+    /// Places are in pixels, centers at + 0.5. The scene must outlive the picture.
     explicit ExactPicture(const Scene& scene);
 
     /// Planar depth of what a place shows; infinite on a miss.

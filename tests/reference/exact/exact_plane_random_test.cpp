@@ -97,7 +97,7 @@ FlatRelief randomPlane(Random& random) {
     return flatRelief(object);
 }
 
-/// From anywhere around towards a place in the layer, a third of them at grazing angles.
+/// From anywhere around toward a place in the layer, a third of them at grazing angles.
 Ray randomRay(Random& random, const FlatRelief& plane) {
     const auto place = [&](double height) {
         return plane.corner + uniform(random, -0.2, 1.2) * plane.edgeU +
@@ -156,7 +156,7 @@ TEST(ExactPlane, RandomRays_AgreeWithMarching) {
     EXPECT_LE(steppedOver, kCases / 100);
 }
 
-/// The place (a,b) moved to a crease along s, and along t too if `both`: to the nearest texel centre.
+/// The place (a,b) moved to a crease along s, and along t too if `both`: to the nearest texel center.
 Vec2 movedToCrease(const FlatRelief& plane, const Vec2& ab, bool both) {
     const Vec2 mapSize(plane.relief.map->width(), plane.relief.map->height());
     const Vec2 uvEdges(plane.uvAlongU.x, plane.uvAlongV.y); // the others are 0
@@ -168,7 +168,7 @@ Vec2 movedToCrease(const FlatRelief& plane, const Vec2& ab, bool both) {
 
 // A ray that starts over the layer and ends under it, both within the rectangle, can't miss: no root may be
 // lost to rounding, on borders between cells least of all, so every other ray is aimed at a crease and every
-// fourth at a texel's centre.
+// fourth at a texel's center.
 TEST(ExactPlane, RandomRays_NeverPassSheet) {
     constexpr int kPlanes = 300, kRays = 500;
     for (unsigned seed = 0; seed < kPlanes; ++seed) {
@@ -196,7 +196,7 @@ TEST(ExactPlane, RandomRays_NeverPassSheet) {
 }
 
 // Rays that run in the borders between cells, or hit their corners again and again, in both directions: what
-// a walk over cells does wrong first. Side 2 and 8 texels: centres at (i + 1/2) / 4 - 1.
+// a walk over cells does wrong first. Side 2 and 8 texels: centers at (i + 1/2) / 4 - 1.
 TEST(ExactPlane, RaysOnCellBordersAndCorners_AreExact) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> depth(0, 1);
@@ -212,9 +212,9 @@ TEST(ExactPlane, RaysOnCellBordersAndCorners_AreExact) {
             for (const double fall : {0.0, 0.1, 0.5, -0.3}) {
                 SCOPED_TRACE(testing::Message() << "texel " << k << ", direction " << direction.x << " "
                                                 << direction.y << ", fall " << fall);
-                const Vec3 centre((k + 0.5) / 4 - 1, (2 + 0.5) / 4 - 1, -0.6);
+                const Vec3 center((k + 0.5) / 4 - 1, (2 + 0.5) / 4 - 1, -0.6);
                 const Vec3 along(direction.x, direction.y, -fall);
-                const Ray ray = rayFrom(centre - 2.0 * along, along);
+                const Ray ray = rayFrom(center - 2.0 * along, along);
                 const auto exact = tracer.trace(ray);
                 const auto marched = marchToHit(HeightOver(tracer.plane()), ray, 8, 100000);
                 ASSERT_EQ(exact.has_value(), marched.has_value());

@@ -37,7 +37,7 @@ void clipToSlab(double base, double slope, double low, double high, double& begi
 }
 
 /// d = d00 + slopeX x + slopeY y + twist x y over a cell, (x, y) in texels from its lower left corner, the
-/// centre of texel `cell`.
+/// center of texel `cell`.
 struct BilinearPatch {
     double d00, slopeX, slopeY, twist;
 };
@@ -146,7 +146,7 @@ std::optional<double> firstRootOfQuadratic(double a, double halfB, double c, dou
     return first;
 }
 
-/// Walks the cells between texel centres from `begin` to `end`. Cell (i,j) has the centres of texels (i,j)
+/// Walks the cells between texel centers from `begin` to `end`. Cell (i,j) has the centers of texels (i,j)
 /// and (i+1,j+1) as corners. Borders are computed from their index, so nothing adds up. The surface is
 /// continuous, so where the sign of (ray's height - relief's height) differs between two ends that should
 /// agree, or between which no root was found, rounding has hidden a root there: it is put at the border.

@@ -4,7 +4,7 @@
 //     P(a,b) = corner + a edgeU + b edgeV + n (offset - depth d(st)),    a, b in [0,1],    st = tile uv(a,b)
 //     + uvOffset
 //
-// with uv affine in (a,b). Between texel centres d is a bilinear patch, so a ray meets it at the roots of a
+// with uv affine in (a,b). Between texel centers d is a bilinear patch, so a ray meets it at the roots of a
 // quadratic: cell by cell, in double, without marching and without triangles. The surface is an open sheet:
 // seen from both sides, no walls at its rim. World space, world units.
 #pragma once

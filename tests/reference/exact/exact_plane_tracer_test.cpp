@@ -55,7 +55,7 @@ TEST(ExactQuadratic, Roots_AreOrderedWithinInterval) {
     EXPECT_NEAR(*firstRootOfQuadratic(1e-8, 1, -1, 1), 0.5 - 1.25e-9, 1e-16);
 }
 
-// The surface is the plane z = -0.125. A ray from (-3, 0.2, 1) towards (2, 0, -1) is there after 1.125 down,
+// The surface is the plane z = -0.125. A ray from (-3, 0.2, 1) toward (2, 0, -1) is there after 1.125 down,
 // so 2.25 across.
 TEST(ExactPlane, ConstantDepth_IsExact) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(1, 1, {0.5f}), 0.25);
@@ -77,7 +77,7 @@ TEST(ExactPlane, ConstantDepth_IsExact) {
     EXPECT_EQ(along->crossing, 0);
 }
 
-// d = 2 s - 1/2 between the texel centres of two texels, x = 2 s - 1: z = -(x + 1/2) for |x| <= 1/2. A ray
+// d = 2 s - 1/2 between the texel centers of two texels, x = 2 s - 1: z = -(x + 1/2) for |x| <= 1/2. A ray
 // through
 // (-1/2, 1/2) in (x, z) that falls 2 a unit of x meets it where 1/2 - 2 r = -r: r = 1/2, at (0, -1/2).
 TEST(ExactPlane, Ramp_IsExact) {
@@ -93,7 +93,7 @@ TEST(ExactPlane, Ramp_IsExact) {
     expectHit(tracer, rayFrom({-3, -0.4, -0.75}, {1, 0, 0}), {0.25, -0.4, -0.75}, {1, 0, 1});
 }
 
-// Texels 0 1 / 1 0 with centres at x, y = +-1/2. With p = x + 1/2, q = y + 1/2 in [0,1] the one cell between
+// Texels 0 1 / 1 0 with centers at x, y = +-1/2. With p = x + 1/2, q = y + 1/2 in [0,1] the one cell between
 // them has d = p (1 - q) + q (1 - p) = p + q - 2 p q, and z = -d at depth 1. Along the diagonal p = q = r: z
 // = -(2 r - 2 r^2). Beyond the corners of the cell, clamped: z = 0 along the diagonal. By p: z_x = -(1 - 2
 // q), z_y = -(1 - 2 p), so the normal is (1 - 2 q, 1 - 2 p, 1).
@@ -162,20 +162,20 @@ TEST(ExactPlane, RaysThroughTexelCenters_AreExact) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(8, 8, depths), 0.5);
     for (int j = 0; j < 8; ++j)
         for (int i = 0; i < 8; ++i) {
-            const Vec3 centre((i + 0.5) / 4 - 1, (j + 0.5) / 4 - 1,
+            const Vec3 center((i + 0.5) / 4 - 1, (j + 0.5) / 4 - 1,
                               -0.5 * depths[static_cast<size_t>(8 * j + i)]);
             for (const double side : {1.0, -1.0})
                 for (int k = 0; k < 9;
                      ++k) { // steeper than any slope: 0.5 over a texel of 0.25, in both directions
                     const Vec3 direction(0.2 * (k % 3 - 1), 0.2 * (k / 3 - 1), -side);
-                    const auto hit = tracer.trace(rayFrom(centre - 3.0 * direction, direction));
+                    const auto hit = tracer.trace(rayFrom(center - 3.0 * direction, direction));
                     ASSERT_TRUE(hit) << i << " " << j << " " << k;
-                    EXPECT_LT(glm::length(hit->position - centre), kRounding) << i << " " << j << " " << k;
+                    EXPECT_LT(glm::length(hit->position - center), kRounding) << i << " " << j << " " << k;
                 }
         }
 }
 
-// The ramp z = -(x + 1/2) under a light towards (-1, 0, 1), a hair flatter. The top sees it; the slope,
+// The ramp z = -(x + 1/2) under a light toward (-1, 0, 1), a hair flatter. The top sees it; the slope,
 // normal (1, 0, 1), turns away by the hair. From the floor at x = 3/4 the ray rises 1 a unit and is over the
 // edge of the top, x = -1/2, at height -1 + 5/4 > 0: lit. At depth 2 the floor lies at -2: dark, but not for
 // a light that ends before the slope, at x = 1/2.

@@ -117,7 +117,7 @@ ControlMesh tornPair() {
 // - y. Welded, the edge lies at the mean of both.
 TEST(Tessellate, WeldedTears_MeetAtMean) {
     const BaseSurface surface(tornPair(), Scheme::None);
-    // Texel centres in t: 1/8, 3/8, 5/8, 7/8.
+    // Texel centers in t: 1/8, 3/8, 5/8, 7/8.
     const std::vector<float> depths{0.125f, 1, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0};
     const Relief relief{std::make_shared<HeightMap>("halves", 2, 4, depths, Wrap::Clamp, Wrap::Clamp), 1, 0.0,
                         Vec2(1), Vec2(0)};

@@ -167,7 +167,7 @@ TEST(AlongAxis, RotatedPlane_AxisIsNormalToRounding) {
         }
 }
 
-// Along normals the far side of a sphere never shows; along an axis its relief may turn towards the camera
+// Along normals the far side of a sphere never shows; along an axis its relief may turn toward the camera
 // there.
 TEST(AlongAxis, BackFaces_CountAsSeen) {
     SceneObject sphere;
@@ -194,22 +194,22 @@ void expectPromisesKept(const SceneObject& object, int leastPromises, int leastT
     BaseSurface::Evaluator evaluator(*surface);
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(0, 1);
-    const auto offCentre = [&] { return unit(random) - 0.5; };
+    const auto offCenter = [&] { return unit(random) - 0.5; };
     int promises = 0, turning = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         evaluator.setPatch(static_cast<int>(random() % 4));
         const Vec2 uv(unit(random), unit(random));
         const BaseSample base = evaluator.sample(uv.x, uv.y);
         const Vec3 place = displace(base, &relief).position;
-        const Vec3 towards =
-            glm::normalize(*relief.axisWorld + 2.5 * Vec3(offCentre(), offCentre(), offCentre()));
+        const Vec3 toward =
+            glm::normalize(*relief.axisWorld + 2.5 * Vec3(offCenter(), offCenter(), offCenter()));
         const double radius = 0.03 * unit(random);
-        const bool promised = facesThroughout(base, &relief, radius, towards, 1);
+        const bool promised = facesThroughout(base, &relief, radius, toward, 1);
         int away = 0;
         for (int look = 0; look < 50; ++look) {
-            const Vec2 other = glm::clamp(uv + 0.1 * Vec2(offCentre(), offCentre()), Vec2(0), Vec2(1));
+            const Vec2 other = glm::clamp(uv + 0.1 * Vec2(offCenter(), offCenter()), Vec2(0), Vec2(1));
             const DisplacedSample sample = displace(evaluator.sample(other.x, other.y), &relief);
-            away += glm::length(sample.position - place) < radius && glm::dot(sample.normal, towards) < 0;
+            away += glm::length(sample.position - place) < radius && glm::dot(sample.normal, toward) < 0;
         }
         promises += promised;
         turning += away > 0;

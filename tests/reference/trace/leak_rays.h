@@ -17,7 +17,7 @@
 
 namespace plumbline {
 
-/// Twenty triangles, vertices 1.9 from the centre, every triangle with uvs of its own: torn at all edges.
+/// Twenty triangles, vertices 1.9 from the center, every triangle with uvs of its own: torn at all edges.
 inline ControlMesh tornIcosahedron() {
     ControlMesh mesh;
     mesh.name = "icosahedron";
@@ -38,8 +38,8 @@ inline ControlMesh tornIcosahedron() {
 /// A closed surface as micro-triangles, with what is needed to aim at it.
 class LeakTarget {
   public:
-    /// Spherical ones enclose their centre; a torus encloses the circle of radius 1 it is bent along.
-    enum class Inside { Centre, Circle };
+    /// Spherical ones enclose their center; a torus encloses the circle of radius 1 it is bent along.
+    enum class Inside { Center, Circle };
 
     LeakTarget(const ControlMesh& mesh, Scheme scheme, Inside inside, int rate, double scale)
         : inside_(inside), scale_(scale) {
@@ -79,7 +79,7 @@ class LeakTarget {
 
     Vec3f insidePoint(std::mt19937& random) const {
         const Vec3 wobble = 0.1 * Vec3(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
-        if (inside_ == Inside::Centre) return scale_ * wobble;
+        if (inside_ == Inside::Center) return scale_ * wobble;
         const double angle = 2 * kPi * unit(random);
         return scale_ * (Vec3(std::cos(angle), 0, std::sin(angle)) + wobble);
     }
@@ -154,10 +154,10 @@ class LeakTarget {
 inline std::vector<LeakTarget> leakTargets(double scale) {
     std::vector<LeakTarget> targets;
     using Inside = LeakTarget::Inside;
-    targets.emplace_back(makeSphere(1, 4), Scheme::CatmullClark, Inside::Centre, 16, scale);
+    targets.emplace_back(makeSphere(1, 4), Scheme::CatmullClark, Inside::Center, 16, scale);
     targets.emplace_back(makeTorus(1, 0.4, 16, 8), Scheme::CatmullClark, Inside::Circle, 16, scale);
-    targets.emplace_back(makeBox(Vec3(2), 1), Scheme::CatmullClark, Inside::Centre, 64, scale);
-    targets.emplace_back(tornIcosahedron(), Scheme::Loop, Inside::Centre, 32, scale);
+    targets.emplace_back(makeBox(Vec3(2), 1), Scheme::CatmullClark, Inside::Center, 64, scale);
+    targets.emplace_back(tornIcosahedron(), Scheme::Loop, Inside::Center, 32, scale);
     return targets;
 }
 

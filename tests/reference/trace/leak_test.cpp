@@ -50,9 +50,9 @@ AimedRay aimedRay(const LeakTarget& target, AimKind kind, bool fromOutside, std:
                                     : kind == Edge ? target.atEdge(random, origin)
                                                    : target.atVertex(random, origin);
         if (fromOutside && !aim.outer) continue; // on an outline it may pass, to the far side or for ever
-        const Vec3 towards = Vec3(aim.place) - Vec3(origin);
-        const double distance = fromOutside || aim.inner ? glm::length(towards) : kInfinity;
-        return {origin, glm::normalize(towards), distance, fromOutside};
+        const Vec3 toward = Vec3(aim.place) - Vec3(origin);
+        const double distance = fromOutside || aim.inner ? glm::length(toward) : kInfinity;
+        return {origin, glm::normalize(toward), distance, fromOutside};
     }
 }
 

@@ -190,10 +190,10 @@ Deviation torusDeviation(int segments) {
     Deviation worst;
     for (const PixelSample& pixel : coveredPixels(render(scene, 512 / segments))) {
         const Vec3 p = pixel.position;
-        const Vec3 centre = Vec3(p.x, 0, p.z) / std::hypot(p.x, p.z);
-        const double distance = glm::length(p - centre);
+        const Vec3 center = Vec3(p.x, 0, p.z) / std::hypot(p.x, p.z);
+        const double distance = glm::length(p - center);
         worst.position = std::max(worst.position, std::abs(distance - 0.35));
-        worst.normal = std::max(worst.normal, glm::length(pixel.normal - (p - centre) / distance));
+        worst.normal = std::max(worst.normal, glm::length(pixel.normal - (p - center) / distance));
     }
     return worst;
 }

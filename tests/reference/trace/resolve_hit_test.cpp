@@ -1,4 +1,4 @@
-// The hit in double against the plane it must lie on, also where the cell it was given is a neighbour's.
+// The hit in double against the plane it must lie on, also where the cell it was given is a neighbor's.
 #include "reference/trace/resolve_hit.h"
 
 #include <gtest/gtest.h>

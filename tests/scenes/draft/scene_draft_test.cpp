@@ -122,7 +122,7 @@ TEST_P(DraftsOfShapes, EveryShape_IsFramedAndLit) {
             const Vec3 pixel = pixelFromWorld(scene.camera, sample.position);
             ASSERT_GT(pixel.z, 0);
             seen.add({pixel.x / scene.camera.width, pixel.y / scene.camera.height, 0});
-            const Vec3 toCamera = CameraRays(scene.camera).towardsCamera(sample.position);
+            const Vec3 toCamera = CameraRays(scene.camera).towardCamera(sample.position);
             if (glm::dot(sample.normal, toCamera) <= 0) continue;
             facing += glm::dot(sample.normal, toCamera);
             lit += std::max(0.0, glm::dot(sample.normal, scene.lights[0].toLightWorld));

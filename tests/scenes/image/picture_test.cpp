@@ -57,7 +57,7 @@ TEST(Picture, EightBits_AreNearestFloatOfVOver255) {
             ASSERT_EQ(image.height, 16);
             EXPECT_TRUE(image.integer);
             for (int v = 0; v < 256; ++v)
-                for (int c = 0; c < channels; ++c) // alpha varies too: colours must not be multiplied with it
+                for (int c = 0; c < channels; ++c) // alpha varies too: colors must not be multiplied with it
                     ASSERT_EQ(image.at(v % 16, v / 16, c), static_cast<float>((v + 50 * c) % 256 / 255.0))
                         << name << " " << v << " channel " << c;
         }
@@ -112,7 +112,7 @@ TEST(Picture, Jpeg_IsCloseToWritten) {
     ASSERT_EQ(image.channels, 1);
     for (size_t i = 0; i < ramp.size(); ++i)
         ASSERT_NEAR(image.values[i], ramp[i] / 255.0, 2.5 / 255)
-            << i; // quality 100: quantised to whole steps
+            << i; // quality 100: quantized to whole steps
 }
 
 TEST(Picture, TiledFile_FirstRowIsTop) {
@@ -287,7 +287,7 @@ TEST(HeightMapFile, Colors_AreRefusedCompressionNoiseIsNot) {
     EXPECT_EQ(readHeightMap(folder / "a.png", Stores::Depth).depth({0, 0}), static_cast<double>(0.4f));
     writePicture(folder / "a.png", 1, 1, 3, std::vector<uint8_t>{102, 111, 104}, OIIO::TypeDesc::UINT8);
     EXPECT_THAT(inputErrorOf([&] { readHeightMap(folder / "a.png", Stores::Depth); }),
-                HasSubstr("differ by up to 0.0353; expected a grey one (differences up to 0.0314)"));
+                HasSubstr("differ by up to 0.0353; expected a gray one (differences up to 0.0314)"));
     writePicture(folder / "a.png", 1, 1, 4, std::vector<uint8_t>{102, 102, 102, 0}, OIIO::TypeDesc::UINT8);
     EXPECT_EQ(readHeightMap(folder / "a.png", Stores::Depth).depth({0, 0}),
               static_cast<double>(0.4f)); // not alpha
@@ -317,8 +317,8 @@ TEST(ColorMapFile, Integers_AreSrgbFloatsLinear) {
     EXPECT_NEAR(map.rgb[5], 0.21586, 5e-6);
     writePicture(folder / "a.hdr", 1, 1, 3, std::vector<float>{0.5f, 0.25f, 2}, OIIO::TypeDesc::FLOAT);
     EXPECT_THAT(readColorMap(folder / "a.hdr").rgb, ElementsAre(0.5f, 0.25f, 2));
-    writePicture(folder / "grey.png", 1, 1, 1, std::vector<uint8_t>{255}, OIIO::TypeDesc::UINT8);
-    EXPECT_THAT(readColorMap(folder / "grey.png").rgb, ElementsAre(1, 1, 1));
+    writePicture(folder / "gray.png", 1, 1, 1, std::vector<uint8_t>{255}, OIIO::TypeDesc::UINT8);
+    EXPECT_THAT(readColorMap(folder / "gray.png").rgb, ElementsAre(1, 1, 1));
     writePicture(folder / "a.tif", 1, 1, 3, std::vector<float>{0, kInfinityF, 0}, OIIO::TypeDesc::FLOAT);
     EXPECT_THAT(inputErrorOf([&] { readColorMap(folder / "a.tif"); }), HasSubstr("negative or not finite"));
 }
@@ -330,7 +330,7 @@ TEST(HeightMapFile, PublicMaps_AreRead) {
     EXPECT_EQ(toys.width(), 256);
     const HeightMap bricks = readHeightMap(folder / "bricks2_disp.jpg", Stores::Depth);
     EXPECT_EQ(bricks.width(), 512);
-    EXPECT_THROW(readHeightMap(folder / "bricks2.jpg", Stores::Depth), InputError); // a colour map by mistake
+    EXPECT_THROW(readHeightMap(folder / "bricks2.jpg", Stores::Depth), InputError); // a color map by mistake
     EXPECT_EQ(readColorMap(folder / "spot_texture.png").width, 1024);
 }
 

@@ -35,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, GeneratedMap, testing::ValuesIn(generatedMapKind
                          [](const auto& kind) { return kind.param; });
 
 TEST_P(GeneratedMap, EveryKind_IsSeamless) {
-    // Steps between neighbours across the border are no larger than the largest inside, along rows and
+    // Steps between neighbors across the border are no larger than the largest inside, along rows and
     // columns. The sizes include ones that no lattice of the maps divides.
     for (const int size : {64, 100, 255, 256}) {
         const HeightMap map = generate(GetParam(), size);
@@ -94,7 +94,7 @@ TEST_P(GeneratedMap, FixedSeed_HasKnownHash) {
 
 TEST(GeneratedMapFormulas, Pyramids_FollowFormula) {
     const HeightMap map =
-        generate("pyramids", 64); // 8 cells of 8 texels; centres at odd sixteenths of a cell
+        generate("pyramids", 64); // 8 cells of 8 texels; centers at odd sixteenths of a cell
     EXPECT_FLOAT_EQ(map.texel(3, 3), 2 * 1.0 / 16); // beside the tip
     EXPECT_FLOAT_EQ(map.texel(4, 3), 2 * 1.0 / 16);
     EXPECT_FLOAT_EQ(map.texel(0, 3), 2 * 7.0 / 16); // beside the foot

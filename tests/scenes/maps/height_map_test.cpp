@@ -9,7 +9,7 @@
 namespace plumbline {
 namespace {
 
-/// Bottom row 0, 1; top row 0.5, 0.25. Centres at s, t = 0.25 and 0.75.
+/// Bottom row 0, 1; top row 0.5, 0.25. Centers at s, t = 0.25 and 0.75.
 HeightMap twoByTwo(Wrap wrap = Wrap::Repeat) {
     return HeightMap("map", 2, 2, {0, 1, 0.5f, 0.25f}, wrap, wrap);
 }
@@ -83,7 +83,7 @@ TEST(HeightMap, OnCrease_GradientIsRightUpperPatchs) {
     EXPECT_EQ(ramp.sample({0.375, 0.5}).gradient, Vec2(0, 0)); // texel 1: flat to its right
     EXPECT_EQ(ramp.sample({0.625, 0.5}).gradient, Vec2(2, 0)); // texel 2: 0.5 a texel, 4 texels
     EXPECT_EQ(ramp.sample({0.375 - 1e-9, 0.5}).gradient, Vec2(2, 0));
-    // The double just below a crease at the first texel's centre: clamped there, so flat.
+    // The double just below a crease at the first texel's center: clamped there, so flat.
     EXPECT_EQ(ramp.sample({std::nextafter(0.125, 0.0), 0.5}).gradient, Vec2(0, 0));
 }
 
@@ -116,7 +116,7 @@ TEST(HeightMap, InvalidDepths_AreRefused) {
     EXPECT_THROW(HeightMap("m", -1, -1, {0}), InputError);
 }
 
-/// The definition, term by term: sum over all texels of a tent around its centre, with the map repeated
+/// The definition, term by term: sum over all texels of a tent around its center, with the map repeated
 /// thrice.
 double tentSum(const HeightMap& map, double s, double t) {
     double sum = 0;
@@ -148,7 +148,7 @@ RC_GTEST_PROP(HeightMapProperty, AnyPlace_GradientIsSlope, ()) {
     for (float& d : depths)
         d = static_cast<float>(*rc::gen::inRange(0, 256)) / 255.0f;
     const HeightMap map("map", width, height, depths);
-    // Within a patch: between the centres of texels (i, j) and (i + 1, j + 1).
+    // Within a patch: between the centers of texels (i, j) and (i + 1, j + 1).
     const Vec2 st((*rc::gen::inRange(-10, 10) + 0.5 + *rc::gen::inRange(10, 90) / 100.0) / width,
                   (*rc::gen::inRange(-10, 10) + 0.5 + *rc::gen::inRange(10, 90) / 100.0) / height);
     const double step = 1e-3; // bilinear: a central difference inside the patch has no error but rounding

@@ -97,7 +97,7 @@ TEST(AnyMesh, AnyCreaseSharpness_HasLimit) {
         }
 }
 
-TEST(AnyMesh, TwistedStrip_HasLimit) { // Moebius': it has but one side, so somewhere neighbours disagree
+TEST(AnyMesh, TwistedStrip_HasLimit) { // Moebius': it has but one side, so somewhere neighbors disagree
     ControlMesh mesh;
     mesh.name = "strip";
     constexpr int kCount = 8;

@@ -73,7 +73,7 @@ TEST(Crease, SharpVertex_IsCorner) {
     ControlMesh mesh = cubeMesh();
     mesh.tags.corners.push_back({7, kInfinitelySharp});
     EXPECT_LT(glm::length(evaluate(mesh, Scheme::CatmullClark, 1, 1, 1).position - Vec3(1)), 1e-14);
-    // Semi-sharp by 1: one step leaves the vertex at (1,1,1) and puts its edge neighbours at (0.75, 0.75, 0)
+    // Semi-sharp by 1: one step leaves the vertex at (1,1,1) and puts its edge neighbors at (0.75, 0.75, 0)
     // etc. and the face points at (1,0,0) etc.; from there on the smooth limit of Halstead et al. 1993: (9 v
     // + 4 sum(e) + sum(f)) / 24 = (9 + 4 * 1.5 + 1) / 24 = 2/3.
     mesh.tags.corners[0].sharpness = 1;

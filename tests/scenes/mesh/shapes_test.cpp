@@ -253,7 +253,7 @@ TEST(Teapot, ThirtyTwoPatches_ShareBorders) {
             EXPECT_LE(partners, 1) << "patch " << p << " border " << k;
             if (partners == 0) ++open;
         }
-    EXPECT_EQ(poles, 8); // four of the lid's top, four of the bottom's centre
+    EXPECT_EQ(poles, 8); // four of the lid's top, four of the bottom's center
     // Four each of the rim's inner and the lid's outer edge, two at each end of handle and spout; the bottom
     // is closed.
     EXPECT_EQ(open, 4 + 4 + 2 * 2 + 2 * 2);

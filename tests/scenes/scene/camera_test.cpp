@@ -25,7 +25,7 @@ TEST(Camera, TopLeftPixel_HasExactRay) {
     const CameraRays rays(squareRootFreeCamera());
     const Ray ray = rays.ray(0.5, 0.5);
     expectNear(ray.origin, {0, 0, 3}, 0);
-    // Centre of the top-left pixel: 1.5 left of and 0.5 above the middle, at depth 1 along -Z.
+    // Center of the top-left pixel: 1.5 left of and 0.5 above the middle, at depth 1 along -Z.
     expectNear(ray.direction, glm::normalize(Vec3(-1.5, 0.5, -1)), 1e-15);
 }
 
@@ -65,11 +65,11 @@ TEST(Camera, NearAndFar_AreMinusOneAndOneInClipSpace) {
     }
 }
 
-TEST(Camera, TowardsCamera_IsUnitAndOpposite) {
+TEST(Camera, TowardCamera_IsUnitAndOpposite) {
     Camera camera = squareRootFreeCamera();
-    expectNear(CameraRays(camera).towardsCamera({4, 0, 0}), {-0.8, 0, 0.6}, 1e-15); // 3-4-5 triangle
+    expectNear(CameraRays(camera).towardCamera({4, 0, 0}), {-0.8, 0, 0.6}, 1e-15); // 3-4-5 triangle
     camera.projection = Camera::Projection::Orthographic;
-    expectNear(CameraRays(camera).towardsCamera({4, 0, 0}), {0, 0, 1}, 1e-15);
+    expectNear(CameraRays(camera).towardCamera({4, 0, 0}), {0, 0, 1}, 1e-15);
 }
 
 Camera arbitraryCamera() {

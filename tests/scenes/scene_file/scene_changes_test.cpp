@@ -99,7 +99,7 @@ TEST_F(SceneFile, Orbit_PlacesCameraAroundTarget) {
     expectNear(level.upWorld, Vec3(0, 1, 0));
     const Camera side = camera("{ distance = 2, polar_degrees = 90, azimuth_degrees = 90 }");
     expectNear(side.positionWorld, Vec3(3, 0.5, 0));
-    // Straight from above: what is towards the azimuth is at the bottom of the picture.
+    // Straight from above: what is toward the azimuth is at the bottom of the picture.
     const Camera above = camera("{ distance = 2, polar_degrees = 0 }");
     expectNear(above.positionWorld, Vec3(1, 2.5, 0));
     expectNear(above.upWorld, Vec3(0, 0, -1));

@@ -67,12 +67,12 @@ TEST_F(SceneFile, FaultyCreases_NameTheirLine) {
          "object.creases.edges: is 0; expected a whole number from 1 to 72"},
         {"[{ edges = [1, 73], sharpness = 2 }]", "object.creases.edges: is 73"},
         {"[{ edges = [1, 2, 4], sharpness = 2 }]", "object.creases.edges: no face has an edge from vertex 2 "
-                                                   "to 4; expected vertices that are neighbours"},
+                                                   "to 4; expected vertices that are neighbors"},
         {"[{ edges = 1, sharpness = 2 }]", "object.creases.edges: is 1; expected an array of whole numbers"},
         {"[{ vertex = 73, sharpness = 2 }]",
          "object.creases.vertex: is 73; expected a whole number from 1 to 72"},
         {"[{ vertex = 3, sharpnes = 2 }]", "object.creases.sharpness: is missing"},
-        {"[{ vertex = 3, sharpness = 2, colour = 1 }]", "object.creases.colour: unknown field"},
+        {"[{ vertex = 3, sharpness = 2, color = 1 }]", "object.creases.color: unknown field"},
     };
     for (const auto& [creases, message] : cases)
         EXPECT_THAT(messageFor(withCreases(creases)), HasSubstr(message)) << creases;

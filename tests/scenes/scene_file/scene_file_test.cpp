@@ -332,9 +332,9 @@ TEST(SceneLibrary, UnknownName_HasHint) {
     EXPECT_THAT(inputErrorOf([] { findScene("nosuchscene"); }), HasSubstr("called 'nosuchscene'"));
     EXPECT_THAT(inputErrorOf([] { findScene("/"); }), HasSubstr("is not a file"));
     if (scenes.empty()) GTEST_SKIP() << "the library has no scenes yet";
-    std::string misspelt = scenes[0].name;
-    std::swap(misspelt[1], misspelt[2]);
-    EXPECT_THAT(inputErrorOf([&] { findScene(misspelt); }),
+    std::string misspelled = scenes[0].name;
+    std::swap(misspelled[1], misspelled[2]);
+    EXPECT_THAT(inputErrorOf([&] { findScene(misspelled); }),
                 HasSubstr("did you mean '" + scenes[0].name + "'?"));
 }
 

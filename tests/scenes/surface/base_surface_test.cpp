@@ -65,7 +65,7 @@ TEST(BaseSurface, RegularPatch_IsBicubicBSpline) {
 
 TEST(BaseSurface, CubeCorner_HasHalstead1993Limit) {
     // Halstead et al. 1993, appendix: limit of a vertex of valence n = (n^2 v + 4 sum(e) + sum(f)) / (n (n +
-    // 5)), e its edge neighbours, f the far corners of its quads. Cube of +-1, corner (1,1,1): sum(e) =
+    // 5)), e its edge neighbors, f the far corners of its quads. Cube of +-1, corner (1,1,1): sum(e) =
     // (1,1,1), sum(f) =
     // (-1,-1,-1), so (9 + 4 - 1) / 24 = 1/2. The normal is the diagonal by symmetry.
     const BaseSurface surface(cubeMesh(), Scheme::CatmullClark);
@@ -119,7 +119,7 @@ TEST(BaseSurface, SubFaces_AreParameterizedPerPatch) {
         ASSERT_EQ(surface.patches().size(),
                   scheme == Scheme::None ? 5u + 5 : 5u + 5 * 3); // triangles: one, or cut
         BaseSurface::Evaluator evaluator(surface);
-        Vec3 centre(0);
+        Vec3 center(0);
         for (int patch = 0; patch < 5; ++patch) {
             evaluator.setPatch(patch);
             const double h = 1e-6;
@@ -129,10 +129,10 @@ TEST(BaseSurface, SubFaces_AreParameterizedPerPatch) {
             EXPECT_LT(glm::length(s.positionU - difference), 1e-8);
             EXPECT_LT(s.normal.z, 0); // the base faces down
             const Vec3 at = evaluator.point(1, 1).position;
-            if (patch > 0) { // all five meet in the face's centre
-                EXPECT_LT(glm::length(at - centre), 1e-14);
+            if (patch > 0) { // all five meet in the face's center
+                EXPECT_LT(glm::length(at - center), 1e-14);
             }
-            centre = at;
+            center = at;
         }
     }
 }
@@ -153,7 +153,7 @@ TEST(BaseSurface, LoopOnFlatCage_IsFlat) {
     BaseSurface::Evaluator evaluator(surface);
     evaluator.setPatch(0);
     EXPECT_TRUE(surface.patches()[0].triangular);
-    EXPECT_LT(glm::length(evaluator.point(0, 0).position), 1e-14); // by symmetry the centre stays
+    EXPECT_LT(glm::length(evaluator.point(0, 0).position), 1e-14); // by symmetry the center stays
     EXPECT_LT(glm::length(evaluator.point(0.25, 0.25).normal - Vec3(0, 0, 1)), 1e-14);
 }
 
@@ -171,7 +171,7 @@ TEST(BaseSurface, Polygons_TakeFileNormalsElseAngleWeighted) {
     evaluator.setPatch(0);
     EXPECT_LT(glm::length(evaluator.point(0, 1).normal - Vec3(0, 1, 0)), 1e-15);
     EXPECT_LT(glm::length(evaluator.point(0, 0).normal - Vec3(0, 1, 1) / std::sqrt(2.0)), 1e-15);
-    // Half way up: the mean of both, renormalised.
+    // Half way up: the mean of both, renormalized.
     EXPECT_LT(glm::length(evaluator.point(0.3, 0.5).normal -
                           glm::normalize(Vec3(0, 1, 0) + Vec3(0, 1, 1) / std::sqrt(2.0))),
               1e-15);
@@ -210,7 +210,7 @@ TEST(BaseSurface, SharedSamples_AgreeFromBothSides) {
 }
 
 TEST(DisplacedSurface, RampOnPlane_TiltsIt) {
-    // d = s over one texel pair: map {0, 1} of width 2, centres at 1/4 and 3/4, so between them d = 2 (s -
+    // d = s over one texel pair: map {0, 1} of width 2, centers at 1/4 and 3/4, so between them d = 2 (s -
     // 1/4) and d_s = 2. On the plane y = 0 with uv = (x, -z), depth 0.5: y = -0.5 d, slope -1 along x, normal
     // (1, 1, 0)/sqrt 2.
     ControlMesh mesh = gridMesh(2, [](int, int) { return 0; });

@@ -63,7 +63,7 @@ TEST(ProxyBase, Corners_AreProxyVertices) {
             const BasePoint corner = evaluator.point(k % 3 == 1, k % 3 == 2);
             ASSERT_EQ(corner.position, vertex.position);
             ASSERT_EQ(textureCoordinates(corner, &*relief), vertex.st);
-            ASSERT_LT(glm::length(corner.normal - vertex.normal), 1e-15); // normalised once more
+            ASSERT_LT(glm::length(corner.normal - vertex.normal), 1e-15); // normalized once more
             // The relief begins at the triangles: d = 1/2 of a depth of 0.1 below them.
             ASSERT_DOUBLE_EQ(displacement(vertex.st, &*relief), -0.05);
         }

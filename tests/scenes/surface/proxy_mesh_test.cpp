@@ -45,10 +45,10 @@ SceneObject cylinder(int around, int up, double radius, double height) {
 }
 
 TEST(ProxyMesh, Cylinder_HasHalfItsCurvature) {
-    // In the frame of a vertex a neighbour at angle h around is x = R sin h (the tangent of the polygon is
+    // In the frame of a vertex a neighbor at angle h around is x = R sin h (the tangent of the polygon is
     // not exactly e_x, but by symmetry of the ring only x^2 enters), z = -R (1 - cos h). So A = (1 - cos h) /
     // (R sin^2 h) where x is measured in the tangent plane: with h = 2 pi / 64 that is 1/(2R) to within h^2/4
-    // = 0.25 %; the polygon's tangent is tilted by h/2, which adds as much again. Neighbours along y lie on
+    // = 0.25 %; the polygon's tangent is tilted by h/2, which adds as much again. Neighbors along y lie on
     // the plane: B = 0, up to that tilt.
     for (const double radius : {1e-3, 2.0, 1e3}) {
         const ProxyMesh proxy = buildProxyMesh(cylinder(64, 6, radius, 1.2 * radius));

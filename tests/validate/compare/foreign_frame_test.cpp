@@ -38,7 +38,7 @@ struct Hit {
     double distance, depth;
 };
 
-/// The unit sphere around the origin in that pixel's centre: |o + t d| = 1.
+/// The unit sphere around the origin in that pixel's center: |o + t d| = 1.
 std::optional<Hit> hitAt(const Camera& camera, size_t pixel) {
     const CameraRays rays(camera);
     const Ray ray = rays.ray(double(pixel % kWidth) + 0.5, double(pixel / kWidth) + 0.5);

@@ -60,9 +60,9 @@ TEST(ContourDistance, RectangleShiftedByThree_HasHandComputedDistance) {
     EXPECT_EQ(*result.hausdorff95Px, 3);
 }
 
-// A pixel of the contour of a disc of radius r is at most r from the middle, and more than r - 1: a neighbour
+// A pixel of the contour of a disc of radius r is at most r from the middle, and more than r - 1: a neighbor
 // is outside. So no two pixels of the contours of r and r + k are k - 1 apart or less. From a pixel of the
-// one walk outwards or inwards: where the nearest pixel centres change from inside the other disc to outside,
+// one walk outwards or inwards: where the nearest pixel centers change from inside the other disc to outside,
 // at r + k +- sqrt(2) / 2, there is one of its contour within sqrt(2) / 2: at most k + 1 + sqrt(2).
 TEST(ContourDistance, ConcentricDiscs_AreRadiusDifference) {
     for (const int k : {2, 5, 12}) {
@@ -115,7 +115,7 @@ TEST(ContourDistance, ImageBorder_IsNoContour) {
     EXPECT_EQ(*result.hausdorff95Px, 2);
 }
 
-// Neighbours across a corner are none: of a 3 x 3 square with a corner missing the middle is inside.
+// Neighbors across a corner are none: of a 3 x 3 square with a corner missing the middle is inside.
 TEST(ContourDistance, DiagonalNeighbors_MakeNoContour) {
     Frame frame = emptyFrame(5, 5);
     paintRectangle(frame, 1, 1, 4, 4);

@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// Colours of all kinds: smooth, noisy, beyond white.
+/// Colors of all kinds: smooth, noisy, beyond white.
 Frame picture(unsigned seed, float noise) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(-noise, noise);

@@ -105,22 +105,22 @@ TEST(ImageError, NanColors_AreCountedApart) {
     EXPECT_EQ(result.invalidPx, 2u);
     EXPECT_EQ(*result.rmse, 1);
     set(test, "G", 2, 0, kNanF);
-    EXPECT_THAT(errorOf(reference, test).rmse.reason(), HasSubstr("no pixel has a finite colour"));
+    EXPECT_THAT(errorOf(reference, test).rmse.reason(), HasSubstr("no pixel has a finite color"));
     EXPECT_EQ(errorOf(reference, test).invalidPx, 3u);
 }
 
 TEST(ImageError, NoColor_IsAbsentWithReason) {
     const Frame frame = emptyFrame(2, 1);
-    Frame grey(2, 1);
-    grey.add("A");
-    grey.add("R");
-    grey.add("G");
-    const ImageError result = errorOf(frame, grey);
+    Frame gray(2, 1);
+    gray.add("A");
+    gray.add("R");
+    gray.add("G");
+    const ImageError result = errorOf(frame, gray);
     for (const Figure& figure : {result.psnrDb, result.rmse, result.badpix2Codes})
         EXPECT_THAT(figure.reason(), HasSubstr("the test frame has no channel B"));
 }
 
-/// Frames of colours of all kinds: dark, bright, beyond white.
+/// Frames of colors of all kinds: dark, bright, beyond white.
 Frame randomPicture() {
     Frame frame = emptyFrame(5, 4);
     for (const char* color : {"R", "G", "B"})

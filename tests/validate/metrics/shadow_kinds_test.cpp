@@ -42,7 +42,7 @@ struct Facet {
 
 // The light comes along +x. Reference normals (n, 0, 1): N.L has the sign of n.
 //     n = -1 -1 -1 0    attached: 4 pixels; the test is lit in one of them: agreement 3/4
-//     n = 1 1 1 1 1     towards the light: 2 of them dark; the test agrees on 3: one false shadow, one false
+//     n = 1 1 1 1 1     toward the light: 2 of them dark; the test agrees on 3: one false shadow, one false
 //     lit: 3/5
 // The test's normals say the opposite and don't count.
 TEST(ShadowKinds, NinePixels_EqualHandComputed) {
@@ -81,7 +81,7 @@ TEST(ShadowKinds, BackSide_UsesNormalTowardCamera) {
     EXPECT_EQ(*kindsOf(frame, frame, distantLight({-1, 0, 0})).cast.domainPx, 1);
 }
 
-// Points at x = -2 and 2 of a plane with the normal (1, 0, 1), a light at the origin: towards it (1, 0, 0)
+// Points at x = -2 and 2 of a plane with the normal (1, 0, 1), a light at the origin: toward it (1, 0, 0)
 // and (-1, 0, 0).
 TEST(ShadowKinds, PointLight_IsSeenFromPoint) {
     Frame frame = emptyFrame(2, 1);

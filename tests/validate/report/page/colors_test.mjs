@@ -55,7 +55,7 @@ for (const { layer, ending, leastColors, leastApart = 0 } of [
     await panesLoaded(page);
     const [canvas, png] = [await shownPixels(page), await pngPixels(page, ending)];
     const apart = canvas.filter((color) => kApart[color]).length;
-    assert.ok(new Set(canvas).size >= leastColors, `${new Set(canvas).size} colours`);
+    assert.ok(new Set(canvas).size >= leastColors, `${new Set(canvas).size} colors`);
     assert.ok(apart >= leastApart && apart < 0.25 * canvas.length, `${apart} pixels apart`);
     const wrong = canvas.flatMap((color, at) =>
       (kApart[color] ?? [color]).includes(png[at]) ? [] : [`${at}: ${color}, PNG ${png[at]}`],

@@ -10,7 +10,7 @@ const [kNear, kNearMiddle, kZero, kFarMiddle, kFar] = diverging;
 const [kPale, kMedium, kDark] = sequential;
 const [kLightest, kDarkest] = gray;
 
-/** Sixteen times `otherwise`, but for the pixels listed by colour. */
+/** Sixteen times `otherwise`, but for the pixels listed by color. */
 function picture(otherwise, ...exceptions) {
   const pixels = Array(16).fill(otherwise);
   for (const [color, ...at] of exceptions) for (const pixel of at) pixels[pixel] = color;
@@ -37,7 +37,7 @@ const kUncompared = [
 
 const kLayers = [
   {
-    what: "colour",
+    what: "color",
     frame: "t1",
     layer: "color",
     pixels: kRgb.map((rgb) => hex(...rgb)),
@@ -45,7 +45,7 @@ const kLayers = [
     read: { 0: "#0000ff · sRGB 0 0 255", 7: "#1523f8 · sRGB 21 35 248" },
   },
   {
-    what: "colour of the reference",
+    what: "color of the reference",
     frame: "r",
     layer: "color",
     pixels: kRgb.map(([r, g, b]) => hex(b, r, g)),
@@ -84,7 +84,7 @@ const kLayers = [
     },
   },
   {
-    what: "depth error in world units", // full colour at 0.5
+    what: "depth error in world units", // full color at 0.5
     frame: "t1",
     layer: "depth_error",
     pixels: picture(
@@ -109,7 +109,7 @@ const kLayers = [
     },
   },
   {
-    what: "depth error in relief depths", // full colour at 0.5 world units of the deepest relief
+    what: "depth error in relief depths", // full color at 0.5 world units of the deepest relief
     frame: "t1",
     layer: "depth_error",
     unit: "relief",

@@ -47,7 +47,7 @@ async function seen(page, from = 0.2, to = 0.8) {
 }
 
 const kSlope = frameId("torus", "parallax_slope");
-/** The reference's colour as A, a technique's depth error as B. */
+/** The reference's color as A, a technique's depth error as B. */
 const kTwo = `f1=r&l1=color&f2=${kSlope}&l2=depth_error`;
 
 test("wheel, drag and keys: zoom and pan all panes together", async (t) => {

@@ -87,7 +87,7 @@ export interface ReportData {
   failing: { of: number; meaning: string };
   /** In relief depths. `named`: the thresholds of the metrics badpix_…pct. */
   curves: { thresholds: number[]; named: number[]; edges: number[] };
-  /** The tables of validate/report/colors.h, "#rrggbb": what a pixel is, and the stops of colour maps. */
+  /** The tables of validate/report/colors.h, "#rrggbb": what a pixel is, and the stops of color maps. */
   colors: {
     palette: { [color in PaletteColor]: string };
     maps: { [map in MapName]: { low: number; stops: string[] } };

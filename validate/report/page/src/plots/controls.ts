@@ -33,7 +33,7 @@ export function chooser(label: string, key: string, options: Option[], fallback:
   select.addEventListener("change", () => setState(key, select.value));
   onStateChange(show);
   show();
-  return labelled(label, key, select);
+  return labeled(label, key, select);
 }
 
 export function chosen(key: string, options: Option[], fallback: () => string): string {
@@ -51,12 +51,12 @@ export function toggle(label: string, key: string): HTMLElement {
   box.addEventListener("change", () => setState(key, box.checked ? "1" : undefined));
   onStateChange(show);
   show();
-  const whole = labelled(label, key, box);
+  const whole = labeled(label, key, box);
   whole.classList.add("toggle");
   return whole;
 }
 
-function labelled(text: string, key: string, control: HTMLElement): HTMLElement {
+function labeled(text: string, key: string, control: HTMLElement): HTMLElement {
   const label = document.createElement("label");
   label.textContent = text;
   label.htmlFor = control.id = `control-${key}`;

@@ -1,4 +1,4 @@
-// The techniques highlighted in every plot: A, and B to compare it with; all others are grey.
+// The techniques highlighted in every plot: A, and B to compare it with; all others are gray.
 import type { FrameEntry, ReportData } from "../data";
 import { frameById, frameLabel, frameOfTechnique } from "../frames";
 import { chosen, type Option } from "./controls";

@@ -1,4 +1,4 @@
-// A plot as a self-contained file: colours for white paper, generic fonts, a title, nothing from the page's
+// A plot as a self-contained file: colors for white paper, generic fonts, a title, nothing from the page's
 // style sheets.
 
 const kSvg = "http://www.w3.org/2000/svg";

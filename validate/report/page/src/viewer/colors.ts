@@ -1,5 +1,5 @@
-// The program's colours (validate/report/colors.h, which says what they mean), in the page's own form. A
-// colour is packed as a canvas holds it on a little-endian machine: 0xAABBGGRR, opaque.
+// The program's colors (validate/report/colors.h, which says what they mean), in the page's own form. A
+// color is packed as a canvas holds it on a little-endian machine: 0xAABBGGRR, opaque.
 import type { MapName, PaletteColor, ReportData } from "../data";
 
 export type Packed = number;

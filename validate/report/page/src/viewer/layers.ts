@@ -29,7 +29,7 @@ export function layersOf(report: ReportData): LayerInfo[] {
     layer.startsWith("shadow."),
   );
   return [
-    { key: "color", label: "Colour", ofFrame: ["color"], ofReference: [] },
+    { key: "color", label: "Color", ofFrame: ["color"], ofReference: [] },
     {
       key: "silhouette",
       label: "Silhouette difference",
@@ -54,7 +54,7 @@ export function layersOf(report: ReportData): LayerInfo[] {
 }
 
 const kPlaneWords: { [plane: string]: string } = {
-  color: "no colour",
+  color: "no color",
   id: "no object numbers",
   depth: "no depth",
   normal_angle: "no normals",

@@ -1,4 +1,4 @@
-// Below a picture: a colour bar with its ends, middle and unit and the controls of its range; categories with
+// Below a picture: a color bar with its ends, middle and unit and the controls of its range; categories with
 // their pixel counts.
 import { cssColor, type Colors } from "./colors";
 import { make, setText } from "./dom";
@@ -58,7 +58,7 @@ export class Legend {
     const linear = reading.map === "gray" ? defaultRange : null;
     if (linear) this.low = new RangeEnd("lightest at", where, defaultRange[0], linear, choose);
     this.high = new RangeEnd(
-      linear ? "darkest at" : "full colour at",
+      linear ? "darkest at" : "full color at",
       where,
       defaultRange[1],
       linear,

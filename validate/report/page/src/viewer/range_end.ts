@@ -1,4 +1,4 @@
-// A control of one end of a colour map's range: a slider, and a field for exact values.
+// A control of one end of a color map's range: a slider, and a field for exact values.
 import { make } from "./dom";
 import { significant } from "./numbers";
 import type { Range } from "./ranges";

@@ -1,10 +1,10 @@
-// Which values the two ends of a colour map stand for.
+// Which values the two ends of a color map stand for.
 import type { ReportData } from "../data";
 import type { LayerKey } from "./layers";
 import { roundedUp } from "./numbers";
 import type { Reading } from "./reading";
 
-/** Values at the two ends of the colour map. */
+/** Values at the two ends of the color map. */
 export type Range = readonly [low: number, high: number];
 
 /** Whether these can be chosen: 0 is in the middle of errors, and at the low end of all but depths. */

@@ -17,7 +17,7 @@ export interface Category {
 
 export interface Reading {
   layer: LayerKey;
-  /** How a value becomes a colour; "picture": it is one, "none": there are no values. */
+  /** How a value becomes a color; "picture": it is one, "none": there are no values. */
   map: MapName | "picture" | "none";
   /** Of a value; "" of pictures and categories. */
   unit: string;
@@ -26,7 +26,7 @@ export interface Reading {
   categories: Category[];
   /** Index into categories; -1 if the pixel has a value. */
   categoryAt(pixel: number): number;
-  /** NaN if it has none; of a picture the packed colour. */
+  /** NaN if it has none; of a picture the packed color. */
   valueAt(pixel: number): number;
 }
 

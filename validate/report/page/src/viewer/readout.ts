@@ -46,7 +46,7 @@ export class Readout {
     setText(
       this.where,
       pixel
-        ? `Pixel ${pixel.x} from the left, ${pixel.y} from the top; its centre is at ${pixel.x + 0.5}, ${pixel.y + 0.5}`
+        ? `Pixel ${pixel.x} from the left, ${pixel.y} from the top; its center is at ${pixel.x + 0.5}, ${pixel.y + 0.5}`
         : "Point at a picture, or focus it and press an arrow key, to read a pixel",
     );
     while (this.rows.rows.length > panes.length) this.rows.deleteRow(-1);

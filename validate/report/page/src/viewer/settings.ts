@@ -24,7 +24,7 @@ export interface Settings extends TechniqueChoice {
   panes: PaneChoice[];
   camera: Camera;
   unit: DepthUnit;
-  /** Ends of colour maps that were chosen, by rangeKey(). */
+  /** Ends of color maps that were chosen, by rangeKey(). */
   ranges: { [key: string]: Range };
   /** The pixel held with the crosshair. */
   held: Pixel | null;

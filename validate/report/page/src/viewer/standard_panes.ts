@@ -20,8 +20,8 @@ export interface TechniqueChoice {
 }
 
 /**
- * Of one technique: its colour beside the reference's, then its silhouette difference and depth error. Of
- * two: colour and depth error of each.
+ * Of one technique: its color beside the reference's, then its silhouette difference and depth error. Of
+ * two: color and depth error of each.
  */
 export function standardPanes(
   report: ReportData,

@@ -9,9 +9,9 @@
 
 namespace plumbline {
 
-class PatchNeighbours {
+class PatchNeighbors {
   public:
-    explicit PatchNeighbours(const BaseSurface& surface);
+    explicit PatchNeighbors(const BaseSurface& surface);
 
     /// `uv` outside the patch: the place about as far inside the patch beyond the side that was crossed. A
     /// guess to start a search from: the two patches' scales may differ. Nothing beyond a boundary, or an

@@ -1,10 +1,10 @@
-#include "reference/trace/patch_neighbours.h"
+#include "reference/trace/patch_neighbors.h"
 
 #include <algorithm>
 
 namespace plumbline {
 
-PatchNeighbours::PatchNeighbours(const BaseSurface& surface)
+PatchNeighbors::PatchNeighbors(const BaseSurface& surface)
     : surface_(surface), sides_(lengthOf(surface.edgeCount())),
       crowded_(lengthOf(surface.edgeCount()), false) {
     for (int face = 0; face < surface.mesh().faceCount(); ++face) {
@@ -18,7 +18,7 @@ PatchNeighbours::PatchNeighbours(const BaseSurface& surface)
     }
 }
 
-std::optional<PatchPlace> PatchNeighbours::acrossEdge(int face, int k, double along, double inside) const {
+std::optional<PatchPlace> PatchNeighbors::acrossEdge(int face, int k, double along, double inside) const {
     const int edge = item(surface_.faceEdges(face), k);
     if (item(crowded_, edge)) return std::nullopt;
     const auto& [first, second] = item(sides_, edge);
@@ -29,7 +29,7 @@ std::optional<PatchPlace> PatchNeighbours::acrossEdge(int face, int k, double al
     return placeOnEdge(surface_, other.face, other.k, sameWay ? along : 1 - along, inside);
 }
 
-std::optional<PatchPlace> PatchNeighbours::beyond(int patchIndex, const Vec2& uv) const {
+std::optional<PatchPlace> PatchNeighbors::beyond(int patchIndex, const Vec2& uv) const {
     const BaseSurface::Patch& patch = surface_.patch(patchIndex);
     const Vec2 held = glm::clamp(uv, Vec2(0), Vec2(1));
     const double over[4] = {-uv.y, patch.triangular ? uv.x + uv.y - 1 : uv.x - 1,
