@@ -1,26 +1,12 @@
-// The shader programs of the harness with a technique put in.
+// Shader programs of the harness with a technique put in (technique/stage_sources.h), compiled and linked.
 #pragma once
 
 #include "realtime/gl/gl_program.h"
-#include "realtime/technique/technique.h"
+#include "realtime/technique/stage_sources.h"
 
 #include <memory>
 
 namespace plumbline {
-
-/// Vertex and fragment stage of a program.
-struct StageSources {
-    ShaderSource vertex, fragment;
-};
-
-/// Draws objects as they are: proxies without relief, micro-triangles.
-StageSources plainSources(size_t lightCount, bool shadowMaps);
-/// Draws proxies with a relief by the technique. The technique's own file comes last, so that nothing in it
-/// can change the meaning of what stands before, and a redefinition is reported where the author wrote it.
-StageSources reliefSources(const Technique& technique, size_t lightCount);
-/// The same two in the light pass of shadow maps: they write a depth and no color.
-StageSources plainLightSources();
-StageSources reliefLightSources(const Technique& technique);
 
 /// Compiles, links and checks that the technique declares no uniform the harness doesn't set. Throws
 /// InputError. What the camera sees has the unit of its shadow maps set, unitBehindBaked() of baked_input.h,

@@ -105,4 +105,14 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
     return parameters;
 }
 
+std::vector<std::string> harnessParameterNames() {
+    Manifest search, bentSurface; // a pair to which all of them apply
+    search.shadows = bentSurface.shadows = {"relief", "none"};
+    bentSurface.inputs = {"quadric"};
+    std::vector<std::string> names;
+    for (Parameter& parameter : harnessParameters(search, bentSurface))
+        names.push_back(std::move(parameter.name));
+    return names;
+}
+
 } // namespace plumbline

@@ -1,8 +1,8 @@
 #include "realtime/technique/manifest.h"
 
 #include "realtime/bake/bake.h"
+#include "realtime/glsl/glsl_text.h"
 #include "realtime/technique/composition.h"
-#include "realtime/technique/glsl_words.h"
 #include "realtime/technique/manifest_parameters.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
@@ -35,6 +35,15 @@ void readCommon(const TomlTable& table, Manifest& manifest) {
     manifest.parameters = readParameters(table);
 }
 
+void readShaderName(const TomlTable& table, Manifest& manifest) {
+    manifest.shader = manifest.name + ".glsl";
+    if (!table.has("shader")) return;
+    manifest.shader = table.line("shader");
+    if (!fs::is_regular_file(manifest.shaderFile()))
+        table.fail("shader", fmt::format("names {}, which is no file", manifest.shaderFile().string()),
+                   "the path of a file, from the manifest's folder");
+}
+
 std::vector<std::string> readShadows(const TomlTable& table,
                                      std::optional<std::vector<std::string>> fallback = {}) {
     std::vector<std::string> shadows = table.someOf("shadows", kShadows, std::move(fallback));
@@ -63,7 +72,7 @@ std::vector<std::string> channelNames() {
 
 void checkShader(const Manifest& manifest) {
     const std::string glsl = readWholeFile(manifest.shaderFile());
-    if (const auto byte = firstForeignByte(glsl))
+    if (const auto byte = firstNonAsciiByte(glsl))
         throw InputError(fmt::format("{}:{}", manifest.shaderFile().string(), byte->line),
                          fmt::format("holds the byte {:#04x} outside of a comment", byte->value),
                          "ASCII text",
@@ -138,6 +147,7 @@ Manifest readTechniqueManifest(const fs::path& folder) {
             table.fail("parameter", "is there, but micro_triangles have no shader to take parameters",
                        "no [[parameter]]");
     } else {
+        readShaderName(table, manifest);
         manifest.needs = table.someOf("needs", surfacePropertyNames());
         manifest.shadows = readShadows(table, kShadows);
         checkShader(manifest);
@@ -155,6 +165,7 @@ Manifest readSurfaceManifest(const fs::path& folder) {
     if (manifest.inputs.size() > 1) table.fail("inputs", "holds two quadrics", listOf(kSurfaceInputs));
     manifest.offers = table.someOf("offers", surfacePropertyNames());
     manifest.shadows = readShadows(table);
+    readShaderName(table, manifest);
     if (table.has("variant_of")) manifest.variantOf = table.choice("variant_of", surfaceNames());
     table.finish();
     checkShader(manifest);

@@ -42,6 +42,7 @@ enum class Geometry { Proxy, MicroTriangles };
 struct Manifest {
     std::string name; // of the folder
     std::filesystem::path folder, file;
+    std::string shader; // path from `folder`
     std::string title, citation;
     Geometry geometry = Geometry::Proxy;
     std::vector<std::string>
@@ -61,16 +62,13 @@ struct Manifest {
     bool hasOffer(const std::string& property) const;
     /// Of a surface: whether its base is a quadric.
     bool isBent() const { return hasInput("quadric") || hasInput("quadric_full"); }
-    /// FOLDER/NAME.glsl.
-    std::filesystem::path shaderFile() const { return folder / (name + ".glsl"); }
+    /// FOLDER/NAME.glsl, or the file that the manifest names.
+    std::filesystem::path shaderFile() const { return folder / shader; }
 };
 
-/// Reads FOLDER/technique.toml or FOLDER/surface.toml and checks it, also that FOLDER/NAME.glsl is there and
+/// Reads FOLDER/technique.toml or FOLDER/surface.toml and checks it, also that the shader is there and
 /// names every parameter. Throws InputError.
 Manifest readTechniqueManifest(const std::filesystem::path& folder);
 Manifest readSurfaceManifest(const std::filesystem::path& folder);
-
-/// Whether `name` stands in GLSL text as a word of its own, outside of comments.
-bool namesIdentifier(const std::string& glsl, const std::string& name);
 
 } // namespace plumbline

@@ -1,7 +1,7 @@
 #include "realtime/technique/manifest_parameters.h"
 
-#include "realtime/bake/bake.h"
-#include "realtime/technique/glsl_words.h"
+#include "realtime/glsl/glsl_text.h"
+#include "realtime/technique/reserved_names.h"
 
 #include <fmt/format.h>
 
@@ -29,8 +29,7 @@ void checkParameterName(const TomlTable& table, const char* key, const std::stri
         table.fail(key, fmt::format("'{}' can't be a GLSL name", name),
                    "a letter, then letters, digits and single underscores");
     if (isGlslWord(name)) table.fail(key, fmt::format("'{}' is a word of GLSL", name), "another name");
-    if (isHarnessName(name) || isBakeKind(name))
-        table.fail(key, fmt::format("'{}' belongs to the harness", name), "another name");
+    if (isReserved(name)) table.fail(key, fmt::format("'{}' belongs to the harness", name), "another name");
 }
 
 void readRange(const TomlTable& table, Parameter& parameter) {

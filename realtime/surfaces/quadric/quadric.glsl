@@ -1,4 +1,5 @@
-// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. Its input, "quadric", has no cross term.
+// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. Whether the quadric has a cross term is
+// decided by the surface's input: "quadric" has none, "quadric_full" has one.
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
     return enterVertical(frame, st, direction, ray);

@@ -1,6 +1,6 @@
 #include "tests/realtime/draw/trace_glsl.h"
 
-#include "realtime/draw/technique_program.h"
+#include "realtime/technique/stage_sources.h"
 #include "scenes/core/data_folder.h"
 #include "tests/realtime/draw/evaluate_glsl.h"
 #include "tests/realtime/gl_fixture.h"

@@ -1,4 +1,5 @@
 // Manifests, settings and names, without OpenGL.
+#include "realtime/glsl/glsl_text.h"
 #include "realtime/technique/composition.h"
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique.h"
@@ -207,7 +208,7 @@ TEST(Manifest, Mistakes_NameTheirLine) {
     EXPECT_EQ(
         manifestMessage(with("limits = []", "limits = []\nlimit = []")),
         "technique.toml:6: limit: unknown field; expected channels, citation, geometry, inputs, limits, "
-        "needs, parameter, shadows or title; did you mean 'limits'?");
+        "needs, parameter, shader, shadows or title; did you mean 'limits'?");
     EXPECT_THAT(manifestMessage(with("['height']", "[\n'hight']")),
                 AllOf(StartsWith("technique.toml:4: inputs: holds the text \"hight\"; expected height"),
                       EndsWith("did you mean 'height'?")));
@@ -253,7 +254,8 @@ TEST(Manifest, ParameterMistakes_NameTheirLine) {
     EXPECT_THAT(manifestMessage(with("'steps'", "'float'")), HasSubstr("is a word of GLSL"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'a b'")), HasSubstr("can't be a GLSL name"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'gl_x'")), HasSubstr("can't be a GLSL name"));
-    for (const char* name : {"kAmbient", "uHeightMap", "outColor", "gIterations", "cone_step"})
+    for (const char* name : {"kAmbient", "uHeightMap", "outColor", "gIterations", "cone_step", "ReliefWalk",
+                             "bufferDepth", "verticalDescent", "shadow_map_bias"})
         EXPECT_THAT(manifestMessage(with("'steps'", "'" + std::string(name) + "'")),
                     HasSubstr("belongs to the harness"));
     EXPECT_THAT(manifestMessage(std::string(kGood) + kParameter + kParameter),
@@ -332,6 +334,22 @@ TEST(Manifest, SurfaceManifest_NamesQuadricAndVariant) {
                       EndsWith("did you mean 'quadric'?")));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"),
                 HasSubstr("variant_of: is 3; expected flat"));
+}
+
+TEST(Manifest, NamedShader_IsReadInPlaceOfTheFoldersOwn) {
+    const TemporaryFolder folder;
+    const auto message = [&](const std::string& field) {
+        writeFile(folder / "mine/technique.toml", kGood + field);
+        return messageOf<InputError>([&] {
+            const Manifest manifest = readTechniqueManifest(folder / "mine");
+            EXPECT_EQ(readWholeFile(manifest.shaderFile()), kShader);
+        });
+    };
+    writeFile(folder / "other/shared.glsl", kShader);
+    EXPECT_EQ(message("shader = '../other/shared.glsl'\n"), "");
+    EXPECT_THAT(message(""), EndsWith("mine.glsl: no such file"));
+    EXPECT_THAT(message("shader = '../other/sharde.glsl'\n"), HasSubstr("technique.toml:6: shader: names"));
+    EXPECT_THAT(message("shader = '../other'\n"), HasSubstr("which is no file; expected the path of a file"));
 }
 
 TEST(Settings, Coefficients_ChooseVertexQuadrics) {

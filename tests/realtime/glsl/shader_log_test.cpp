@@ -1,6 +1,6 @@
 // Compiler logs as Mesa 22.3, NVIDIA 535 and ANGLE write them.
-#include "realtime/gl/gl_program.h"
-#include "realtime/gl/shader_log.h"
+#include "realtime/glsl/shader_log.h"
+#include "realtime/glsl/shader_source.h"
 #include "scenes/core/error.h"
 #include "tests/errors.h"
 

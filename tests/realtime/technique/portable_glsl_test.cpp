@@ -1,6 +1,6 @@
 // The shaders stay in the common subset of GLSL 4.1 and GLSL ES 3.0, by the reference compiler's judgment.
-#include "realtime/draw/technique_program.h"
 #include "realtime/technique/composition.h"
+#include "realtime/technique/stage_sources.h"
 #include "realtime/technique/technique_list.h"
 #include "tests/files.h"
 #include "tests/temporary_folder.h"

@@ -1,4 +1,4 @@
-#include "realtime/gl/shader_log.h"
+#include "realtime/glsl/shader_log.h"
 
 #include <fmt/format.h>
 
