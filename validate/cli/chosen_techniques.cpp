@@ -2,10 +2,10 @@
 
 #include "realtime/technique/composition.h"
 #include "realtime/technique/technique_list.h"
+#include "scenes/core/contains.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <set>
 
 namespace plumbline {
@@ -36,7 +36,7 @@ std::vector<TechniqueRequest> allTechniques(ManifestCache& manifests) {
 }
 
 std::vector<TechniqueRequest> requestsOf(const std::vector<std::string>& texts, ManifestCache& manifests) {
-    const bool all = texts.empty() || std::find(texts.begin(), texts.end(), "all") != texts.end();
+    const bool all = texts.empty() || contains(texts, "all");
     std::vector<TechniqueRequest> requests;
     if (all) requests = allTechniques(manifests);
     for (const std::string& text : texts)

@@ -1,16 +1,16 @@
 #include "validate/cli/shared.h"
 
+#include "scenes/core/contains.h"
 #include "scenes/core/error.h"
+#include "scenes/core/numbers.h"
 #include "scenes/scene/scene_limits.h"
 #include "validate/report/page_bundle.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -48,7 +48,7 @@ std::map<std::string, std::string> parseSettings(const std::vector<std::string>&
 
 std::string parseChoice(const char* option, const std::string& text,
                         const std::vector<std::string>& choices) {
-    if (std::find(choices.begin(), choices.end(), text) == choices.end())
+    if (!contains(choices, text))
         throw InputError(option, fmt::format("found '{}'", text), listOf(choices), didYouMean(text, choices));
     return text;
 }
@@ -62,33 +62,21 @@ std::pair<std::string, std::string> parsePair(const char* option, const std::str
     return {text.substr(0, comma), text.substr(comma + 1)};
 }
 
-namespace {
-
-/// All of a text is a number; NaN if it isn't.
-double numberOf(const std::string& text) {
-    double number = 0;
-    const char* end = text.data() + text.size();
-    const auto [stopped, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc() && stopped == end ? number : std::numeric_limits<double>::quiet_NaN();
-}
-
-} // namespace
-
 double parseLength(const char* option, const std::string& text) {
-    const double length = numberOf(text);
-    if (!(length >= kSmallestLength && length <= kLargestLength))
+    const std::optional<double> length = parseNumber<double>(text);
+    if (!length || *length < kSmallestLength || *length > kLargestLength)
         throw InputError(option, fmt::format("'{}' is not a length", text),
                          "world units from 1e-9 to 1e9, for example 0.1");
-    return length;
+    return *length;
 }
 
 double parseTile(const char* option, const std::string& text) {
     constexpr double kSmallest = 1e-6, kLargest = 1e6; // as in scene files
-    const double tile = numberOf(text);
-    if (!(std::abs(tile) >= kSmallest && std::abs(tile) <= kLargest))
+    const std::optional<double> tile = parseNumber<double>(text);
+    if (!tile || std::abs(*tile) < kSmallest || std::abs(*tile) > kLargest)
         throw InputError(option, fmt::format("'{}' is not a number of repeats", text),
                          "a number from 1e-6 to 1e6, or less than 0 to mirror");
-    return tile;
+    return *tile;
 }
 
 std::pair<Wrap, Wrap> parseWraps(const std::optional<std::string>& text) {
@@ -102,22 +90,18 @@ std::pair<Wrap, Wrap> parseWraps(const std::optional<std::string>& text) {
 BaseChoice parseBase(const std::string& text, bool bothIsAChoice) {
     std::vector<std::string> choices{"limit", "proxy"};
     if (bothIsAChoice) choices.emplace_back("both");
-    const auto found = std::find(choices.begin(), choices.end(), text);
-    if (found == choices.end())
-        throw InputError("--base", fmt::format("found '{}'", text), listOf(choices),
-                         didYouMean(text, choices));
-    return static_cast<BaseChoice>(found -
-                                   choices.begin()); // the choices are in the order of the enumeration
+    const std::string base = parseChoice("--base", text, choices);
+    return base == "limit" ? BaseChoice::Limit : base == "proxy" ? BaseChoice::Proxy : BaseChoice::Both;
 }
 
 double parseErrorPx(const std::string& text) {
     constexpr double kSmallest = 1e-6; // below it floats of the micro-triangles are the limit
     constexpr double kLargest = 1000;  // wider than a picture's features: surely a slip of the finger
-    const double pixels = numberOf(text);
-    if (!(pixels >= kSmallest && pixels <= kLargest))
+    const std::optional<double> pixels = parseNumber<double>(text);
+    if (!pixels || *pixels < kSmallest || *pixels > kLargest)
         throw InputError("--error-px", fmt::format("'{}' is not an error in pixels", text),
                          "a number from 0.000001 to 1000, for example 0.05");
-    return pixels;
+    return *pixels;
 }
 
 namespace {
