@@ -1,7 +1,6 @@
 // The techniques a command line or a study names, each resolved once for the whole run.
 #pragma once
 
-#ifdef PLUMBLINE_GL
 #include "realtime/technique/technique.h"
 #include "scenes/core/error.h"
 
@@ -32,4 +31,3 @@ std::vector<ChosenTechnique> chosenTechniques(const std::vector<std::string>& te
                                               const Settings& settings);
 
 } // namespace plumbline
-#endif

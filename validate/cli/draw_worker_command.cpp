@@ -1,4 +1,4 @@
-#include "scenes/core/error.h"
+#include "realtime/gl/gl_probe.h"
 #include "validate/cli/command.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/worker/serve_techniques.h"
@@ -14,16 +14,11 @@ struct Arguments {
     ThreadArguments threads;
 };
 
-#ifdef PLUMBLINE_GL
 int runDrawWorker(const Arguments& arguments) {
+    requireGlBuild(kDrawWorkerCommand);
     const ThreadLimit limit(arguments.threads.threads);
     return serveTechniques(arguments.parent);
 }
-#else
-int runDrawWorker(const Arguments&) {
-    throw MachineError(kDrawWorkerCommand, "this program was built without OpenGL (preset no-gl)");
-}
-#endif
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();

@@ -1,3 +1,4 @@
+#include "realtime/gl/gl_probe.h"
 #include "scenes/core/error.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
@@ -24,9 +25,8 @@ struct Arguments {
     ThreadArguments threads;
 };
 
-#ifdef PLUMBLINE_GL
-
 int runRealtime(const Arguments& arguments) {
+    requireGlBuild("realtime", "a build with it");
     const ThreadLimit limit(arguments.threads.threads);
     const std::vector<std::string>& texts = arguments.realtime.techniques;
     if (texts.size() != 1)
@@ -65,14 +65,6 @@ int runRealtime(const Arguments& arguments) {
                result.renderer, result.backend, result.msMedian, result.msRuns, result.timer);
     return kExitDone;
 }
-
-#else
-
-int runRealtime(const Arguments&) {
-    throw MachineError("realtime", "this program was built without OpenGL (preset no-gl)", "a build with it");
-}
-
-#endif
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();

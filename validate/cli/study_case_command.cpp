@@ -1,4 +1,4 @@
-#include "scenes/core/error.h"
+#include "realtime/gl/gl_probe.h"
 #include "validate/cli/case_pool.h"
 #include "validate/cli/command.h"
 #include "validate/cli/thread_arguments.h"
@@ -13,16 +13,11 @@ struct Arguments {
     ThreadArguments threads;
 };
 
-#ifdef PLUMBLINE_GL
 int runStudyCase(const Arguments& arguments) {
+    requireGlBuild(kStudyCaseCommand);
     const ThreadLimit limit(arguments.threads.threads);
     return serveStudyCase(arguments.parent);
 }
-#else
-int runStudyCase(const Arguments&) {
-    throw MachineError(kStudyCaseCommand, "this program was built without OpenGL (preset no-gl)");
-}
-#endif
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();

@@ -1,16 +1,14 @@
+#include "realtime/gl/gl_probe.h"
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
+#include "validate/cli/case_pool.h"
+#include "validate/cli/chosen_techniques.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/gl_arguments.h"
 #include "validate/cli/shared.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/study/study_report.h"
-
-#ifdef PLUMBLINE_GL
-#include "validate/cli/case_pool.h"
-#include "validate/cli/chosen_techniques.h"
-#endif
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -33,8 +31,6 @@ struct Arguments {
     GlArguments gl;
     ThreadArguments threads; // all of them together
 };
-
-#ifdef PLUMBLINE_GL
 
 using nlohmann::json;
 
@@ -161,6 +157,7 @@ void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const 
 }
 
 int runStudy(const Arguments& arguments) {
+    requireGlBuild("study", "a build with it");
     const ThreadLimit limit(arguments.threads.threads);
     Progress progress;
     progress.step("reading the study");
@@ -188,6 +185,7 @@ int runStudy(const Arguments& arguments) {
 }
 
 int runStudyReport(const Arguments& arguments) {
+    requireGlBuild("study", "a build with it");
     const Study study = readStudy(findStudy(arguments.study));
     requireConsent(caseCount(study), arguments);
     const StudyFolder folder = StudyFolder::open(outputFolder(study, arguments), study);
@@ -201,21 +199,6 @@ int runStudyReport(const Arguments& arguments) {
     fmt::print("{}\n", (folder.path() / "report" / "index.html").string());
     return kExitDone;
 }
-
-#else
-
-[[noreturn]] void refuse() {
-    throw MachineError("study", "this program was built without OpenGL (preset no-gl)", "a build with it");
-}
-
-int runStudy(const Arguments&) {
-    refuse();
-}
-int runStudyReport(const Arguments&) {
-    refuse();
-}
-
-#endif
 
 void addCommonOptions(CLI::App& command, Arguments& study) {
     command.add_option("STUDY", study.study, "A study file or a name of validate/studies/")->required();

@@ -2,7 +2,6 @@
 // technique, whose triangles are in this one.
 #pragma once
 
-#ifdef PLUMBLINE_GL
 #include "validate/cli/chosen_techniques.h"
 #include "validate/cli/realtime_arguments.h"
 #include "validate/worker/technique_worker.h"
@@ -29,4 +28,3 @@ class TechniqueDrawer {
 };
 
 } // namespace plumbline
-#endif

@@ -1,7 +1,6 @@
 // What validate and study do for each technique: draw it, compare it with the reference.
 #pragma once
 
-#ifdef PLUMBLINE_GL
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/shared.h"
 #include "validate/cli/technique_drawer.h"
@@ -25,4 +24,3 @@ Trial tryTechnique(const ChosenTechnique& chosen, TechniqueDrawer& drawer,
 void compareTrial(Trial& trial, const Frame& reference, const Scene& scene);
 
 } // namespace plumbline
-#endif

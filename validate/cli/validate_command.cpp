@@ -1,4 +1,4 @@
-#include "scenes/core/error.h"
+#include "realtime/gl/gl_probe.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/frame/scene_metadata.h"
@@ -39,7 +39,6 @@ struct Arguments {
     ThreadArguments threads;
 };
 
-#ifdef PLUMBLINE_GL
 // For timing all techniques of a run together: a third of what comparing and painting them takes.
 constexpr double kTimingBudgetMs = 4000;
 
@@ -155,6 +154,8 @@ void writeReferences(const References& references, Results& results, OutputFolde
 }
 
 int runValidate(const Arguments& arguments) {
+    requireGlBuild("validate", "a build with it",
+                   "'plumbline reference' and 'plumbline compare' work without");
     const ThreadLimit limit(arguments.threads.threads);
     Progress progress;
     progress.step("reading the scene");
@@ -211,15 +212,6 @@ int runValidate(const Arguments& arguments) {
     fmt::print("{}\n{}", toTable(results), reportLine(output.report / "index.html"));
     return exitCode == kExitDone && !requirementsReached ? kExitThreshold : exitCode;
 }
-
-#else
-
-int runValidate(const Arguments&) {
-    throw MachineError("validate", "this program was built without OpenGL (preset no-gl)", "a build with it",
-                       "'plumbline reference' and 'plumbline compare' work without");
-}
-
-#endif
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
