@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 namespace plumbline {
@@ -99,6 +101,10 @@ void refuseDuplicates(const std::vector<ChosenTechnique>& techniques) {
 const Technique& ChosenTechnique::resolved() const {
     if (!technique) throw *error;
     return *technique;
+}
+
+bool anyControl(const std::vector<ChosenTechnique>& techniques) {
+    return std::any_of(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
 }
 
 std::vector<ChosenTechnique> chosenTechniques(const std::vector<std::string>& texts,

@@ -8,7 +8,6 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
-#include "validate/cli/shared.h"
 #include "validate/report/page_bundle.h"
 
 #include <fmt/format.h>

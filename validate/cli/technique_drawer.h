@@ -8,7 +8,7 @@
 
 namespace plumbline {
 
-/// `threads`: as of --threads. Throws InputError for a --gl there isn't.
+/// `threads`: as of --threads.
 WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene& scene,
                             const RealtimeArguments& arguments, int threads);
 

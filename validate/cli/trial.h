@@ -2,8 +2,8 @@
 #pragma once
 
 #include "validate/cli/exit_codes.h"
-#include "validate/cli/shared.h"
 #include "validate/cli/technique_drawer.h"
+#include "validate/results/results.h"
 
 namespace plumbline {
 
