@@ -31,4 +31,6 @@ std::vector<GlProbe> probeGl() {
     return probes;
 }
 
+void requireGlBuild(std::string_view, std::string_view, std::string_view) {}
+
 } // namespace plumbline

@@ -1,7 +1,9 @@
-// Which OpenGL contexts can be opened here; for `plumbline doctor`.
+// Which OpenGL contexts can be opened here, for `plumbline doctor`; and whether this program was built with
+// OpenGL at all.
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline {
@@ -12,7 +14,11 @@ struct GlProbe {
     bool works = false;
     std::string detail; // renderer and version, or why it doesn't work
 };
-/// Tries them all.
+/// Tries them all. Empty: this program was built without OpenGL.
 std::vector<GlProbe> probeGl();
+
+/// Before any work whose end is to be drawn: throws MachineError if this program was built without OpenGL.
+/// `where`, `expected`, `hint`: of the message, as MachineError has them.
+void requireGlBuild(std::string_view where, std::string_view expected = {}, std::string_view hint = {});
 
 } // namespace plumbline

@@ -1,19 +1,14 @@
 #include "realtime/technique/harness_parameters.h"
 
+#include "scenes/core/contains.h"
 #include "scenes/core/error.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
 
 namespace plumbline {
 namespace {
 
 using Type = ParameterValue::Type;
-
-bool contains(const std::vector<std::string>& list, const std::string& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-}
 
 Parameter choiceParameter(std::string name, std::vector<std::string> choices, std::string meaning) {
     Parameter parameter;

@@ -5,6 +5,7 @@
 #include "realtime/technique/composition.h"
 #include "realtime/technique/manifest_parameters.h"
 #include "realtime/technique/technique_list.h"
+#include "scenes/core/contains.h"
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/frame/frame.h"
@@ -21,10 +22,6 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> kSurfaceInputs{"quadric", "quadric_full"}, kShadows{"relief", "none"},
     kGeometries{"proxy", "micro_triangles"};
-
-bool contains(const std::vector<std::string>& list, const std::string& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-}
 
 /// The parts a technique and a surface have in common but `inputs`; the caller reads the rest and calls
 /// finish().

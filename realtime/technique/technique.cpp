@@ -5,6 +5,7 @@
 #include "realtime/technique/composition.h"
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique_list.h"
+#include "scenes/core/contains.h"
 #include "scenes/core/error.h"
 
 #include <fmt/format.h>
@@ -15,10 +16,6 @@ namespace plumbline {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool contains(const std::vector<std::string>& list, const std::string& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-}
 
 std::vector<std::string> namesOf(const std::vector<Parameter>& parameters) {
     std::vector<std::string> names;

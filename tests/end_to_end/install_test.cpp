@@ -22,9 +22,7 @@ TEST_F(Install, MovedPrefix_FindsDataAndModule) {
         EXPECT_THAT(doctor, HasSubstr("ok   data             " + (moved / "share/plumbline").string() + ","));
         EXPECT_THAT(doctor, HasSubstr("ok   pictures         " +
                                       (moved / "lib/plumbline/plumbline_images.so").string() + "\n"));
-#ifdef PLUMBLINE_GL
         EXPECT_THAT(doctor, HasSubstr("ok   techniques       "));
-#endif
     }
 }
 

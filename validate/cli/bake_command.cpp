@@ -9,11 +9,12 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
-#include "validate/cli/shared.h"
+#include "validate/cli/option_values.h"
+#include "validate/cli/parsed_option.h"
+#include "validate/cli/progress.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/results/output_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,10 +25,10 @@ namespace {
 constexpr uint64_t kDefaultCheckRays = 1'000'000;
 
 struct Arguments {
-    std::string map;  // a picture's path, or SCENE#NAME: a map of a scene
-    std::string kind; // name in bakeKinds()
-    std::optional<std::string> stores,
-        wrap; // of a picture: "depth" or "height"; "repeat,clamp" along s and t
+    std::string map; // a picture's path, or SCENE#NAME: a map of a scene
+    const BakeKind* kind = nullptr;
+    // These four stay texts until MAP and the kind say which of them are wanted: refusals quote them.
+    std::optional<std::string> stores, wrap;    // of a picture: "depth" or "height"; "repeat,clamp"
     std::optional<std::string> depth, tileSize; // world units; "2,1.5"
     std::optional<int> slices;
     std::optional<std::filesystem::path> output; // a picture
@@ -40,7 +41,7 @@ std::shared_ptr<const HeightMap> readPicture(const Arguments& arguments) {
     if (!arguments.stores)
         throw InputError("--stores", "is missing", "depth or height, what the values of a picture mean");
     const std::string stores = parseChoice("--stores", *arguments.stores, {"depth", "height"});
-    const auto [wrapS, wrapT] = parseWraps(arguments.wrap);
+    const auto [wrapS, wrapT] = parseWraps(arguments.wrap.value_or("repeat,repeat"));
     return std::make_shared<const HeightMap>(
         readHeightMap(arguments.map, stores == "depth" ? Stores::Depth : Stores::Height, wrapS, wrapT));
 }
@@ -83,7 +84,7 @@ BakeScale parseScale(const Arguments& arguments, const BakeKind& kind) {
 }
 
 BakeRequest parseRequest(const Arguments& arguments) {
-    const BakeKind& kind = bakeKind(arguments.kind);
+    const BakeKind& kind = *arguments.kind;
     BakeRequest request;
     request.kind = kind.name;
     request.scale = parseScale(arguments, kind);
@@ -125,8 +126,8 @@ void requireCheckable(const Arguments& arguments) {
     if (arguments.rays && !arguments.check)
         throw InputError("--rays", fmt::format("found {} without --check", *arguments.rays),
                          "both, or neither");
-    if (arguments.check && !isConeKind(arguments.kind))
-        throw InputError("--check", fmt::format("kind '{}' is no cone map", arguments.kind),
+    if (arguments.check && !isConeKind(arguments.kind->name))
+        throw InputError("--check", fmt::format("kind '{}' is no cone map", arguments.kind->name),
                          "a kind that begins with cone_step");
 }
 
@@ -182,9 +183,9 @@ CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.add_option("MAP", arguments->map, "A picture, or SCENE#NAME: a height map of a scene")
         ->required();
-    command
-        .add_option("--kind", arguments->kind,
-                    "What to work out; 'plumbline list bakes' says what each holds")
+    addParsed(
+        command, "--kind", arguments->kind, [](const std::string& text) { return &bakeKind(text); },
+        "What to work out; 'plumbline list bakes' says what each holds")
         ->required()
         ->type_name("K");
     command.add_option("-o", arguments->output, "Also a picture of it")->type_name("FILE.exr");

@@ -2,10 +2,12 @@
 
 #include "realtime/technique/composition.h"
 #include "realtime/technique/technique_list.h"
+#include "scenes/core/contains.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <set>
 
 namespace plumbline {
@@ -36,7 +38,7 @@ std::vector<TechniqueRequest> allTechniques(ManifestCache& manifests) {
 }
 
 std::vector<TechniqueRequest> requestsOf(const std::vector<std::string>& texts, ManifestCache& manifests) {
-    const bool all = texts.empty() || std::find(texts.begin(), texts.end(), "all") != texts.end();
+    const bool all = texts.empty() || contains(texts, "all");
     std::vector<TechniqueRequest> requests;
     if (all) requests = allTechniques(manifests);
     for (const std::string& text : texts)
@@ -99,6 +101,10 @@ void refuseDuplicates(const std::vector<ChosenTechnique>& techniques) {
 const Technique& ChosenTechnique::resolved() const {
     if (!technique) throw *error;
     return *technique;
+}
+
+bool anyControl(const std::vector<ChosenTechnique>& techniques) {
+    return std::any_of(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
 }
 
 std::vector<ChosenTechnique> chosenTechniques(const std::vector<std::string>& texts,

@@ -1,7 +1,6 @@
 // The techniques a command line or a study names, each resolved once for the whole run.
 #pragma once
 
-#ifdef PLUMBLINE_GL
 #include "realtime/technique/technique.h"
 #include "scenes/core/error.h"
 
@@ -25,6 +24,9 @@ struct ChosenTechnique {
     bool isControl() const { return search && search->drawsMicroTriangles(); }
 };
 
+/// Whether any of them is a control technique: then the reference must keep the attributes it draws.
+bool anyControl(const std::vector<ChosenTechnique>& techniques);
+
 /// The techniques of `texts`; with none or with "all", every technique on each of its surfaces, the control
 /// technique first. Throws InputError for a text that isn't of the form, a name there is no technique of, one
 /// named twice, and a setting that none of them takes.
@@ -32,4 +34,3 @@ std::vector<ChosenTechnique> chosenTechniques(const std::vector<std::string>& te
                                               const Settings& settings);
 
 } // namespace plumbline
-#endif

@@ -1,5 +1,5 @@
 // A command of the program: its name, its line in --help, its options and what it does. Each is in a file of
-// its own, NAME_command.cpp; commands.cpp lists them.
+// its own, NAME_command.cpp, those for the program itself in worker_commands.cpp; commands.cpp lists them.
 #pragma once
 
 #include <functional>

@@ -2,7 +2,7 @@
 
 namespace plumbline {
 
-// In NAME_command.cpp each.
+// In NAME_command.cpp each, the last two in worker_commands.cpp.
 Command validateCommand();
 Command referenceCommand();
 Command realtimeCommand();

@@ -3,14 +3,13 @@
 #include "scenes/frame/scene_metadata.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/parsed_option.h"
 #include "validate/cli/report_arguments.h"
 #include "validate/cli/requirements.h"
-#include "validate/cli/shared.h"
 #include "validate/compare/foreign_frame.h"
 #include "validate/compare/frame_metadata.h"
 #include "validate/results/output_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace plumbline {
@@ -18,7 +17,7 @@ namespace {
 
 struct Arguments {
     std::filesystem::path reference, test;
-    std::vector<std::string> channelMap;         // THEIRS=OURS, validate/compare/foreign_frame.h
+    std::vector<ChannelMapping> channelMap;
     std::optional<std::filesystem::path> output; // folder
     bool json = false;
     ReportArguments report;
@@ -123,9 +122,9 @@ int runCompare(const Arguments& arguments) {
             "compare",
             "--single-file and --plain-report say what the report is to be like, and none is written",
             "-o DIR, the folder for it");
-    const auto requirements = readRequirements(arguments.requirements.require);
+    const std::vector<Requirement>& requirements = arguments.requirements.require;
     ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
-    ForeignFrame testFile = readForeignFrame(arguments.test, parseChannelMap(arguments.channelMap));
+    ForeignFrame testFile = readForeignFrame(arguments.test, arguments.channelMap);
     const std::vector<std::string> assumed = settleFrames(referenceFile, testFile);
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
     Results results = compareFiles(arguments, referenceFile, testFile, assumed);
@@ -154,10 +153,10 @@ CommandRun addOptions(CLI::App& command) {
     command.add_option("-o", arguments->output, "Folder for results and report")->type_name("DIR");
     command.add_flag("--json", arguments->json, "Print results.json instead of the table");
     arguments->report.addTo(command);
-    command
-        .add_option("--map", arguments->channelMap,
-                    "A channel of TEST is one of ours: Depth.Z=Z, dist=distance (along the ray), "
-                    "Normal.Y=-N.Z; may be repeated")
+    addParsed<std::vector<std::string>>(
+        command, "--map", arguments->channelMap, parseChannelMap,
+        "A channel of TEST is one of ours: Depth.Z=Z, dist=distance (along the ray), "
+        "Normal.Y=-N.Z; may be repeated")
         ->type_name("THEIRS=OURS")
         ->allow_extra_args(false);
     arguments->requirements.addTo(command);

@@ -1,4 +1,5 @@
 #include "realtime/bake/bake_cache.h"
+#include "realtime/gl/gl_probe.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
@@ -7,12 +8,7 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
-#include "validate/cli/shared.h"
 #include "validate/report/page_bundle.h"
-
-#ifdef PLUMBLINE_GL
-#include "realtime/gl/gl_probe.h"
-#endif
 
 #include <fmt/format.h>
 
@@ -59,7 +55,6 @@ void checkReportPage() {
     printLine(plain.empty(), "report", plain.empty() ? "interactive" : fmt::format("plain pages: {}", plain));
 }
 
-/// Never a reason to fail: without one maps are made each time.
 /// The folder, or where it doesn't exist yet the nearest one above it.
 bool canBeWritten(std::filesystem::path folder) {
     std::error_code ignored;
@@ -68,6 +63,7 @@ bool canBeWritten(std::filesystem::path folder) {
     return std::filesystem::is_directory(folder, ignored) && ::access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
+/// Never a reason to fail: without one maps are made each time.
 void reportCache() {
     const std::optional<std::filesystem::path> folder = bakeCacheFolder();
     if (!folder) {
@@ -110,25 +106,21 @@ bool checkTechniques() {
     }
 }
 
-#ifdef PLUMBLINE_GL
 bool checkGl() {
+    const std::vector<GlProbe> probes = probeGl();
     bool any = false;
-    for (const GlProbe& probe : probeGl()) {
+    for (const GlProbe& probe : probes) {
         printLine(probe.works, "GL " + probe.backend, probe.detail);
         any = any || probe.works;
     }
     if (!any)
-        printLine(false, "GL",
-                  "nothing works: no 'validate' and no 'realtime'; install libegl1 and libgl1-mesa-dri");
+        printLine(
+            false, "GL",
+            probes.empty()
+                ? "built without it (preset no-gl): no 'validate' and no 'realtime'"
+                : "nothing works: no 'validate' and no 'realtime'; install libegl1 and libgl1-mesa-dri");
     return any;
 }
-
-#else
-bool checkGl() {
-    printLine(false, "GL", "built without it (preset no-gl): no 'validate' and no 'realtime'");
-    return false;
-}
-#endif
 
 int runDoctor() {
     printLine(true, "program", programName());

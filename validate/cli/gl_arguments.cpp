@@ -1,27 +1,25 @@
 #include "validate/cli/gl_arguments.h"
 
 #include "scenes/core/error.h"
+#include "validate/cli/parsed_option.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace plumbline {
+namespace {
 
-void GlArguments::addTo(CLI::App& command) {
-    command.add_option("--gl", backend, "auto, egl or osmesa")->type_name("BACKEND");
-    command.add_option("--device", device, "EGL device")->check(CLI::Range(0, 1023))->type_name("N");
+GlBackend parseBackend(const std::string& text) {
+    if (text == "auto") return GlBackend::Auto;
+    if (text == "egl") return GlBackend::Egl;
+    if (text == "osmesa") return GlBackend::Osmesa;
+    throw InputError("--gl", fmt::format("found '{}'", text), "auto, egl or osmesa");
 }
 
-GlOptions GlArguments::options() const {
-    GlOptions options;
-    options.device = device;
-    if (backend == "egl")
-        options.backend = GlBackend::Egl;
-    else if (backend == "osmesa")
-        options.backend = GlBackend::Osmesa;
-    else if (backend != "auto")
-        throw InputError("--gl", fmt::format("found '{}'", backend), "auto, egl or osmesa");
-    return options;
+} // namespace
+
+void GlArguments::addTo(CLI::App& command) {
+    addParsed(command, "--gl", options.backend, parseBackend, "auto, egl or osmesa")->type_name("BACKEND");
+    command.add_option("--device", options.device, "EGL device")->check(CLI::Range(0, 1023))->type_name("N");
 }
 
 } // namespace plumbline

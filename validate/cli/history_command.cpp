@@ -3,11 +3,11 @@
 #include "scenes/core/replace_file.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/parsed_option.h"
 #include "validate/results/history_moves.h"
 #include "validate/results/output_files.h"
 #include "validate/results/text_table.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ struct Arguments {
     std::filesystem::path file;
     std::vector<std::filesystem::path> results; // results.json, oldest first
     std::optional<std::string> label;           // of all of them
-    std::vector<std::string> tolerances;        // FIGURE=AMOUNT, history_moves.h
-    bool dryRun = false;                        // the file stays as it is
+    Tolerances tolerances;
+    bool dryRun = false; // the file stays as it is
 };
 
 struct History {
@@ -41,12 +41,11 @@ History readOrBegin(const Arguments& arguments) {
     return history;
 }
 
-std::optional<std::string> checkedLabel(const std::optional<std::string>& label) {
+std::string parseLabel(const std::string& label) {
     constexpr size_t kLongest = 200;
     const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-    if (label &&
-        (label->empty() || label->size() > kLongest || std::any_of(label->begin(), label->end(), isControl)))
-        throw InputError("--label", fmt::format("is {} bytes long or more than one line", label->size()),
+    if (label.empty() || label.size() > kLongest || std::any_of(label.begin(), label.end(), isControl))
+        throw InputError("--label", fmt::format("is {} bytes long or more than one line", label.size()),
                          "a text of 1 to 200 bytes, for example a commit");
     return label;
 }
@@ -62,8 +61,7 @@ std::vector<std::string> append(History& history, const Arguments& arguments) {
     if (!history.text.empty() && !history.text.ends_with('\n')) history.text += '\n';
     std::vector<std::string> scenes;
     for (const std::filesystem::path& file : arguments.results) {
-        const HistoryRecord record =
-            recordOf(file.string(), readWholeFile(file), checkedLabel(arguments.label));
+        const HistoryRecord record = recordOf(file.string(), readWholeFile(file), arguments.label);
         scenes.push_back(record.scene);
         const auto latest =
             std::find_if(history.records.rbegin(), history.records.rend(),
@@ -123,7 +121,6 @@ void print(const SceneMoves& scene) {
 
 /// kExitThreshold if a figure is worse than tolerated.
 int runHistory(const Arguments& arguments) {
-    const Tolerances tolerances = Tolerances::parse(arguments.tolerances);
     History history = readOrBegin(arguments);
     const size_t known = history.records.size();
     const std::vector<std::string> scenes = append(history, arguments);
@@ -132,7 +129,7 @@ int runHistory(const Arguments& arguments) {
         replaceFile(arguments.file, history.text);
     }
     bool regression = false;
-    for (const SceneMoves& scene : latestMoves(history.records, scenes, tolerances)) {
+    for (const SceneMoves& scene : latestMoves(history.records, scenes, arguments.tolerances)) {
         print(scene);
         regression |= scene.hasRegression();
     }
@@ -145,15 +142,13 @@ CommandRun addOptions(CLI::App& command) {
         ->required();
     command.add_option("RESULTS", arguments->results,
                        "results.json files to add, oldest first; none: only look");
-    command
-        .add_option("--label", arguments->label,
-                    "Of the results, as a commit (default: the program's version)")
+    addParsed(command, "--label", arguments->label, parseLabel,
+              "Of the results, as a commit (default: the program's version)")
         ->type_name("TEXT");
-    command
-        .add_option(
-            "--tolerance", arguments->tolerances,
-            "How much worse a figure may become, as silhouette.iou=0.001, depth.rmse=2% or all=1%; may be "
-            "repeated. Default: not at all, but within the interval of a figure that has one; cost, at will")
+    addParsed<std::vector<std::string>>(
+        command, "--tolerance", arguments->tolerances, Tolerances::parse,
+        "How much worse a figure may become, as silhouette.iou=0.001, depth.rmse=2% or all=1%; may be "
+        "repeated. Default: not at all, but within the interval of a figure that has one; cost, at will")
         ->type_name("FIGURE=AMOUNT")
         ->allow_extra_args(false);
     command.add_flag("--dry-run", arguments->dryRun, "Compare, and leave FILE as it is");

@@ -6,13 +6,13 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
-#include "validate/cli/shared.h"
+#include "validate/cli/parsed_option.h"
 #include "validate/metrics/metric_registry.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 namespace plumbline {
 namespace {
@@ -76,28 +76,31 @@ void listAllTechniques() {
     }
 }
 
-int runList(const std::string& what) {
-    if (what == "scenes")
-        listScenes();
-    else if (what == "techniques")
-        listAllTechniques();
-    else if (what == "surfaces")
-        listAllSurfaces();
-    else if (what == "metrics")
-        listMetrics();
-    else if (what == "bakes")
-        listBakes();
-    else {
-        const std::vector<std::string> choices{"scenes", "techniques", "surfaces", "metrics", "bakes"};
-        throw InputError("list", fmt::format("found '{}'", what), listOf(choices), didYouMean(what, choices));
+/// Prints a list.
+using PrintList = void (*)();
+
+PrintList parseWhat(const std::string& what) {
+    static const std::pair<std::string, PrintList> lists[] = {{"scenes", listScenes},
+                                                              {"techniques", listAllTechniques},
+                                                              {"surfaces", listAllSurfaces},
+                                                              {"metrics", listMetrics},
+                                                              {"bakes", listBakes}};
+    std::vector<std::string> choices;
+    for (const auto& [name, print] : lists) {
+        if (name == what) return print;
+        choices.push_back(name);
     }
-    return kExitDone;
+    throw InputError("list", fmt::format("found '{}'", what), listOf(choices), didYouMean(what, choices));
 }
 
 CommandRun addOptions(CLI::App& command) {
-    const auto what = std::make_shared<std::string>();
-    command.add_option("WHAT", *what, "scenes, techniques, surfaces, metrics or bakes")->required();
-    return [what] { return runList(*what); };
+    const auto print = std::make_shared<PrintList>();
+    addParsed(command, "WHAT", *print, parseWhat, "scenes, techniques, surfaces, metrics or bakes")
+        ->required();
+    return [print] {
+        (*print)();
+        return kExitDone;
+    };
 }
 
 } // namespace

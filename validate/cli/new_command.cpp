@@ -6,10 +6,11 @@
 #include "scenes/scene_file/scene_file.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
-#include "validate/cli/shared.h"
+#include "validate/cli/option_values.h"
+#include "validate/cli/parsed_option.h"
+#include "validate/cli/progress.h"
 #include "validate/results/output_files.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace plumbline {
@@ -17,11 +18,11 @@ namespace {
 
 struct Arguments {
     std::filesystem::path mesh, height; // OBJ; a picture
-    std::optional<std::string> depth, tile, scheme,
-        wrap;                      // world units; "4,2"; of scene files; "repeat,clamp"
-    std::string stores = "height"; // or "depth"
-    std::filesystem::path output;  // the scene file
-    bool force = false;            // also if it exists
+    DraftWishes wishes;
+    Stores stores = Stores::Height;
+    std::pair<Wrap, Wrap> wraps{Wrap::Repeat, Wrap::Repeat};
+    std::filesystem::path output; // the scene file
+    bool force = false;           // also if it exists
 };
 
 Scheme parseScheme(const std::string& text) {
@@ -29,15 +30,17 @@ Scheme parseScheme(const std::string& text) {
     return scheme == "loop" ? Scheme::Loop : scheme == "none" ? Scheme::None : Scheme::CatmullClark;
 }
 
-DraftWishes parseWishes(const Arguments& arguments) {
-    DraftWishes wishes;
-    if (arguments.scheme) wishes.scheme = parseScheme(*arguments.scheme);
-    if (arguments.depth) wishes.depth = parseLength("--depth", *arguments.depth);
-    if (arguments.tile) {
-        const auto [s, t] = parsePair("--tile", *arguments.tile, "4,2");
-        wishes.tile = Vec2(parseTile("--tile", s), parseTile("--tile", t));
-    }
-    return wishes;
+Stores parseStores(const std::string& text) {
+    return parseChoice("--stores", text, {"height", "depth"}) == "height" ? Stores::Height : Stores::Depth;
+}
+
+Vec2 parseTiles(const std::string& text) {
+    const auto [s, t] = parsePair("--tile", text, "4,2");
+    return {parseTile("--tile", s), parseTile("--tile", t)};
+}
+
+double parseDepth(const std::string& text) {
+    return parseLength("--depth", text);
 }
 
 /// As the scene file is to name `file`: its reader puts that behind its own folder and takes away "x/..", so
@@ -59,15 +62,12 @@ void requireNewName(const Arguments& arguments) {
 
 int runNew(const Arguments& arguments) {
     requireNewName(arguments);
-    const DraftWishes wishes = parseWishes(arguments);
-    const bool storesHeight = parseChoice("--stores", arguments.stores, {"height", "depth"}) == "height";
-    const auto [wrapS, wrapT] = parseWraps(arguments.wrap);
     const ControlMesh mesh = readObj(arguments.mesh);
     const HeightMap map =
-        readHeightMap(arguments.height, storesHeight ? Stores::Height : Stores::Depth, wrapS, wrapT);
+        readHeightMap(arguments.height, arguments.stores, arguments.wraps.first, arguments.wraps.second);
     const std::string text =
-        sceneText(draftScene(mesh, map, wishes), relativeTo(arguments.output, arguments.mesh),
-                  relativeTo(arguments.output, arguments.height), map, storesHeight);
+        sceneText(draftScene(mesh, map, arguments.wishes), relativeTo(arguments.output, arguments.mesh),
+                  relativeTo(arguments.output, arguments.height), map, arguments.stores == Stores::Height);
     const Scene scene = parseScene(arguments.output, text); // nothing is written that can't be read
     requireWritableFile(arguments.output, {arguments.mesh, arguments.height});
     replaceFile(arguments.output, text);
@@ -85,18 +85,20 @@ CommandRun addOptions(CLI::App& command) {
         ->required()
         ->type_name("H.png");
     command.add_option("-o", arguments->output, "The scene file")->required()->type_name("SCENE.toml");
-    command
-        .add_option("--depth", arguments->depth,
-                    "World units from the relief's top to its bottom (default: chosen)")
+    addParsed(command, "--depth", arguments->wishes.depth, parseDepth,
+              "World units from the relief's top to its bottom (default: chosen)")
         ->type_name("D");
-    command.add_option("--tile", arguments->tile, "Repeats of the map along u and v (default: chosen)")
+    addParsed(command, "--tile", arguments->wishes.tile, parseTiles,
+              "Repeats of the map along u and v (default: chosen)")
         ->type_name("S,T");
-    command.add_option("--scheme", arguments->scheme, "What the mesh is a cage of (default: chosen)")
+    addParsed(command, "--scheme", arguments->wishes.scheme, parseScheme,
+              "What the mesh is a cage of (default: chosen)")
         ->type_name("catmull-clark|loop|none");
-    command.add_option("--stores", arguments->stores, "What the picture's values are (default: height)")
+    addParsed(command, "--stores", arguments->stores, parseStores,
+              "What the picture's values are (default: height)")
         ->type_name("height|depth");
-    command
-        .add_option("--wrap", arguments->wrap, "Along s and t, repeat or clamp each (default: repeat,repeat)")
+    addParsed(command, "--wrap", arguments->wraps, parseWraps,
+              "Along s and t, repeat or clamp each (default: repeat,repeat)")
         ->type_name("S,T");
     command.add_flag("--force", arguments->force, "Replace a scene file that exists");
     return [arguments] { return runNew(*arguments); };

@@ -1,6 +1,8 @@
 #include "validate/cli/realtime_arguments.h"
 
-#include <CLI/CLI.hpp>
+#include "validate/cli/option_values.h"
+#include "validate/cli/parsed_option.h"
+
 #include <fmt/format.h>
 
 namespace plumbline {
@@ -13,7 +15,8 @@ void RealtimeArguments::addTo(CLI::App& command) {
                     "all: every search on flat and quadric, linear_binary on the quadric's variants")
         ->type_name("NAME|DIR")
         ->allow_extra_args(false);
-    command.add_option("--set", settings, "A parameter of all techniques; may be repeated")
+    addParsed<std::vector<std::string>>(command, "--set", settings, parseSettings,
+                                        "A parameter of all techniques; may be repeated")
         ->type_name("key=value")
         ->allow_extra_args(false);
     gl.addTo(command);

@@ -14,8 +14,8 @@ class App;
 namespace plumbline {
 
 struct RealtimeArguments {
-    std::vector<std::string> techniques;
-    std::vector<std::string> settings; // key=value, for all of them
+    std::vector<std::string> techniques; // texts: they are resolved together (chosen_techniques.h)
+    Settings settings;                   // for all of them
     GlArguments gl;
     int timeLimitSeconds = kDefaultTimeLimitSeconds; // a technique
 

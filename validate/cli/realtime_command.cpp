@@ -1,12 +1,14 @@
+#include "realtime/gl/gl_probe.h"
+#include "reference/reference.h"
 #include "scenes/core/error.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/progress.h"
 #include "validate/cli/realtime_arguments.h"
 #include "validate/cli/scene_arguments.h"
-#include "validate/cli/shared.h"
 #include "validate/cli/technique_drawer.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/results/output_files.h"
@@ -24,39 +26,52 @@ struct Arguments {
     ThreadArguments threads;
 };
 
-#ifdef PLUMBLINE_GL
-
-int runRealtime(const Arguments& arguments) {
-    const ThreadLimit limit(arguments.threads.threads);
+void requireOneTechnique(const Arguments& arguments) {
     const std::vector<std::string>& texts = arguments.realtime.techniques;
     if (texts.size() != 1)
         throw InputError("realtime", fmt::format("found {} techniques", texts.size()),
                          "exactly one --technique", "'plumbline validate' takes several");
+}
+
+/// Where the frame goes, checked before any work.
+std::filesystem::path writableFile(const Arguments& arguments, const Scene& scene,
+                                   const ChosenTechnique& chosen) {
+    std::filesystem::path file =
+        arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
+                                  "frames" / (safeFileName(chosen.name) + ".exr"));
+    requireWritableFile(file, scene.files);
+    return file;
+}
+
+/// What a control technique draws.
+ReferenceScene tessellate(const Scene& scene) {
+    ReferenceOptions options;
+    options.microAttributes = true;
+    return ReferenceScene(scene, options);
+}
+
+int runRealtime(const Arguments& arguments) {
+    requireGlBuild("realtime", "a build with it");
+    const ThreadLimit limit(arguments.threads.threads);
+    requireOneTechnique(arguments);
     Progress progress;
     progress.step("reading the scene");
     const std::filesystem::path sceneFile = findScene(arguments.scene.scene);
     const Scene scene = readScene(sceneFile, arguments.scene.changes);
     printWarnings(scene.warnings);
-    const auto settings = parseSettings(arguments.realtime.settings);
-    const auto techniques = chosenTechniques(texts, settings);
+    const auto techniques = chosenTechniques(arguments.realtime.techniques, arguments.realtime.settings);
     if (techniques.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
     const ChosenTechnique& chosen = techniques[0];
-    const WorkerOptions worker =
-        workerOptions(sceneFile, scene, arguments.realtime, arguments.threads.threads);
-    const std::filesystem::path file =
-        arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
-                                  "frames" / (safeFileName(chosen.name) + ".exr"));
-    requireWritableFile(file, scene.files);
+    const std::filesystem::path file = writableFile(arguments, scene, chosen);
 
     std::optional<ReferenceScene> reference;
     if (chosen.isControl()) {
         progress.step("tessellating");
-        ReferenceOptions options;
-        options.microAttributes = true;
-        reference.emplace(scene, options);
+        reference.emplace(tessellate(scene));
     }
     progress.step("drawing");
-    TechniqueDrawer drawer(scene, worker, techniques);
+    TechniqueDrawer drawer(
+        scene, workerOptions(sceneFile, scene, arguments.realtime, arguments.threads.threads), techniques);
     const TechniqueResult result =
         drawer.draw(chosen.resolved(), reference ? &reference->microMeshes() : nullptr);
     printWarnings(result.warnings);
@@ -65,14 +80,6 @@ int runRealtime(const Arguments& arguments) {
                result.renderer, result.backend, result.msMedian, result.msRuns, result.timer);
     return kExitDone;
 }
-
-#else
-
-int runRealtime(const Arguments&) {
-    throw MachineError("realtime", "this program was built without OpenGL (preset no-gl)", "a build with it");
-}
-
-#endif
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();

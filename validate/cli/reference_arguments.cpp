@@ -1,38 +1,37 @@
 #include "validate/cli/reference_arguments.h"
 
-#include "validate/cli/shared.h"
+#include "validate/cli/option_values.h"
+#include "validate/cli/parsed_option.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 namespace plumbline {
+namespace {
 
-void ReferenceArguments::addTo(CLI::App& command, const char* bases) {
-    command
-        .add_option(
-            "--base", base,
-            "Surface the reference displaces: the limit surface or the proxy's polygons (default: limit)")
-        ->type_name(bases);
-    command
-        .add_option("--error-px", errorPx,
-                    fmt::format("Aim for the reference's own error, pixels, 99 % of them (default: {})",
-                                ReferenceOptions().errorPx))
-        ->type_name("E");
-    command.add_option("--rate", rate, "Segments per control edge, a power of two (default: chosen)")
-        ->check(CLI::Range(1, 1024))
-        ->type_name("N");
-    command
-        .add_option("--memory", memory,
-                    "Budget of micro-triangles, as 256M or 2G (default: half of the memory that is free)")
-        ->type_name("SIZE");
+BaseChoice parseBase(const std::string& text, const std::vector<std::string>& choices) {
+    const std::string base = parseChoice("--base", text, choices);
+    return base == "limit" ? BaseChoice::Limit : base == "proxy" ? BaseChoice::Proxy : BaseChoice::Both;
 }
 
-ReferenceOptions ReferenceArguments::options() const {
-    ReferenceOptions options;
-    options.rate = rate;
-    if (errorPx) options.errorPx = parseErrorPx(*errorPx);
-    if (memory) options.memoryBytes = parseMemorySize(*memory);
-    return options;
+} // namespace
+
+void ReferenceArguments::addTo(CLI::App& command, bool bothIsAChoice) {
+    std::vector<std::string> bases{"limit", "proxy"};
+    if (bothIsAChoice) bases.emplace_back("both");
+    addParsed(
+        command, "--base", base, [bases](const std::string& text) { return parseBase(text, bases); },
+        "Surface the reference displaces: the limit surface or the proxy's polygons (default: limit)")
+        ->type_name(fmt::format("{}", fmt::join(bases, "|")));
+    addParsed(command, "--error-px", options.errorPx, parseErrorPx,
+              fmt::format("Aim for the reference's own error, pixels, 99 % of them (default: {})",
+                          ReferenceOptions().errorPx))
+        ->type_name("E");
+    command.add_option("--rate", options.rate, "Segments per control edge, a power of two (default: chosen)")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    addParsed(command, "--memory", options.memoryBytes, parseMemorySize,
+              "Budget of micro-triangles, as 256M or 2G (default: half of the memory that is free)")
+        ->type_name("SIZE");
 }
 
 } // namespace plumbline

@@ -7,9 +7,10 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/progress.h"
 #include "validate/cli/reference_arguments.h"
+#include "validate/cli/run_summaries.h"
 #include "validate/cli/scene_arguments.h"
-#include "validate/cli/shared.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/compare/camera_json.h"
 #include "validate/results/output_files.h"
@@ -54,47 +55,54 @@ void exportMesh(const std::filesystem::path& file, const Scene& scene, const Ref
                static_cast<double>(size.bytes) / 1e6);
 }
 
+void printSummary(const std::filesystem::path& frameFile, const ReferenceStats& stats) {
+    fmt::print("{}\n{} micro-triangles; tessellate {:.0f} ms, build {:.0f} ms, trace {:.0f} ms, certify "
+               "{:.0f} ms; peak "
+               "{:.0f} MB\n",
+               frameFile.string(), stats.microTriangles, stats.tessellateMs, stats.buildMs, stats.traceMs,
+               stats.certifyMs, static_cast<double>(peakBytes()) / 1e6);
+    for (const ReferenceStats::Object& object : stats.objects)
+        if (object.rate < object.wantedRate)
+            fmt::print("{}: {} segments per control edge of the {} wanted\n", object.name, object.rate,
+                       object.wantedRate);
+}
+
+void exportCamera(const std::filesystem::path& file, const Scene& scene) {
+    replaceFile(file, cameraJson(scene));
+    fmt::print("{}\n", file.string());
+}
+
+ReferenceOptions referenceOptions(const Arguments& arguments) {
+    ReferenceOptions options = arguments.reference.options;
+    options.base = arguments.reference.base == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
+    options.microAttributes = arguments.meshFile.has_value();
+    return options;
+}
+
 int runReference(const Arguments& arguments) {
     const ThreadLimit limit(arguments.threads.threads);
     Progress progress;
     progress.step("reading the scene");
     const Scene scene = readScene(findScene(arguments.scene.scene), arguments.scene.changes);
     printWarnings(scene.warnings);
-    ReferenceOptions options = arguments.reference.options();
-    options.base =
-        parseBase(arguments.reference.base, false) == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
-    options.microAttributes = arguments.meshFile.has_value();
     const std::filesystem::path file = arguments.output.value_or(
         std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
     requireOutputs(arguments, file, scene);
 
     progress.step("tessellating");
-    ReferenceScene reference(scene, options);
+    ReferenceScene reference(scene, referenceOptions(arguments));
     printWarnings(reference.stats().warnings);
     progress.step("tracing");
     const Frame frame = reference.render();
     progress.step("writing");
     writeFrame(frame, file);
-
-    const ReferenceStats& stats = reference.stats();
-    progress.say(certificateLine(summaryOf(stats, frame).certificate));
-    fmt::print("{}\n{} micro-triangles; tessellate {:.0f} ms, build {:.0f} ms, trace {:.0f} ms, certify "
-               "{:.0f} ms; peak "
-               "{:.0f} MB\n",
-               file.string(), stats.microTriangles, stats.tessellateMs, stats.buildMs, stats.traceMs,
-               stats.certifyMs, static_cast<double>(peakBytes()) / 1e6);
-    for (const ReferenceStats::Object& object : stats.objects)
-        if (object.rate < object.wantedRate)
-            fmt::print("{}: {} segments per control edge of the {} wanted\n", object.name, object.rate,
-                       object.wantedRate);
+    progress.say(certificateLine(summaryOf(reference.stats(), frame).certificate));
+    printSummary(file, reference.stats());
     if (arguments.meshFile) { // those of the frame: rendering may have made finer ones
         progress.step("writing the mesh");
         exportMesh(*arguments.meshFile, scene, reference);
     }
-    if (arguments.cameraFile) {
-        replaceFile(*arguments.cameraFile, cameraJson(scene));
-        fmt::print("{}\n", arguments.cameraFile->string());
-    }
+    if (arguments.cameraFile) exportCamera(*arguments.cameraFile, scene);
     return kExitDone;
 }
 
@@ -102,7 +110,7 @@ CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     arguments->scene.addTo(command);
     command.add_option("-o", arguments->output, "The frame's file")->type_name("FILE.exr");
-    arguments->reference.addTo(command, "limit|proxy");
+    arguments->reference.addTo(command, false);
     command
         .add_option("--export-mesh", arguments->meshFile,
                     "Also write the displaced triangles, for other renderers")

@@ -3,6 +3,7 @@
 #include "validate/report/page_bundle.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 namespace plumbline {
 
@@ -14,6 +15,12 @@ void ReportArguments::addTo(CLI::App& command) {
 
 ReportOptions ReportArguments::options() const {
     return {.interactive = !plain && !report::pageScript().empty(), .singleFile = singleFile};
+}
+
+std::string reportLine(const std::filesystem::path& page) {
+    const std::string_view plain = report::plainReportReason();
+    return fmt::format("report: {}\n{}", page.string(),
+                       plain.empty() ? "" : fmt::format("(a plain one: {})\n", plain));
 }
 
 } // namespace plumbline

@@ -1,29 +1,19 @@
 #include "validate/cli/requirements.h"
 
+#include "validate/cli/parsed_option.h"
 #include "validate/results/results.h"
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
 #include <cstdio>
 
 namespace plumbline {
+namespace {
 
-void RequirementArguments::addTo(CLI::App& command) {
-    command
-        .add_option("--require", require,
-                    "What must be reached, as \"silhouette.iou >= 0.99\", else exit code 1; may be repeated")
-        ->type_name("METRIC>=X")
-        ->allow_extra_args(false);
-}
-
-std::vector<Requirement> readRequirements(const std::vector<std::string>& texts,
-                                          const std::vector<SceneRequirement>& ofScene) {
+std::vector<Requirement> parseRequirements(const std::vector<std::string>& texts) {
     std::vector<Requirement> requirements;
     for (const std::string& text : texts)
         requirements.push_back(parseRequirement(text, "--require"));
-    for (const SceneRequirement& each : ofScene)
-        requirements.push_back(parseRequirement(each.text, each.where));
     return requirements;
 }
 
@@ -35,6 +25,24 @@ void checkNames(const std::vector<Requirement>& requirements, const Scene& scene
         objects.push_back(object.name);
     for (const Requirement& requirement : requirements)
         checkNames(requirement, lights, objects);
+}
+
+} // namespace
+
+void RequirementArguments::addTo(CLI::App& command) {
+    addParsed<std::vector<std::string>>(
+        command, "--require", require, parseRequirements,
+        "What must be reached, as \"silhouette.iou >= 0.99\", else exit code 1; may be repeated")
+        ->type_name("METRIC>=X")
+        ->allow_extra_args(false);
+}
+
+std::vector<Requirement> requirementsOf(const RequirementArguments& arguments, const Scene& scene) {
+    std::vector<Requirement> requirements = arguments.require;
+    for (const SceneRequirement& each : scene.requirements)
+        requirements.push_back(parseRequirement(each.text, each.where));
+    checkNames(requirements, scene);
+    return requirements;
 }
 
 void checkNames(const std::vector<Requirement>& requirements, const TechniqueOutcome& outcome) {

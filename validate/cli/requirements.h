@@ -11,19 +11,16 @@ class App;
 namespace plumbline {
 
 struct RequirementArguments {
-    std::vector<std::string> require; // "silhouette.iou >= 0.99"
+    std::vector<Requirement> require;
 
     void addTo(CLI::App& command);
 };
 
-/// Those of the command line, then those of the scene. Throws InputError (parseRequirement).
-std::vector<Requirement> readRequirements(const std::vector<std::string>& texts,
-                                          const std::vector<SceneRequirement>& ofScene = {});
+/// Those of the command line, then those of the scene. Throws InputError for one of the scene's that is none
+/// (parseRequirement), and for a name of a light or an object that the scene hasn't.
+std::vector<Requirement> requirementsOf(const RequirementArguments& arguments, const Scene& scene);
 
-/// Throws InputError for a name of a light or an object that the scene hasn't.
-void checkNames(const std::vector<Requirement>& requirements, const Scene& scene);
-
-/// The same of frames that were compared.
+/// Throws InputError for a name of a light or an object that two frames, compared, haven't.
 void checkNames(const std::vector<Requirement>& requirements, const TechniqueOutcome& outcome);
 
 /// Fills in the outcome's requirements and says on stderr, a line each, which it doesn't reach. True if it

@@ -7,7 +7,8 @@
 #include "scenes/core/nearest_rank.h"
 #include "scenes/frame/scene_metadata.h"
 #include "scenes/surface/proxy_mesh.h"
-#include "validate/cli/reference_arguments.h"
+#include "validate/cli/option_values.h"
+#include "validate/cli/run_summaries.h"
 #include "validate/cli/trial.h"
 #include "validate/compare/frame_metadata.h"
 
@@ -15,7 +16,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace plumbline {
 namespace {
@@ -51,6 +51,23 @@ const std::string& nameOf(const StudyGrid& grid, const std::string& label) {
     return std::find_if(grid.techniques.begin(), grid.techniques.end(),
                         [&](const StudyTechnique& technique) { return technique.label == label; })
         ->name;
+}
+
+ReferenceOptions referenceOptions(const json& request, const std::vector<ChosenTechnique>& techniques) {
+    ReferenceOptions options;
+    options.memoryBytes = request.at("reference_bytes");
+    options.errorPx = request.at("reference_error_px");
+    options.microAttributes = anyControl(techniques);
+    return options;
+}
+
+WorkerOptions workerOptions(const json& request, const fs::path& sceneFile, const Scene& scene) {
+    RealtimeArguments realtime;
+    realtime.gl.options.backend = request.at("gl_backend");
+    realtime.gl.options.device = request.at("gl_device");
+    realtime.gl.options.timingBudgetMs = request.at("timing_budget_ms");
+    realtime.timeLimitSeconds = request.at("time_limit");
+    return workerOptions(sceneFile, scene, realtime, request.at("threads"));
 }
 
 /// How well the rings of the proxies' vertices determine their quadrics: the least squares of RP-351,
@@ -105,10 +122,10 @@ json caseRequest(const StudyCase& studyCase, const CaseOptions& options) {
             {"settings", studyCase.grid->settings},
             {"pairs", pairs},
             {"timing_budget_ms", studyCase.grid->timingBudgetMs},
-            {"memory", options.memory},
-            {"error_px", options.errorPx},
-            {"gl", options.glBackend},
-            {"device", options.glDevice},
+            {"reference_bytes", options.referenceBytes},
+            {"reference_error_px", options.referenceErrorPx},
+            {"gl_backend", options.gl.backend},
+            {"gl_device", options.gl.device},
             {"threads", options.threads},
             {"time_limit", options.timeLimitSeconds}};
 }
@@ -120,26 +137,13 @@ json runCase(const json& request) {
     const auto settings = parseSettings(request.at("settings").get<std::vector<std::string>>());
     const std::vector<ChosenTechnique> techniques = chosenTechniques(names, settings);
 
-    ReferenceArguments referenceArguments;
-    referenceArguments.memory = request.at("memory").get<std::string>();
-    if (const std::string errorPx = request.at("error_px"); !errorPx.empty())
-        referenceArguments.errorPx = errorPx;
-    ReferenceOptions options = referenceArguments.options();
-    options.microAttributes =
-        std::any_of(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
-    ReferenceScene reference(scene, options);
+    ReferenceScene reference(scene, referenceOptions(request, techniques));
     const Frame referenceFrame = reference.render();
     const ReferenceSummary summary = summaryOf(reference.stats(), referenceFrame);
 
-    RealtimeArguments realtime;
-    realtime.gl.backend = request.at("gl");
-    realtime.gl.device = request.at("device");
-    realtime.timeLimitSeconds = request.at("time_limit");
-    WorkerOptions worker = workerOptions(sceneFile, scene, realtime, request.at("threads"));
-    worker.gl.timingBudgetMs = request.at("timing_budget_ms");
-    TechniqueDrawer drawer(scene, worker, techniques);
-    std::vector<Trial> trials;
+    TechniqueDrawer drawer(scene, workerOptions(request, sceneFile, scene), techniques);
     json result{{"techniques", json::array()}, {"pairs", json::array()}, {"fit", fitOf(scene)}};
+    std::vector<Trial> trials;
     for (size_t i = 0; i < techniques.size(); ++i) {
         Trial& trial = trials.emplace_back(tryTechnique(techniques[i], drawer, &reference.microMeshes()));
         if (!trial.outcome.error) compareTrial(trial, referenceFrame, scene);

@@ -1,17 +1,20 @@
 // One case of a study, worked out in a process of its own (as the parent sees it: case_pool.h).
 #pragma once
 
+#include "realtime/gl/gl_options.h"
 #include "validate/study/study_cases.h"
 
 #include <nlohmann/json_fwd.hpp>
+
+#include <cstdint>
 
 namespace plumbline {
 
 /// What the process is to do beyond the case itself.
 struct CaseOptions {
-    std::string memory, errorPx; // of the reference; errorPx empty: its own default
-    std::string glBackend = "auto";
-    int glDevice = -1;
+    uint64_t referenceBytes = 0; // budget of the reference
+    double referenceErrorPx = 0; // its aim
+    GlOptions gl;                // but for the time spent on timing, which is the grid's
     int threads = 1;
     int timeLimitSeconds = 60; // a technique
 };

@@ -1,16 +1,16 @@
+#include "realtime/gl/gl_probe.h"
+#include "reference/reference.h"
 #include "scenes/core/error.h"
 #include "scenes/core/replace_file.h"
+#include "validate/cli/case_pool.h"
+#include "validate/cli/chosen_techniques.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/gl_arguments.h"
-#include "validate/cli/shared.h"
+#include "validate/cli/option_values.h"
+#include "validate/cli/progress.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/study/study_report.h"
-
-#ifdef PLUMBLINE_GL
-#include "validate/cli/case_pool.h"
-#include "validate/cli/chosen_techniques.h"
-#endif
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -34,21 +34,23 @@ struct Arguments {
     ThreadArguments threads; // all of them together
 };
 
-#ifdef PLUMBLINE_GL
-
 using nlohmann::json;
 
 constexpr uint64_t kManyCases = 2000;     // an hour and more
 constexpr uint64_t kMostCases = 10000000; // what a list of them may take of memory
 constexpr std::chrono::seconds kBetweenTables(10);
 
-void requireConsent(uint64_t count, const Arguments& arguments) {
+/// A study of very many cases only if the user said so.
+Study readStudyWithConsent(const Arguments& arguments) {
+    Study study = readStudy(findStudy(arguments.study));
+    const uint64_t count = caseCount(study);
     if (count > kMostCases)
         throw InputError(arguments.study, fmt::format("has {} cases", count),
                          fmt::format("at most {}", kMostCases));
     if (count > kManyCases && !arguments.yes)
         throw InputError(arguments.study, fmt::format("has {} cases", count),
                          fmt::format("at most {} without --yes", kManyCases));
+    return study;
 }
 
 std::filesystem::path outputFolder(const Study& study, const Arguments& arguments) {
@@ -71,21 +73,13 @@ void checkTechniques(const Study& study) {
     }
 }
 
-/// What would be wrong in every case, before the first.
-void checkCaseOptions(const CaseOptions& options) {
-    GlArguments gl;
-    gl.backend = options.glBackend;
-    (void)gl.options();
-    (void)parseMemorySize(options.memory);
-    if (!options.errorPx.empty()) (void)parseErrorPx(options.errorPx);
-}
-
+/// Throws for what would be wrong in every case.
 CaseOptions caseOptions(const Study& study, const Arguments& arguments, int jobs) {
     CaseOptions options;
-    options.memory = study.memory;
-    options.errorPx = study.errorPx;
-    options.glBackend = arguments.gl.backend;
-    options.glDevice = arguments.gl.device;
+    options.referenceBytes = parseMemorySize(study.memory);
+    options.referenceErrorPx =
+        study.errorPx.empty() ? ReferenceOptions().errorPx : parseErrorPx(study.errorPx);
+    options.gl = arguments.gl.options;
     const int threads = arguments.threads.threads;
     options.threads = std::max(1, (threads > 0 ? threads : coreCount()) / jobs);
     options.timeLimitSeconds = study.timeLimitSeconds;
@@ -125,8 +119,12 @@ std::string timeLeft(std::chrono::steady_clock::time_point start, size_t done, s
     return seconds < 90 ? fmt::format("{:.0f} s", seconds) : fmt::format("{:.0f} min", seconds / 60);
 }
 
+std::filesystem::path tableFile(const StudyFolder& folder) {
+    return folder.path() / "results.csv";
+}
+
 void writeTable(const StudyFolder& folder, const StudyState& state) {
-    replaceFile(folder.path() / "results.csv", studyCsv(state.rows));
+    replaceFile(tableFile(folder), studyCsv(state.rows));
 }
 
 /// A case's failures, each text once: what fails in one often fails in all.
@@ -160,16 +158,26 @@ void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const 
     });
 }
 
+void printSummary(const StudyState& state, size_t cases, size_t known, double seconds,
+                  const std::filesystem::path& table) {
+    fmt::print("{} cases: {} worked out in {:.0f} s, {} known before, {} failed\n{}\n", cases, cases - known,
+               seconds, known, state.failed + state.open.size(), table.string());
+}
+
+int exitCodeOf(const StudyState& state) {
+    if (state.failed > 0) return kExitBadInput;
+    return state.open.empty() ? kExitDone : kExitMachine;
+}
+
 int runStudy(const Arguments& arguments) {
+    requireGlBuild("study", "a build with it");
     const ThreadLimit limit(arguments.threads.threads);
     Progress progress;
     progress.step("reading the study");
-    const Study study = readStudy(findStudy(arguments.study));
-    requireConsent(caseCount(study), arguments);
+    const Study study = readStudyWithConsent(arguments);
     checkTechniques(study);
     const int jobs = arguments.jobs > 0 ? arguments.jobs : coreCount();
     const CaseOptions options = caseOptions(study, arguments, jobs);
-    checkCaseOptions(options);
     const StudyFolder folder(outputFolder(study, arguments), study);
     const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
     StudyState state = readState(folder, cases);
@@ -180,16 +188,13 @@ int runStudy(const Arguments& arguments) {
     state = readState(folder, cases);
     writeTable(folder, state);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    fmt::print("{} cases: {} worked out in {:.0f} s, {} known before, {} failed\n{}\n", cases.size(),
-               cases.size() - known, spent.count(), known, state.failed + state.open.size(),
-               (folder.path() / "results.csv").string());
-    if (state.failed > 0) return kExitBadInput;
-    return state.open.empty() ? kExitDone : kExitMachine;
+    printSummary(state, cases.size(), known, spent.count(), tableFile(folder));
+    return exitCodeOf(state);
 }
 
 int runStudyReport(const Arguments& arguments) {
-    const Study study = readStudy(findStudy(arguments.study));
-    requireConsent(caseCount(study), arguments);
+    requireGlBuild("study", "a build with it");
+    const Study study = readStudyWithConsent(arguments);
     const StudyFolder folder = StudyFolder::open(outputFolder(study, arguments), study);
     const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
     const StudyState state = readState(folder, cases);
@@ -201,21 +206,6 @@ int runStudyReport(const Arguments& arguments) {
     fmt::print("{}\n", (folder.path() / "report" / "index.html").string());
     return kExitDone;
 }
-
-#else
-
-[[noreturn]] void refuse() {
-    throw MachineError("study", "this program was built without OpenGL (preset no-gl)", "a build with it");
-}
-
-int runStudy(const Arguments&) {
-    refuse();
-}
-int runStudyReport(const Arguments&) {
-    refuse();
-}
-
-#endif
 
 void addCommonOptions(CLI::App& command, Arguments& study) {
     command.add_option("STUDY", study.study, "A study file or a name of validate/studies/")->required();

@@ -11,7 +11,7 @@ WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene&
     options.sceneFile = sceneFile;
     options.sceneChanges = scene.changes;
     options.sceneHash = scene.hash;
-    options.gl = arguments.gl.options();
+    options.gl = arguments.gl.options;
     options.threads = threads;
     options.timeLimitSeconds = arguments.timeLimitSeconds;
     return options;

@@ -2,14 +2,13 @@
 // technique, whose triangles are in this one.
 #pragma once
 
-#ifdef PLUMBLINE_GL
 #include "validate/cli/chosen_techniques.h"
 #include "validate/cli/realtime_arguments.h"
 #include "validate/worker/technique_worker.h"
 
 namespace plumbline {
 
-/// `threads`: as of --threads. Throws InputError for a --gl there isn't.
+/// `threads`: as of --threads.
 WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene& scene,
                             const RealtimeArguments& arguments, int threads);
 
@@ -29,4 +28,3 @@ class TechniqueDrawer {
 };
 
 } // namespace plumbline
-#endif

@@ -1,10 +1,9 @@
 // What validate and study do for each technique: draw it, compare it with the reference.
 #pragma once
 
-#ifdef PLUMBLINE_GL
 #include "validate/cli/exit_codes.h"
-#include "validate/cli/shared.h"
 #include "validate/cli/technique_drawer.h"
+#include "validate/results/results.h"
 
 namespace plumbline {
 
@@ -25,4 +24,3 @@ Trial tryTechnique(const ChosenTechnique& chosen, TechniqueDrawer& drawer,
 void compareTrial(Trial& trial, const Frame& reference, const Scene& scene);
 
 } // namespace plumbline
-#endif

@@ -1,4 +1,4 @@
-#include "scenes/core/error.h"
+#include "realtime/gl/gl_probe.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/frame/scene_metadata.h"
@@ -6,12 +6,13 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/progress.h"
 #include "validate/cli/realtime_arguments.h"
 #include "validate/cli/reference_arguments.h"
 #include "validate/cli/report_arguments.h"
 #include "validate/cli/requirements.h"
+#include "validate/cli/run_summaries.h"
 #include "validate/cli/scene_arguments.h"
-#include "validate/cli/shared.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/cli/trial.h"
 #include "validate/compare/frame_metadata.h"
@@ -22,7 +23,6 @@
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <set>
 
@@ -39,7 +39,6 @@ struct Arguments {
     ThreadArguments threads;
 };
 
-#ifdef PLUMBLINE_GL
 // For timing all techniques of a run together: a third of what comparing and painting them takes.
 constexpr double kTimingBudgetMs = 4000;
 
@@ -63,13 +62,33 @@ struct OutputFolder {
             unique = fmt::format("{}_{}", stem, number);
         return frames / (unique + ".exr");
     }
-
-    void write(const Results& results, Report& page, bool last) const {
-        replaceFile(folder / "results.json", toJson(results));
-        replaceFile(folder / "results.csv", toCsv(results));
-        page.write(results, last);
-    }
 };
+
+/// What a run is about, read and checked before any work.
+struct Task {
+    std::filesystem::path sceneFile;
+    Scene scene;
+    std::vector<Requirement> requirements;
+    std::vector<ChosenTechnique> techniques;
+};
+
+Task readTask(const Arguments& arguments) {
+    Task task;
+    task.sceneFile = findScene(arguments.scene.scene);
+    task.scene = readScene(task.sceneFile, arguments.scene.changes);
+    printWarnings(task.scene.warnings);
+    task.requirements = requirementsOf(arguments.requirements, task.scene);
+    task.techniques = chosenTechniques(arguments.realtime.techniques, arguments.realtime.settings);
+    return task;
+}
+
+WorkerOptions workerOptions(const Task& task, const Arguments& arguments) {
+    WorkerOptions worker =
+        workerOptions(task.sceneFile, task.scene, arguments.realtime, arguments.threads.threads);
+    worker.gl.timingBudgetMs =
+        std::min(worker.gl.timingBudgetMs, kTimingBudgetMs / static_cast<double>(task.techniques.size()));
+    return worker;
+}
 
 /// The true frame, and with both bases the other one.
 struct References {
@@ -97,21 +116,28 @@ Frame drawReference(const Scene& scene, const ReferenceOptions& options, Progres
 
 /// The proxy goes first, so that its micro-triangles are gone before those on the limit surface, which the
 /// control technique may need, are made: memory never holds both.
-References drawReferences(const Scene& scene, ReferenceOptions options, BaseChoice choice,
-                          Progress& progress) {
+References drawReferences(const Task& task, const ReferenceArguments& arguments, Progress& progress) {
     References references;
-    const bool microTriangles = options.microAttributes;
+    ReferenceOptions options = arguments.options;
+    const BaseChoice choice = arguments.base;
+    const bool microTriangles = anyControl(task.techniques);
     if (choice == BaseChoice::Both) {
         options.base = Base::Proxy;
-        options.microAttributes = false;
-        references.proxyFrame = drawReference(scene, options, progress, references.proxySummary, nullptr);
+        references.proxyFrame =
+            drawReference(task.scene, options, progress, references.proxySummary, nullptr);
     }
     options.base = choice == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
     options.microAttributes = microTriangles;
     references.base = choice == BaseChoice::Proxy ? "proxy" : "limit";
-    references.frame = drawReference(scene, options, progress, references.summary,
+    references.frame = drawReference(task.scene, options, progress, references.summary,
                                      microTriangles ? &references.scene : nullptr);
     return references;
+}
+
+void sayCertificates(const References& references, Progress& progress) {
+    progress.say(certificateLine(references.summary.certificate));
+    if (references.proxyFrame)
+        progress.say(certificateLine(references.proxySummary.certificate, " of the reference on the proxy"));
 }
 
 /// The proxy's reference held against the other.
@@ -127,15 +153,46 @@ void dropDepth(Comparison& comparison) {
     comparison.testDepth = {};
 }
 
+/// What a run leaves behind, technique by technique.
+struct Output {
+    OutputFolder& folder;
+    Results results;
+    Report report;
+
+    /// Frames and pictures of the references.
+    void addReferences(const References& references) {
+        writeFrame(references.frame, folder.newFrameFile("reference"));
+        report.addReference(references.frame);
+        if (!references.proxyFrame) return;
+        writeFrame(*references.proxyFrame, folder.newFrameFile("reference_proxy"));
+        report.addBaseGap(results.proxy->gap, references.frame, *references.proxyFrame);
+        dropDepth(results.proxy->gap);
+    }
+
+    void write(bool last) {
+        replaceFile(folder.folder / "results.json", toJson(results));
+        replaceFile(folder.folder / "results.csv", toCsv(results));
+        report.write(results, last);
+    }
+};
+
+Results beginResults(const Scene& scene, const References& references) {
+    return {programName(),
+            summaryOf(scene),
+            references.base,
+            references.summary,
+            compareBases(references, scene),
+            {}};
+}
+
 /// Compares, paints and writes the frame, side by side: each of it takes longer than many techniques take to
 /// draw.
-void judge(Trial& trial, const References& references, const Scene& scene, OutputFolder& output,
-           Report& report) {
-    const std::filesystem::path file = output.newFrameFile(trial.outcome.name);
+void judge(Trial& trial, const References& references, const Scene& scene, Output& output) {
+    const std::filesystem::path file = output.folder.newFrameFile(trial.outcome.name);
     tbb::parallel_invoke([&] { writeFrame(trial.frame, file); },
                          [&] {
                              compareTrial(trial, references.frame, scene);
-                             report.addTechnique(trial.outcome, references.frame, trial.frame);
+                             output.report.addTechnique(trial.outcome, references.frame, trial.frame);
                              dropDepth(trial.outcome.comparison);
                              if (!references.proxyFrame) return;
                              trial.outcome.againstProxy = compareFrames(*references.proxyFrame, trial.frame,
@@ -144,82 +201,56 @@ void judge(Trial& trial, const References& references, const Scene& scene, Outpu
                          });
 }
 
-/// Frames and pictures of the references.
-void writeReferences(const References& references, Results& results, OutputFolder& output, Report& report) {
-    writeFrame(references.frame, output.newFrameFile("reference"));
-    report.addReference(references.frame);
-    if (!references.proxyFrame) return;
-    writeFrame(*references.proxyFrame, output.newFrameFile("reference_proxy"));
-    report.addBaseGap(results.proxy->gap, references.frame, *references.proxyFrame);
-    dropDepth(results.proxy->gap);
+/// Each text once in a run.
+void printNewWarnings(const std::vector<std::string>& warnings, std::set<std::string>& printed) {
+    for (const std::string& warning : warnings)
+        if (printed.insert(warning).second) printWarnings({warning});
 }
 
-int runValidate(const Arguments& arguments) {
-    const ThreadLimit limit(arguments.threads.threads);
-    Progress progress;
-    progress.step("reading the scene");
-    const std::filesystem::path sceneFile = findScene(arguments.scene.scene);
-    const Scene scene = readScene(sceneFile, arguments.scene.changes);
-    printWarnings(scene.warnings);
-    const auto requirements = readRequirements(arguments.requirements.require, scene.requirements);
-    checkNames(requirements, scene);
-    const auto settings = parseSettings(arguments.realtime.settings);
-    const auto techniques = chosenTechniques(arguments.realtime.techniques, settings);
-    const BaseChoice base = parseBase(arguments.reference.base, true);
-    ReferenceOptions options = arguments.reference.options();
-    options.microAttributes =
-        std::any_of(techniques.begin(), techniques.end(), std::mem_fn(&ChosenTechnique::isControl));
-    WorkerOptions worker = workerOptions(sceneFile, scene, arguments.realtime, arguments.threads.threads);
-    worker.gl.timingBudgetMs =
-        std::min(worker.gl.timingBudgetMs, kTimingBudgetMs / static_cast<double>(techniques.size()));
-    OutputFolder output(arguments.output, scene);
-
-    // The reference comes before GL starts, so that its peak memory is its own.
-    const References references = drawReferences(scene, options, base, progress);
-    progress.step("starting OpenGL");
-    TechniqueDrawer drawer(scene, worker, techniques);
-    progress.say(certificateLine(references.summary.certificate));
-    if (references.proxyFrame)
-        progress.say(certificateLine(references.proxySummary.certificate, " of the reference on the proxy"));
-
-    removeOldResults(output.folder);
-    Results results{programName(),
-                    summaryOf(scene),
-                    references.base,
-                    references.summary,
-                    compareBases(references, scene),
-                    {}};
-    Report report(output.report, arguments.report.options());
-    writeReferences(references, results, output, report);
+/// One technique after the other. Returns the exit code of the run.
+int judgeTechniques(const Task& task, const References& references, TechniqueDrawer& drawer, Output& output,
+                    Progress& progress) {
+    const std::vector<MicroMesh>* microMeshes = references.scene ? &references.scene->microMeshes() : nullptr;
+    std::vector<TechniqueOutcome>& outcomes = output.results.techniques;
     int exitCode = kExitDone;
     bool requirementsReached = true;
     std::set<std::string> warned;
-    for (const ChosenTechnique& chosen : techniques) {
-        progress.step(
-            fmt::format("{} of {}: {}", results.techniques.size() + 1, techniques.size(), chosen.name));
-        Trial trial =
-            tryTechnique(chosen, drawer, references.scene ? &references.scene->microMeshes() : nullptr);
-        if (!trial.outcome.error) judge(trial, references, scene, output, report);
-        if (!trial.outcome.control) requirementsReached &= holdRequirements(requirements, trial.outcome);
-        for (const std::string& warning : trial.warnings)
-            if (warned.insert(warning).second) printWarnings({warning});
+    for (const ChosenTechnique& chosen : task.techniques) {
+        progress.step(fmt::format("{} of {}: {}", outcomes.size() + 1, task.techniques.size(), chosen.name));
+        Trial trial = tryTechnique(chosen, drawer, microMeshes);
+        if (!trial.outcome.error) judge(trial, references, task.scene, output);
+        if (!trial.outcome.control) requirementsReached &= holdRequirements(task.requirements, trial.outcome);
+        printNewWarnings(trial.warnings, warned);
         if (exitCode == kExitDone) exitCode = trial.exitCode;
-        results.techniques.push_back(std::move(trial.outcome));
+        outcomes.push_back(std::move(trial.outcome));
         // Whole after every technique: a run that is stopped leaves what was finished.
-        output.write(results, report, results.techniques.size() == techniques.size());
+        output.write(outcomes.size() == task.techniques.size());
     }
-    fmt::print("{}\n{}", toTable(results), reportLine(output.report / "index.html"));
     return exitCode == kExitDone && !requirementsReached ? kExitThreshold : exitCode;
 }
 
-#else
+int runValidate(const Arguments& arguments) {
+    requireGlBuild("validate", "a build with it",
+                   "'plumbline reference' and 'plumbline compare' work without");
+    const ThreadLimit limit(arguments.threads.threads);
+    Progress progress;
+    progress.step("reading the scene");
+    const Task task = readTask(arguments);
+    OutputFolder folder(arguments.output, task.scene);
+    // The reference comes before GL starts, so that its peak memory is its own.
+    const References references = drawReferences(task, arguments.reference, progress);
+    progress.step("starting OpenGL");
+    TechniqueDrawer drawer(task.scene, workerOptions(task, arguments), task.techniques);
+    sayCertificates(references, progress);
 
-int runValidate(const Arguments&) {
-    throw MachineError("validate", "this program was built without OpenGL (preset no-gl)", "a build with it",
-                       "'plumbline reference' and 'plumbline compare' work without");
+    removeOldResults(folder.folder);
+    Output output{folder, beginResults(task.scene, references),
+                  Report(folder.report, arguments.report.options())};
+    output.addReferences(references);
+    const int exitCode = judgeTechniques(task, references, drawer, output, progress);
+    fmt::print("{}\n{}", toTable(output.results), reportLine(folder.report / "index.html"));
+    return exitCode;
 }
-
-#endif
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
@@ -227,7 +258,7 @@ CommandRun addOptions(CLI::App& command) {
     command.add_option("-o", arguments->output, "Folder of the results (default: plumbline-out/SCENE)")
         ->type_name("DIR");
     arguments->report.addTo(command);
-    arguments->reference.addTo(command, "limit|proxy|both");
+    arguments->reference.addTo(command, true);
     arguments->realtime.addTo(command);
     arguments->requirements.addTo(command);
     arguments->threads.addTo(command);

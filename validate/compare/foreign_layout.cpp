@@ -1,12 +1,12 @@
 #include "validate/compare/foreign_layout.h"
 
+#include "scenes/core/contains.h"
 #include "scenes/core/error.h"
 #include "scenes/core/numbers.h"
 #include "scenes/frame/frame.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 
 namespace plumbline {
@@ -70,10 +70,6 @@ constexpr std::array kKnownChannels{
 
 bool endsInWords(std::string_view name, std::string_view ending) {
     return name == ending || (name.ends_with(ending) && name[name.size() - ending.size() - 1] == '.');
-}
-
-bool contains(std::span<const std::string> names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// By channels that only one of them writes.
