@@ -2,7 +2,7 @@
 
 #include "scenes/core/error.h"
 #include "scenes/core/numbers.h"
-#include "scenes/scene_file/scene_camera.h"
+#include "scenes/scene/camera_fault.h"
 
 #include <fmt/format.h>
 
