@@ -8,7 +8,8 @@
 #include "reference/trace/render.h"
 #include "scenes/core/error.h"
 #include "scenes/core/free_memory.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/frame/frame_header.h"
+#include "scenes/frame/header_fields.h"
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/seams.h"
 
@@ -164,12 +165,13 @@ struct ReferenceScene::Impl {
 
     void describe(Frame& frame) const {
         frame.metadata = sceneMetadata(scene);
-        frame.metadata["renderer"] = "reference";
-        frame.metadata["base"] = options.base == Base::Proxy ? "proxy" : "limit";
+        frame.metadata[header::kRenderer] = "reference";
+        frame.metadata[header::kBase] = baseName(options.base);
         addCertificate(stats.certificate, frame.metadata);
-        frame.metadata["micro_triangles"] = fmt::format("{}", stats.microTriangles);
+        frame.metadata[header::kMicroTriangles] = fmt::format("{}", stats.microTriangles);
         for (size_t i = 0; i < meshes.size(); ++i)
-            frame.metadata[fmt::format("object.{}.rate", i + 1)] = fmt::format("{}", stats.objects[i].rate);
+            frame.metadata[header::object(static_cast<int>(i) + 1, header::kObjectRate)] =
+                fmt::format("{}", stats.objects[i].rate);
     }
 };
 

@@ -1,5 +1,6 @@
 #include "validate/results/certificate.h"
 
+#include "scenes/frame/header_words.h"
 #include "validate/metrics/frame_pair.h"
 
 #include <fmt/format.h>
@@ -62,6 +63,31 @@ void countPixels(const Frame& reference, CertificateSummary& certificate) {
             countWhere(reference, uncertainShadowChannel(light), saysUncertain);
     if (certificate.coveredPixels && *certificate.coveredPixels == 0)
         setAbsent(certificate, "no pixel shows the surface");
+}
+
+CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where) {
+    const std::string prefix = "certificate.";
+    CertificateSummary certificate;
+    for (const CertificateFigure& entry : certificateFigures()) {
+        const std::string key = prefix + entry.key;
+        const auto found = frame.metadata.find(key);
+        if (found == frame.metadata.end()) {
+            certificate.*entry.figure =
+                Figure::absent(fmt::format("the reference's file has no header field {}", key));
+            continue;
+        }
+        HeaderWords words(found->second);
+        const double value = words.number();
+        if (!words.ok() || value < 0) refuseHeaderField(where, key, found->second, "a number >= 0");
+        certificate.*entry.figure = value;
+    }
+    const std::string limitKey = prefix + "error_limit";
+    if (const auto found = frame.metadata.find(limitKey); found != frame.metadata.end())
+        certificate.limit = found->second;
+    else
+        certificate.limitReason = fmt::format("the reference's file has no header field {}", limitKey);
+    countPixels(frame, certificate);
+    return certificate;
 }
 
 std::string certificateLine(const CertificateSummary& certificate, const std::string& of) {

@@ -41,6 +41,11 @@ void setAbsent(CertificateSummary& certificate, const std::string& reason);
 /// become absent.
 void countPixels(const Frame& reference, CertificateSummary& certificate);
 
+/// What a reference's frame says of its own error: the header fields certificate.error_px_p99 and its like,
+/// numbers >= 0, and the counts of its channels. What isn't there is absent. Throws InputError, with `where`
+/// in front, for a field that can't be read.
+CertificateSummary certificateFromHeader(const Frame& frame, const std::string& where);
+
 /// One line without its end: "certificate: error p50 0.004 px, p99 0.03 px, …". `of`: "" or which reference,
 /// as " (proxy)".
 std::string certificateLine(const CertificateSummary& certificate, const std::string& of = "");

@@ -1,6 +1,5 @@
 #include "scenes/core/error.h"
 #include "tests/validate/results/sample_results.h"
-#include "validate/compare/frame_metadata.h"
 
 #include <gtest/gtest.h>
 
