@@ -1,7 +1,8 @@
 // The names of the header fields of a frame's file: string attributes, Frame::metadata in memory.
 //
 // Whoever writes or reads one takes its name from here. Those of the scene are written and read by
-// frame_header.h, those of its objects by object_info.h; each renderer adds its own.
+// frame_header.h, those of its objects by object_info.h, those of a reference's error by certificate.h; each
+// renderer adds its own.
 #pragma once
 
 #include <string>
@@ -42,6 +43,10 @@ inline constexpr const char* kBase = "base";         // baseName() in frame_head
 // Of the reference.
 inline constexpr const char* kMicroTriangles = "micro_triangles"; // how many
 inline constexpr std::string_view kObjectRate = "rate";           // of an object: segments per control edge
+/// certificate.<key>: its own error, the keys of certificate.h.
+inline std::string certificate(std::string_view key) {
+    return std::string("certificate.").append(key);
+}
 // Of a technique.
 inline constexpr const char* kTechnique = "technique"; // Technique::name
 inline std::string parameter(std::string_view name) {
