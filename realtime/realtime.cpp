@@ -8,7 +8,8 @@
 #include "realtime/draw/view.h"
 #include "realtime/gl/frame_timer.h"
 #include "scenes/core/error.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/frame/frame_header.h"
+#include "scenes/frame/header_fields.h"
 
 #include <fmt/format.h>
 
@@ -140,11 +141,11 @@ struct RealtimeRenderer::Impl {
                                        technique.hasBentBase());
         // Not the driver: frames of different backends are equal byte for byte where their pixels are.
         frame.metadata = sceneMetadata(scene);
-        frame.metadata["renderer"] = "realtime";
-        frame.metadata["base"] = technique.drawsMicroTriangles() ? "limit" : "proxy";
-        frame.metadata["technique"] = technique.name();
+        frame.metadata[header::kRenderer] = "realtime";
+        frame.metadata[header::kBase] = baseName(technique.drawsMicroTriangles() ? Base::Limit : Base::Proxy);
+        frame.metadata[header::kTechnique] = technique.name();
         for (const auto& [name, value] : technique.parameters())
-            frame.metadata["parameter." + name] = value;
+            frame.metadata[header::parameter(name)] = value;
         return frame;
     }
 

@@ -8,7 +8,8 @@
 #include "reference/trace/render.h"
 #include "scenes/core/error.h"
 #include "scenes/core/free_memory.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/frame/frame_header.h"
+#include "scenes/frame/header_fields.h"
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/seams.h"
 
@@ -30,18 +31,6 @@ class Stopwatch {
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// The keys `compare` reads back (validate/results/certificate.h).
-void addCertificate(const Certificate& certificate, std::map<std::string, std::string>& metadata) {
-    const std::pair<const char*, double> figures[] = {
-        {"error_px_p50", certificate.pxP50},       {"error_px_p99", certificate.pxP99},
-        {"error_px_max", certificate.pxMax},       {"error_px_aim", certificate.aimPx},
-        {"error_world_p50", certificate.worldP50}, {"error_world_p99", certificate.worldP99},
-        {"error_world_max", certificate.worldMax}};
-    for (const auto& [key, value] : figures)
-        metadata[std::string("certificate.") + key] = fmt::format("{}", value);
-    metadata["certificate.error_limit"] = certificate.limit;
-}
-
 } // namespace
 
 // Runs until the error aimed at is met. Rates are planned from the grids of each face that are worst at its
@@ -57,6 +46,7 @@ struct ReferenceScene::Impl {
     std::vector<MicroMesh> meshes;
     std::unique_ptr<EmbreeScene> embree;
     std::unique_ptr<RatePlanner> planner; // null: one rate for all
+    std::string limit;                    // Certificate::limit as far as it is known
 
     Impl(const Scene& sceneGiven, const ReferenceOptions& optionsGiven)
         : scene(sceneGiven), options(optionsGiven) {
@@ -106,24 +96,24 @@ struct ReferenceScene::Impl {
             stats.objects.push_back({scene.objects[i].name, largestRate(plan.rates[i]), plan.wanted[i],
                                      microMeshSize(*surfaces[i], plan.rates[i]).microTriangles});
         stats.microTriangles = plan.microTriangles;
-        stats.certificate.aimPx = options.errorPx;
-        stats.certificate.limit = plan.limit;
+        stats.certificate.pxAim = options.errorPx;
+        limit = plan.limit;
     }
 
     Frame render() {
         MeasuredFrame traced = trace();
         int run = 1;
-        while (run < kMostRuns && isAboveAim() && stats.certificate.limit.empty() && refinePlan(traced)) {
+        while (run < kMostRuns && isAboveAim() && limit.empty() && refinePlan(traced)) {
             build();
             traced = trace();
             ++run;
         }
         if (!isAboveAim())
-            stats.certificate.limit.clear();
-        else if (stats.certificate.limit.empty())
-            stats.certificate.limit = run == kMostRuns
-                                          ? fmt::format("{} runs, each finer than the last", kMostRuns)
-                                          : "places that finer micro-triangles come no closer to";
+            limit.clear();
+        else if (limit.empty())
+            limit = run == kMostRuns ? fmt::format("{} runs, each finer than the last", kMostRuns)
+                                     : "places that finer micro-triangles come no closer to";
+        stats.certificate.limit = limit;
         const Stopwatch watch;
         markUncertain(scene, tracedObjects(), *embree, traced.evidence, traced.frame);
         stats.certifyMs += watch.elapsedMs();
@@ -164,12 +154,13 @@ struct ReferenceScene::Impl {
 
     void describe(Frame& frame) const {
         frame.metadata = sceneMetadata(scene);
-        frame.metadata["renderer"] = "reference";
-        frame.metadata["base"] = options.base == Base::Proxy ? "proxy" : "limit";
-        addCertificate(stats.certificate, frame.metadata);
-        frame.metadata["micro_triangles"] = fmt::format("{}", stats.microTriangles);
+        frame.metadata[header::kRenderer] = "reference";
+        frame.metadata[header::kBase] = baseName(options.base);
+        writeCertificate(stats.certificate, frame.metadata);
+        frame.metadata[header::kMicroTriangles] = fmt::format("{}", stats.microTriangles);
         for (size_t i = 0; i < meshes.size(); ++i)
-            frame.metadata[fmt::format("object.{}.rate", i + 1)] = fmt::format("{}", stats.objects[i].rate);
+            frame.metadata[header::object(static_cast<int>(i) + 1, header::kObjectRate)] =
+                fmt::format("{}", stats.objects[i].rate);
     }
 };
 

@@ -49,7 +49,8 @@ const std::vector<Folder>& folders() {
         {"realtime/draw", {"scenes", "realtime/bake", "realtime/glsl", "realtime/technique", "realtime/gl"}},
         {"realtime", {"scenes"}},
         {"validate/metrics",
-         {"scenes/core", "scenes/frame", "scenes/scene/camera.h", "scenes/scene/light.h"}},
+         {"scenes/core", "scenes/frame/frame.h", "scenes/frame/object_info.h", "scenes/scene/camera.h",
+          "scenes/scene/light.h"}},
         {"validate/worker", {"scenes", "realtime"}},
         {"validate", {"scenes", "reference", "realtime"}},
     };

@@ -16,7 +16,7 @@ namespace {
 /// By nearest rank. Reorders; 0 of none.
 double percentile(std::vector<float>& values, unsigned percent) {
     if (values.empty()) return 0;
-    return nearestRank(values, percent);
+    return nearestRankInPlace(values, percent);
 }
 
 class UncertainMarker {

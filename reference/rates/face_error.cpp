@@ -53,7 +53,7 @@ MeasuredError FaceErrorProbe::typicalWorst(int face, const Vec2i& rate,
         for (int row = 0; row < blocksAlong(lattice.rows); ++row)
             for (int column = 0; column < blocksInRow(lattice, row); ++column)
                 errors.push_back(measure(patch, lattice, column, row, evaluator));
-    return nearestRank(errors, 98, &MeasuredError::world);
+    return nearestRankInPlace(errors, 98, &MeasuredError::world);
 }
 
 MeasuredError FaceErrorProbe::worstWithin(const PatchRegion& region, int face, const Vec2i& rate,

@@ -17,12 +17,17 @@ inline size_t nearestRankIndex(size_t count, unsigned percent) {
     return (count * percent + 99) / 100 - 1;
 }
 
-/// The value of that rank, not of none. Reorders the values.
-template <class T, class Projection = std::identity>
-const T& nearestRank(std::vector<T>& values, unsigned percent, Projection by = {}) {
+/// The element of that rank by its projection. `values`: in any order, not empty; left in another one.
+template <class Values, class Projection = std::identity>
+typename Values::value_type nearestRankInPlace(Values& values, unsigned percent, Projection by = {}) {
     const auto nth = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
     std::ranges::nth_element(values, nth, {}, by);
     return *nth;
+}
+
+/// The value of that rank, not of none.
+inline double nearestRank(std::vector<double> values, unsigned percent) {
+    return nearestRankInPlace(values, percent);
 }
 
 } // namespace plumbline

@@ -1,8 +1,8 @@
 #include "tests/bench/metrics_bench.h"
 
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/frame/frame_header.h"
+#include "scenes/frame/object_info.h"
 #include "validate/compare/compare.h"
-#include "validate/compare/frame_metadata.h"
 
 #include <fmt/format.h>
 #include <tbb/global_control.h>

@@ -1,9 +1,9 @@
 #include "tests/bench/report_bench.h"
 
+#include "scenes/frame/object_info.h"
 #include "tests/bench/process_bench.h"
 #include "tests/read_frame.h"
 #include "tests/temporary_folder.h"
-#include "validate/compare/frame_metadata.h"
 #include "validate/report/report.h"
 #include "validate/results/output_files.h"
 

@@ -3,7 +3,7 @@
 #include "realtime/bake/cone_check.h"
 #include "realtime/bake/cone_map.h"
 #include "scenes/core/error.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/core/program_name.h"
 #include "scenes/maps/map_file.h"
 #include "scenes/scene_file/scene_file.h"
 #include "scenes/scene_file/scene_library.h"

@@ -1,13 +1,15 @@
 #include "scenes/core/error.h"
+#include "scenes/core/program_name.h"
 #include "scenes/core/replace_file.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/frame/frame_header.h"
+#include "scenes/frame/header_fields.h"
+#include "scenes/frame/object_info.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/parsed_option.h"
 #include "validate/cli/report_arguments.h"
 #include "validate/cli/requirements.h"
 #include "validate/compare/foreign_frame.h"
-#include "validate/compare/frame_metadata.h"
 #include "validate/results/output_files.h"
 
 #include <fmt/format.h>
@@ -23,11 +25,6 @@ struct Arguments {
     ReportArguments report;
     RequirementArguments requirements;
 };
-
-std::string metadataOf(const Frame& frame, const std::string& key, const std::string& otherwise) {
-    const auto found = frame.metadata.find(key);
-    return found == frame.metadata.end() ? otherwise : found->second;
-}
 
 ReferenceSummary fromFile(const Frame& frame, const std::string& file) {
     const Figure none = Figure::absent("the reference came from a file");
@@ -52,10 +49,10 @@ std::vector<std::string> headerNotes(const ForeignFrame& reference, const Foreig
             notes.push_back(fmt::format("{}: the header field '{}' isn't as plumbline writes it: left out",
                                         each->file, field));
     const auto differ = [&](const char* key) {
-        const std::string a = metadataOf(reference.frame, key, ""), b = metadataOf(test.frame, key, "");
+        const std::string a = headerField(reference.frame, key), b = headerField(test.frame, key);
         return !a.empty() && !b.empty() && a != b;
     };
-    if (differ("scene_hash"))
+    if (differ(header::kSceneHash))
         notes.emplace_back("the headers of the two frames name different scenes (scene_hash)");
     const auto ofReference = cameraFromHeader(reference.frame, reference.file),
                ofTest = cameraFromHeader(test.frame, test.file);
@@ -85,17 +82,18 @@ Results compareFiles(const Arguments& arguments, const ForeignFrame& referenceFi
 
     Results results;
     results.program = programName();
-    results.scene = {metadataOf(reference, "scene", arguments.reference.stem().string()),
+    results.scene = {headerField(reference, header::kScene, arguments.reference.stem().string()),
                      "",
-                     metadataOf(reference, "scene_hash", ""),
+                     headerField(reference, header::kSceneHash),
                      {},
                      reference.width(),
                      reference.height()};
-    if (const std::string base = metadataOf(reference, "base", ""); base == "limit" || base == "proxy")
+    if (const std::string base = headerField(reference, header::kBase);
+        base == baseName(Base::Limit) || base == baseName(Base::Proxy))
         results.base = base;
     results.reference = fromFile(reference, arguments.reference.string());
     TechniqueOutcome outcome;
-    outcome.name = metadataOf(test, "technique", arguments.test.stem().string());
+    outcome.name = headerField(test, header::kTechnique, arguments.test.stem().string());
     outcome.cost.msMedian = Figure::absent("the frame came from a file");
     outcome.comparison = compareFrames(reference, test, objects, cameraOf(referenceFile, testFile));
     std::vector<std::string>& notes = outcome.comparison.notes;

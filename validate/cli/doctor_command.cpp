@@ -3,7 +3,7 @@
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/core/program_name.h"
 #include "scenes/image/image_file.h"
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"

@@ -1,7 +1,7 @@
 // The program: its command line read, what it asks for run, errors to one line and an exit code. What is done
 // is in cli/.
 #include "scenes/core/error.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/core/program_name.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/usage.h"

@@ -3,26 +3,6 @@
 #include <sys/resource.h>
 
 namespace plumbline {
-namespace {
-
-CertificateSummary summaryOf(const Certificate& certificate, const Frame& frame) {
-    CertificateSummary summary;
-    summary.pxP50 = certificate.pxP50;
-    summary.pxP99 = certificate.pxP99;
-    summary.pxMax = certificate.pxMax;
-    summary.pxAim = certificate.aimPx;
-    summary.worldP50 = certificate.worldP50;
-    summary.worldP99 = certificate.worldP99;
-    summary.worldMax = certificate.worldMax;
-    summary.limit = certificate.limit;
-    // An aim is always above 0: a certificate without one was never filled in.
-    if (!(certificate.aimPx > 0)) setAbsent(summary, "the reference didn't measure it");
-    countPixels(frame, summary);
-    return summary;
-}
-
-} // namespace
-
 SceneSummary summaryOf(const Scene& scene) {
     return {scene.name, scene.purpose, scene.hash, scene.changes, scene.camera.width, scene.camera.height};
 }

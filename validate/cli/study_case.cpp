@@ -5,12 +5,12 @@
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/core/nearest_rank.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/core/program_name.h"
+#include "scenes/frame/object_info.h"
 #include "scenes/surface/proxy_mesh.h"
 #include "validate/cli/option_values.h"
 #include "validate/cli/run_summaries.h"
 #include "validate/cli/trial.h"
-#include "validate/compare/frame_metadata.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "validate/cli/trial.h"
 
 #include "scenes/core/error.h"
-#include "validate/compare/frame_metadata.h"
+#include "scenes/frame/object_info.h"
 
 #include <fmt/format.h>
 

@@ -1,7 +1,9 @@
 #include "realtime/gl/gl_probe.h"
+#include "scenes/core/error.h"
+#include "scenes/core/program_name.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/frame_exr.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/frame/object_info.h"
 #include "scenes/scene_file/scene_file.h"
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
@@ -15,7 +17,6 @@
 #include "validate/cli/scene_arguments.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/cli/trial.h"
-#include "validate/compare/frame_metadata.h"
 #include "validate/results/output_files.h"
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,6 @@
 #include "validate/compare/camera_json.h"
 
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/core/program_name.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "validate/compare/compare.h"
 
-#include "validate/compare/frame_metadata.h"
+#include "scenes/frame/frame_header.h"
 #include "validate/metrics/metric_registry.h"
 
 #include <fmt/format.h>

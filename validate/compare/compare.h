@@ -26,7 +26,7 @@ struct Comparison {
 
 /// `camera`: of the view, to get depth from positions where a frame has P but no Z, and to tell which side of
 /// a surface it sees. Where the lights are stands in the reference's header or else the test's
-/// (lightsFromHeader in frame_metadata.h). Throws InputError as FramePair and lightsFromHeader do.
+/// (lightsFromHeader in scenes/frame/frame_header.h). Throws InputError as FramePair and lightsFromHeader do.
 Comparison compareFrames(const Frame& reference, const Frame& test, const std::vector<ObjectInfo>& objects,
                          const std::optional<Camera>& camera);
 

@@ -1,8 +1,8 @@
 #include "validate/compare/foreign_frame.h"
 
 #include "scenes/core/error.h"
+#include "scenes/frame/frame_header.h"
 #include "scenes/image/exr_file.h"
-#include "validate/compare/frame_metadata.h"
 #include "validate/compare/position_space.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,6 @@
 #include "validate/metrics/contour_distance.h"
 
+#include "scenes/core/nearest_rank.h"
 #include "validate/metrics/distance_transform.h"
 
 #include <fmt/format.h>

@@ -1,5 +1,7 @@
 #include "validate/metrics/fetch_cost.h"
 
+#include "scenes/core/nearest_rank.h"
+
 #include <numeric>
 
 namespace plumbline {

@@ -3,17 +3,11 @@
 // A metric that can't be computed is absent with its reason, never 0 and never NaN.
 #pragma once
 
-#include "scenes/core/nearest_rank.h"
-
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace plumbline {
 
@@ -49,16 +43,5 @@ class Figure {
     std::optional<double> value_;
     std::string reason_;
 };
-
-/// Nearest-rank percentile (scenes/core/nearest_rank.h). `values`: in any order, not empty; left in another
-/// one.
-inline double nearestRankInPlace(std::span<double> values, unsigned percent) {
-    const auto place = values.begin() + static_cast<std::ptrdiff_t>(nearestRankIndex(values.size(), percent));
-    std::nth_element(values.begin(), place, values.end());
-    return *place;
-}
-inline double nearestRank(std::vector<double> values, unsigned percent) {
-    return nearestRankInPlace(values, percent);
-}
 
 } // namespace plumbline

@@ -6,32 +6,14 @@
 #pragma once
 
 #include "scenes/frame/frame.h"
+#include "scenes/frame/object_info.h"
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace plumbline {
-
-/// More than any scene has; above it a plane is a hash, not the number of an object.
-inline constexpr int kLargestId = 65535;
-
-/// What a metric must know about an object beyond its pixels.
-struct ObjectInfo {
-    int id = 0; // value of the `id` channel
-    std::string name;
-    std::optional<double> reliefDepth; // world units; 0: no relief; nullopt: not known
-    /// Texels of its height map, nullopt: not known or no relief.
-    struct Map {
-        int width = 0, height = 0;
-        bool repeatS = true, repeatT = true;
-    };
-    std::optional<Map> map;
-
-    bool hasRelief() const { return !reliefDepth || *reliefDepth > 0; } // an unknown one may well have one
-};
 
 class FramePair {
   public:

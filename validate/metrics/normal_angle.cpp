@@ -1,5 +1,7 @@
 #include "validate/metrics/normal_angle.h"
 
+#include "scenes/core/nearest_rank.h"
+
 #include <algorithm>
 #include <array>
 #include <numeric>

@@ -1,5 +1,7 @@
 #include "validate/metrics/search_iterations.h"
 
+#include "scenes/core/nearest_rank.h"
+
 #include <algorithm>
 #include <numeric>
 

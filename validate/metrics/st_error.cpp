@@ -1,5 +1,7 @@
 #include "validate/metrics/st_error.h"
 
+#include "scenes/core/nearest_rank.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

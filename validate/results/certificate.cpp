@@ -1,5 +1,6 @@
 #include "validate/results/certificate.h"
 
+#include "scenes/frame/header_fields.h"
 #include "validate/metrics/frame_pair.h"
 
 #include <fmt/format.h>
@@ -34,24 +35,38 @@ std::string shadowCounts(const CertificateSummary& certificate) {
 
 } // namespace
 
-const std::vector<CertificateFigure>& certificateFigures() {
-    static const std::vector<CertificateFigure> figures{
-        {"error_px_p50", &CertificateSummary::pxP50},
-        {"error_px_p99", &CertificateSummary::pxP99},
-        {"error_px_max", &CertificateSummary::pxMax},
-        {"error_px_aim", &CertificateSummary::pxAim},
-        {"error_world_p50", &CertificateSummary::worldP50},
-        {"error_world_p99", &CertificateSummary::worldP99},
-        {"error_world_max", &CertificateSummary::worldMax},
-    };
-    return figures;
+Figure CertificateSummary::figure(const CertificateRow& row) const {
+    if (const Certificate::Number& number = error.*row.number) return {*number};
+    return Figure::absent(reasonWithout(row.key));
+}
+
+Figure CertificateSummary::figure(Certificate::Number Certificate::*number) const {
+    return figure(*std::ranges::find(certificateTable(), number, &CertificateRow::number));
+}
+
+std::string CertificateSummary::reasonWithout(std::string_view key) const {
+    if (!unknownReason.empty()) return unknownReason;
+    return fmt::format("the reference's file has no header field {}", header::certificate(key));
+}
+
+CertificateSummary summaryOf(const Certificate& measured, const Frame& reference) {
+    CertificateSummary summary;
+    summary.error = measured;
+    summary.unknownReason = "the reference didn't measure it";
+    countPixels(reference, summary);
+    return summary;
+}
+
+CertificateSummary certificateFromHeader(const Frame& reference, const std::string& where) {
+    CertificateSummary summary;
+    summary.error = readCertificate(reference.metadata, where);
+    countPixels(reference, summary);
+    return summary;
 }
 
 void setAbsent(CertificateSummary& certificate, const std::string& reason) {
-    for (const CertificateFigure& entry : certificateFigures())
-        certificate.*entry.figure = Figure::absent(reason);
-    certificate.limit.reset();
-    certificate.limitReason = reason;
+    certificate.error = {};
+    certificate.unknownReason = reason;
 }
 
 void countPixels(const Frame& reference, CertificateSummary& certificate) {
@@ -66,46 +81,54 @@ void countPixels(const Frame& reference, CertificateSummary& certificate) {
 
 std::string certificateLine(const CertificateSummary& certificate, const std::string& of) {
     const CertificateSummary& c = certificate;
+    const Figure pxP99 = c.figure(&Certificate::pxP99), worldP99 = c.figure(&Certificate::worldP99);
     std::string line = fmt::format("certificate{}: ", of);
-    if (!c.pxP99)
-        line += fmt::format("none: {}", c.pxP99.reason());
+    if (!pxP99)
+        line += fmt::format("none: {}", pxP99.reason());
     else {
-        const auto px = [](const Figure& figure) {
+        const auto px = [&](Certificate::Number Certificate::*number) {
+            const Figure figure = c.figure(number);
             return figure ? fmt::format("{:.3g} px", *figure) : std::string("unknown");
         };
-        line += fmt::format("error p50 {}, p99 {}, max {} (aim {} at p99)", px(c.pxP50), px(c.pxP99),
-                            px(c.pxMax), px(c.pxAim));
-        if (c.worldP99) line += fmt::format("; world p99 {:.2g}", *c.worldP99);
+        line += fmt::format("error p50 {}, p99 {}, max {} (aim {} at p99)", px(&Certificate::pxP50),
+                            px(&Certificate::pxP99), px(&Certificate::pxMax), px(&Certificate::pxAim));
+        if (worldP99) line += fmt::format("; world p99 {:.2g}", *worldP99);
     }
     if (c.uncertainPixels) {
         line += fmt::format("; uncertain {} pixels ({} covered)", shownCount(c.uncertainPixels),
                             shownCount(c.coveredPixels));
         if (!c.uncertainShadowPixels.empty()) line += ", shadow" + shadowCounts(c);
     }
-    if (c.limit && !c.limit->empty()) line += fmt::format("; the aim isn't met: {}", *c.limit);
+    if (c.error.limit && !c.error.limit->empty())
+        line += fmt::format("; the aim isn't met: {}", *c.error.limit);
     return line;
 }
 
 std::vector<std::string> certificateSentences(const CertificateSummary& certificate) {
     const CertificateSummary& c = certificate;
+    const Figure pxP50 = c.figure(&Certificate::pxP50), pxP99 = c.figure(&Certificate::pxP99),
+                 pxMax = c.figure(&Certificate::pxMax), pxAim = c.figure(&Certificate::pxAim);
+    const Figure worldP50 = c.figure(&Certificate::worldP50), worldP99 = c.figure(&Certificate::worldP99),
+                 worldMax = c.figure(&Certificate::worldMax);
     std::vector<std::string> sentences;
-    if (!c.pxP99)
+    if (!pxP99)
         sentences.push_back(fmt::format(
-            "How far the reference itself is from the true surface isn't known: {}.", c.pxP99.reason()));
-    else if (c.pxP50 && c.pxMax && c.pxAim)
+            "How far the reference itself is from the true surface isn't known: {}.", pxP99.reason()));
+    else if (pxP50 && pxMax && pxAim)
         sentences.push_back(
             fmt::format("The reference's own error, measured in the pixels that show the surface: half of "
                         "them are within "
                         "{:.3g} px of it, 99 % within {:.3g} px (the aim: {:.3g} px), all within {:.3g} px.",
-                        *c.pxP50, *c.pxP99, *c.pxAim, *c.pxMax));
+                        *pxP50, *pxP99, *pxAim, *pxMax));
     else
         sentences.push_back(fmt::format(
             "The reference's own error: 99 % of the pixels that show the surface are within {:.3g} px of it.",
-            *c.pxP99));
-    if (c.worldP50 && c.worldP99 && c.worldMax)
+            *pxP99));
+    if (worldP50 && worldP99 && worldMax)
         sentences.push_back(
-            fmt::format("In world units: {:.2g}, {:.2g} and {:.2g}.", *c.worldP50, *c.worldP99, *c.worldMax));
-    if (c.limit && !c.limit->empty()) sentences.push_back(fmt::format("The aim isn't met: {}.", *c.limit));
+            fmt::format("In world units: {:.2g}, {:.2g} and {:.2g}.", *worldP50, *worldP99, *worldMax));
+    if (c.error.limit && !c.error.limit->empty())
+        sentences.push_back(fmt::format("The aim isn't met: {}.", *c.error.limit));
     if (c.uncertainPixels)
         sentences.push_back(fmt::format(
             "That error could change which object is seen in {} pixels ({} are covered){}.",

@@ -1,44 +1,49 @@
-// What a reference says of its own error, as results hold it: measured by the reference that drew the frame,
-// or read from the header of its file; and that in words.
+// What a reference says of its own error, as results hold it: the certificate, measured by the reference that
+// drew the frame or read from the header of its file, with the reasons for what it lacks and with counts of
+// the frame's pixels; and that in words.
 //
 // The error is the distance of the micro-triangles that pixels see from the true surface P(u,v); percentiles
 // are over the pixels that show the surface.
 #pragma once
 
+#include "scenes/frame/certificate.h"
 #include "scenes/frame/frame.h"
 #include "validate/metrics/figure.h"
 
 #include <map>
-#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace plumbline {
 
 struct CertificateSummary {
-    Figure pxP50, pxP99, pxMax, pxAim;   // pixels; pxAim: what pxP99 was to be
-    Figure worldP50, worldP99, worldMax; // world units
-    std::optional<std::string> limit;    // why pxP99 is above the aim, "" if it isn't; nullopt: not known
-    std::string limitReason;             // why that isn't known
+    Certificate error;
+    std::string unknownReason; // of what `error` lacks; empty: the header of its file has no such field
 
     Figure coveredPixels;                                // of the reference's frame
     Figure uncertainPixels;                              // its channel `uncertain`
     std::map<std::string, Figure> uncertainShadowPixels; // by light
+
+    /// A number of the error.
+    Figure figure(const CertificateRow& row) const;
+    Figure figure(Certificate::Number Certificate::*number) const;
+    /// Why the error lacks what has that key.
+    std::string reasonWithout(std::string_view key) const;
 };
 
-/// The figures that are numbers, under their keys in results.json ("reference") and, behind "certificate.",
-/// in a frame's header. The text `limit` has the key "error_limit".
-struct CertificateFigure {
-    const char* key;
-    Figure CertificateSummary::*figure;
-};
-const std::vector<CertificateFigure>& certificateFigures();
+/// Of a reference that was just drawn.
+CertificateSummary summaryOf(const Certificate& measured, const Frame& reference);
 
-/// No figure is known; the counts of pixels are left as they are.
+/// Of the frame of a file: readCertificate() of its header, and the counts of its channels. Throws as
+/// readCertificate().
+CertificateSummary certificateFromHeader(const Frame& reference, const std::string& where);
+
+/// Nothing of the error is known; the counts of pixels are left as they are.
 void setAbsent(CertificateSummary& certificate, const std::string& reason);
 
-/// Counts the frame's pixels. Where none is covered there is nothing whose error was measured: the figures
-/// become absent.
+/// Counts the frame's pixels. Where none is covered there is nothing whose error was measured: it becomes
+/// absent.
 void countPixels(const Frame& reference, CertificateSummary& certificate);
 
 /// One line without its end: "certificate: error p50 0.004 px, p99 0.03 px, …". `of`: "" or which reference,

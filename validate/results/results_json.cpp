@@ -170,9 +170,10 @@ Json toJson(const TechniqueOutcome& technique) {
 }
 
 void addCertificate(Group& group, const CertificateSummary& certificate) {
-    for (const CertificateFigure& entry : certificateFigures())
-        group.add(entry.key, certificate.*entry.figure);
-    group.add("error_limit", certificate.limit, certificate.limitReason);
+    for (const CertificateRow& row : certificateTable())
+        group.add(std::string(row.key), certificate.figure(row));
+    group.add(std::string(kCertificateLimitKey), certificate.error.limit,
+              certificate.reasonWithout(kCertificateLimitKey));
     group.addCount("uncertain_pixels", certificate.uncertainPixels);
     Group& byLight = group.inner("uncertain_shadow_pixels");
     for (const auto& [light, count] : certificate.uncertainShadowPixels)

@@ -2,7 +2,7 @@
 
 #include "scenes/core/content_hash.h"
 #include "scenes/core/error.h"
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/core/program_name.h"
 #include "scenes/toml/toml_table.h"
 
 #include <algorithm>

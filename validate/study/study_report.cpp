@@ -1,8 +1,8 @@
 #include "validate/study/study_report.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/program_name.h"
 #include "scenes/core/replace_file.h"
-#include "scenes/frame/scene_metadata.h"
 #include "validate/report/page_template.h"
 #include "validate/report/report_cells.h"
 #include "validate/results/output_files.h"

@@ -42,7 +42,7 @@ class ExactPlaneFrame : public testing::TestWithParam<ExactScene> {
         options.rate = rate;
         ReferenceScene reference(scene, options);
         const Frame frame = reference.render();
-        const double certificatePx = reference.stats().certificate.pxMax;
+        const double certificatePx = *reference.stats().certificate.pxMax;
         comparison =
             compareWithExact(scene, frame, std::max(kRayRoundingPx, kJumpPerCertificate * certificatePx));
         std::printf("%s, rate %d, certificate %.3g px: %s\n", GetParam().name.c_str(), rate, certificatePx,

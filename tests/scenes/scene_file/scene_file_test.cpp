@@ -1,4 +1,4 @@
-#include "scenes/frame/scene_metadata.h"
+#include "scenes/frame/frame_header.h"
 #include "scenes/scene_file/scene_library.h"
 #include "tests/errors.h"
 #include "tests/files.h"

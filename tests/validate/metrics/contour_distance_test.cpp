@@ -1,3 +1,4 @@
+#include "scenes/core/nearest_rank.h"
 #include "tests/validate/metrics/random_frames.h"
 #include "validate/metrics/contour_distance.h"
 

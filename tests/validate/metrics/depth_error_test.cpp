@@ -18,19 +18,6 @@ DepthError pooled(const Frame& reference, const Frame& test, std::vector<ObjectI
     return computeDepthError(pair, allOf(pair), reference.channel("Z"), test.channel("Z"));
 }
 
-TEST(NearestRank, Percentile_IsSmallestValueReached) {
-    std::vector<double> values(100);
-    std::iota(values.begin(), values.end(), 1.0); // 1 … 100: the p-th percentile is p
-    for (const unsigned percent : {1u, 50u, 95u, 99u, 100u})
-        EXPECT_EQ(nearestRank(values, percent), percent);
-    EXPECT_EQ(nearestRank({7}, 1), 7);
-    EXPECT_EQ(nearestRank({7}, 99), 7);
-    EXPECT_EQ(nearestRank({1, 2, 3, 4}, 50), 2); // rank ceil(2) = 2
-    EXPECT_EQ(nearestRank({1, 2, 3, 4}, 51), 3); // rank ceil(2.04) = 3
-    EXPECT_EQ(nearestRank({1, 2, 3, 4, 5}, 50), 3);
-    EXPECT_EQ(nearestRank({1, 2, 3, 4}, 99), 4);
-}
-
 // Four pixels at depth 2 with the errors +1/4, -1/4, +1/2, 0; relief depth 1:
 //   bias = 0.5/4 = 0.125     MAE = 1/4 = 0.25     RMSE = sqrt((1/16 + 1/16 + 1/4)/4) = sqrt(3/32)
 //   |e| sorted: 0 1/4 1/4 1/2, so p50 = 1/4 (rank 2), p95 = p99 = max = 1/2 (rank 4)

@@ -22,14 +22,14 @@ inline Frame sampleReference() {
 
 inline CertificateSummary sampleCertificate() {
     CertificateSummary certificate;
-    certificate.pxP50 = 0.004;
-    certificate.pxP99 = 0.031;
-    certificate.pxMax = 0.4;
-    certificate.pxAim = 0.05;
-    certificate.worldP50 = 1e-6;
-    certificate.worldP99 = 1.2e-5;
-    certificate.worldMax = 2.5e-4;
-    certificate.limit = "";
+    certificate.error.pxP50 = 0.004;
+    certificate.error.pxP99 = 0.031;
+    certificate.error.pxMax = 0.4;
+    certificate.error.pxAim = 0.05;
+    certificate.error.worldP50 = 1e-6;
+    certificate.error.worldP99 = 1.2e-5;
+    certificate.error.worldMax = 2.5e-4;
+    certificate.error.limit = "";
     certificate.coveredPixels = 215000;
     certificate.uncertainPixels = 134;
     certificate.uncertainShadowPixels = {{"sun", 420}, {"lamp", 7}};
@@ -85,7 +85,7 @@ inline Results sampleResultsOnBothBases() {
     const std::vector<ObjectInfo> objects{objectWithRelief(1, 0.1), objectWithRelief(2, 0)};
     results.base = "limit";
     results.proxy = ProxyReference{results.reference, compareFrames(reference, proxy, objects, std::nullopt)};
-    results.proxy->summary.certificate.limit = "--memory 1 MB";
+    results.proxy->summary.certificate.error.limit = "--memory 1 MB";
     results.techniques[0].againstProxy = compareFrames(proxy, test, objects, std::nullopt);
     return results;
 }

@@ -1,7 +1,7 @@
 #include "scenes/core/error.h"
-#include "scenes/frame/scene_metadata.h"
-#include "tests/validate/metrics/painted_frames.h"
-#include "validate/compare/frame_metadata.h"
+#include "scenes/frame/frame_header.h"
+#include "scenes/frame/header_fields.h"
+#include "scenes/frame/object_info.h"
 
 #include <gtest/gtest.h>
 
@@ -15,20 +15,37 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-Scene twoObjects() {
+Relief reliefOf(Wrap wrapS, Wrap wrapT, double depth) {
+    Relief relief;
+    relief.map = std::make_shared<HeightMap>("map", 2, 3, std::vector<float>(6, 0.5f), wrapS, wrapT);
+    relief.depth = depth;
+    return relief;
+}
+
+/// Without a relief, with one along the normal, with one along an axis.
+Scene threeObjects() {
     Scene scene;
-    scene.name = "two";
+    scene.name = "three";
+    scene.hash = "0123456789abcdef";
+    scene.changes = {"camera.width=20", "camera.height=10"};
     scene.camera.positionWorld = {0.1, 1.0 / 3.0, 3};
+    scene.camera.fovYDegrees = 37.3;
+    scene.camera.viewHeight = 2.0 / 3.0;
     scene.camera.width = 20;
     scene.camera.height = 10;
-    scene.objects.resize(2);
+    scene.objects.resize(3);
     scene.objects[0].name = "floor";
     scene.objects[1].name = "torus with a name";
-    Relief relief;
-    relief.map =
-        std::make_shared<HeightMap>("map", 2, 3, std::vector<float>(6, 0.5f), Wrap::Repeat, Wrap::Clamp);
-    relief.depth = 0.07;
-    scene.objects[1].relief = relief;
+    scene.objects[1].relief = reliefOf(Wrap::Repeat, Wrap::Clamp, 0.07);
+    scene.objects[2].name = "plane";
+    scene.objects[2].relief = reliefOf(Wrap::Clamp, Wrap::Repeat, 1.0 / 7.0);
+    scene.objects[2].relief->axisWorld = glm::normalize(Vec3(1, 2, -3));
+    scene.lights.resize(2);
+    scene.lights[0].name = "sun";
+    scene.lights[0].toLightWorld = {0, 0.6, 0.8};
+    scene.lights[1].name = "lamp";
+    scene.lights[1].kind = Light::Kind::Point;
+    scene.lights[1].positionWorld = {0.1, -1.0 / 3.0, 0};
     return scene;
 }
 
@@ -38,33 +55,47 @@ Frame frameOf(const Scene& scene) {
     return frame;
 }
 
-TEST(FrameMetadata, Objects_RoundTrip) {
-    const Scene scene = twoObjects();
-    const auto written = objectsOf(scene), read = objectsFromHeader(frameOf(scene), "a.exr");
-    ASSERT_EQ(written.size(), 2u);
-    ASSERT_EQ(read.size(), 2u);
-    for (size_t i = 0; i < 2; ++i) {
-        EXPECT_EQ(read[i].id, written[i].id);
-        EXPECT_EQ(read[i].name, written[i].name);
-        EXPECT_EQ(read[i].reliefDepth, written[i].reliefDepth); // bit for bit
-        EXPECT_EQ(read[i].map.has_value(), written[i].map.has_value());
-    }
-    EXPECT_EQ(*written[0].reliefDepth, 0);
-    EXPECT_EQ(written[1].id, 2);
-    EXPECT_EQ(read[1].map->width, 2);
-    EXPECT_EQ(read[1].map->height, 3);
-    EXPECT_TRUE(read[1].map->repeatS);
-    EXPECT_FALSE(read[1].map->repeatT);
+TEST(FrameHeader, Scene_GivesTheseFields) {
+    std::vector<std::string> fields;
+    for (const auto& [field, value] : sceneMetadata(threeObjects()))
+        fields.push_back(field);
+    EXPECT_THAT(fields, ElementsAre("camera", "light.lamp", "light.sun", "lights", "object.1.name",
+                                    "object.2.map_texels", "object.2.map_wrap", "object.2.name",
+                                    "object.2.relief_depth", "object.3.map_texels", "object.3.map_wrap",
+                                    "object.3.name", "object.3.relief_axis", "object.3.relief_depth",
+                                    "program", "scene", "scene_changes", "scene_hash"));
 }
 
-TEST(FrameMetadata, Lights_RoundTrip) {
-    Scene scene = twoObjects();
-    scene.lights.resize(2);
-    scene.lights[0].name = "sun";
-    scene.lights[0].toLightWorld = {0, 0.6, 0.8};
-    scene.lights[1].name = "lamp";
-    scene.lights[1].kind = Light::Kind::Point;
-    scene.lights[1].positionWorld = {0.1, -1.0 / 3.0, 0};
+TEST(FrameHeader, Texts_AreReadAsTheyStand) {
+    const Frame frame = frameOf(threeObjects());
+    EXPECT_TRUE(isPlumblines(frame));
+    EXPECT_EQ(headerField(frame, header::kScene), "three");
+    EXPECT_EQ(headerField(frame, header::kSceneHash), "0123456789abcdef");
+    EXPECT_EQ(headerField(frame, header::kSceneChanges), "camera.width=20, camera.height=10");
+    EXPECT_EQ(headerField(frame, header::kLights), "sun lamp");
+    EXPECT_EQ(headerField(frame, header::kTechnique, "none"), "none");
+    EXPECT_THAT(leftOutFields(frame, "a.exr"), IsEmpty());
+}
+
+TEST(FrameHeader, Objects_RoundTrip) {
+    const Scene scene = threeObjects();
+    const std::vector<ObjectInfo> written = objectsOf(scene),
+                                  read = objectsFromHeader(frameOf(scene), "a.exr");
+    EXPECT_TRUE(read == written); // numbers bit for bit
+    ASSERT_EQ(read.size(), 3u);
+    EXPECT_EQ(read[0].reliefDepth, 0);
+    EXPECT_FALSE(read[0].map);
+    EXPECT_EQ(read[1].id, 2);
+    EXPECT_EQ(read[1].name, "torus with a name");
+    EXPECT_EQ(read[1].reliefDepth, 0.07);
+    EXPECT_FALSE(read[1].reliefAxisWorld);
+    EXPECT_TRUE((read[1].map == ObjectInfo::Map{2, 3, true, false}));
+    EXPECT_EQ(read[2].reliefAxisWorld, scene.objects[2].relief->axisWorld);
+    EXPECT_TRUE((read[2].map == ObjectInfo::Map{2, 3, false, true}));
+}
+
+TEST(FrameHeader, Lights_RoundTrip) {
+    const Scene scene = threeObjects();
     const auto lights = lightsFromHeader(frameOf(scene), "a.exr"); // by name
     ASSERT_EQ(lights.size(), 2u);
     EXPECT_EQ(lights[0].name, "lamp");
@@ -73,6 +104,9 @@ TEST(FrameMetadata, Lights_RoundTrip) {
     EXPECT_EQ(lights[1].name, "sun");
     EXPECT_EQ(lights[1].kind, Light::Kind::Directional);
     EXPECT_NEAR(glm::length(lights[1].toLightWorld - scene.lights[0].toLightWorld), 0, 1e-15);
+}
+
+TEST(FrameHeader, UnreadableLights_AreLeftOutOrRefused) {
     EXPECT_THAT(lightsFromHeader(Frame(2, 1), "a.exr"), IsEmpty());
     for (const char* broken :
          {"", "to_light 1 2", "to_light 0 0 0", "up 1 2 3", "position 1 2 nan", "position 1 2 3 4"}) {
@@ -89,21 +123,21 @@ TEST(FrameMetadata, Lights_RoundTrip) {
     }
 }
 
-TEST(FrameMetadata, Camera_RoundTrips) {
-    Scene scene = twoObjects();
+TEST(FrameHeader, Camera_RoundTrips) {
+    Scene scene = threeObjects();
+    const Camera defaults;
     for (const auto projection : {Camera::Projection::Perspective, Camera::Projection::Orthographic}) {
         scene.camera.projection = projection;
-        const auto camera = cameraFromHeader(frameOf(scene), "a.exr");
-        ASSERT_TRUE(camera);
-        EXPECT_EQ(camera->positionWorld, scene.camera.positionWorld);
-        EXPECT_EQ(camera->projection, projection);
-        EXPECT_EQ(camera->fovYDegrees, scene.camera.fovYDegrees);
-        EXPECT_EQ(camera->viewHeight, scene.camera.viewHeight);
-        EXPECT_EQ(camera->width, 20);
+        Camera expected = scene.camera; // with the opening that its projection has
+        if (projection == Camera::Projection::Perspective)
+            expected.viewHeight = defaults.viewHeight;
+        else
+            expected.fovYDegrees = defaults.fovYDegrees;
+        EXPECT_EQ(cameraFromHeader(frameOf(scene), "a.exr"), expected);
     }
 }
 
-TEST(FrameMetadata, ImportedFrame_HasNone) {
+TEST(FrameHeader, ImportedFrame_HasNone) {
     Frame frame(1, 1);
     frame.metadata["object.color"] = "red";
     frame.metadata["object.x.relief_depth"] = "0.1";
@@ -113,11 +147,12 @@ TEST(FrameMetadata, ImportedFrame_HasNone) {
     EXPECT_FALSE(cameraFromHeader(frame, "a.exr"));
 }
 
-TEST(FrameMetadata, UnreadableFieldsOfImportedFrame_AreLeftOut) {
+TEST(FrameHeader, UnreadableFieldsOfImportedFrame_AreLeftOut) {
     Frame frame(1, 1);
     frame.metadata = {{"object.1.name", "box"},
                       {"object.1.relief_depth", "0.1 m"},
                       {"object.1.map_texels", "big"},
+                      {"object.1.relief_axis", "up"},
                       {"object.2.relief_depth", "0.2"}};
     const auto objects = objectsFromHeader(frame, "a.exr");
     ASSERT_EQ(objects.size(), 2u);
@@ -125,10 +160,11 @@ TEST(FrameMetadata, UnreadableFieldsOfImportedFrame_AreLeftOut) {
     EXPECT_FALSE(objects[0].reliefDepth); // not 0: that would be an object without a relief
     EXPECT_FALSE(objects[0].map);
     EXPECT_EQ(objects[1].reliefDepth, 0.2);
-    EXPECT_THAT(leftOutFields(frame, "a.exr"), ElementsAre("object.1.map_texels", "object.1.relief_depth"));
+    EXPECT_THAT(leftOutFields(frame, "a.exr"),
+                ElementsAre("object.1.map_texels", "object.1.relief_axis", "object.1.relief_depth"));
 }
 
-TEST(FrameMetadata, UnreadableOwnFields_AreRefusedByName) {
+TEST(FrameHeader, UnreadableOwnFields_AreRefusedByName) {
     const auto message = [](const std::string& key, const std::string& value) -> std::string {
         Frame frame(1, 1);
         frame.metadata["program"] = "plumbline 0.1.0";
@@ -148,6 +184,8 @@ TEST(FrameMetadata, UnreadableOwnFields_AreRefusedByName) {
     for (const char* bad : {"0 5", "5", "1e9 5", "2.5 5", "5 5 5", "nan 5"})
         EXPECT_THAT(message("object.1.map_texels", bad), HasSubstr("can't be read")) << bad;
     EXPECT_THAT(message("object.1.map_wrap", "mirror repeat"), HasSubstr("can't be read"));
+    for (const char* bad : {"", "0 1", "0 1 0 0", "0 nan 0", "up"})
+        EXPECT_THAT(message("object.1.relief_axis", bad), HasSubstr("can't be read")) << bad;
     EXPECT_THAT(message("camera", "fisheye"), HasSubstr("header field 'camera'"));
     EXPECT_THAT(
         message("camera", "perspective position 0 0 0 target 0 0 1 up 0 1 0 fov_y_degrees nan size 1 1"),
@@ -173,7 +211,7 @@ TEST(FrameMetadata, UnreadableOwnFields_AreRefusedByName) {
                 HasSubstr("is of a picture of 2 x 1 pixels, the frame has 1 x 1"));
 }
 
-TEST(FrameMetadata, IgnoredFields_AreListed) {
+TEST(FrameHeader, IgnoredFields_AreListed) {
     Frame frame(1, 1);
     frame.add("shadow.sun");
     frame.metadata = {{"camera", "Cam01"}, {"light.sun", "bright"}, {"light.fill", "no shadow of it"}};
