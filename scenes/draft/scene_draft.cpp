@@ -13,18 +13,21 @@
 namespace plumbline {
 namespace {
 
-/// Cages have fewer faces; a mesh of more is fine as it is, and its limit surface costs minutes.
+/// Control cages have fewer faces. A mesh with more is smooth enough already, and computing its limit surface
+/// takes minutes.
 constexpr int kFineMesh = 20000;
 /// Polygons a proxy should have: fine enough for the outline of a simple object, coarse enough for real time.
 constexpr int kProxyPolygons = 500;
-/// Of the radius: deep enough for a search to go wrong, shallow enough for the object to keep its shape.
+/// Fraction of the radius: deep enough that search methods make visible errors, shallow enough that the
+/// object keeps its shape.
 constexpr double kDepthShare = 0.04;
-/// The relief stays within this share of the radius of the tightest curves.
+/// The relief depth is at most this fraction of the smallest radius of curvature.
 constexpr double kTightShare = 0.5;
-/// One map width is this share of the object's diagonal.
+/// The width of one repetition of the map, as a fraction of the object's diagonal.
 constexpr double kMapShare = 1.0 / 3;
-/// Centers farther away than so many radii are moved: single precision, which rays and shaders have, would
-/// show (2^-24 of 100 radii is a few thousandths of a pixel).
+/// Objects whose center is farther from the origin than this many radii are translated there: rays and
+/// shaders are single precision, whose errors would become visible (2^-24 of 100 radii is a few thousandths
+/// of a pixel).
 constexpr double kFarAway = 100;
 
 Scheme chooseScheme(const ControlMesh& mesh, std::string& reason) {
@@ -47,7 +50,8 @@ Scheme chooseScheme(const ControlMesh& mesh, std::string& reason) {
     return Scheme::CatmullClark;
 }
 
-/// To two digits that count, by way of their text: so the file shows no more.
+/// Rounded to two significant digits by formatting and parsing, so that the scene file shows exactly this
+/// value.
 double rounded(double value) {
     return parseNumber<double>(fmt::format("{:.2g}", value)).value();
 }
@@ -69,7 +73,7 @@ std::string depthGiven(const SurfaceSurvey& survey, double depth) {
                        survey.tightRadius);
 }
 
-/// Both ends of where the relief may be, over each sample.
+/// The highest and the lowest possible point of the relief above each sample.
 std::vector<Vec3> reliefHull(const SurfaceSurvey& survey, const HeightMap& map, double depth) {
     std::vector<Vec3> hull;
     for (const BasePoint& sample : survey.samples)
@@ -78,13 +82,13 @@ std::vector<Vec3> reliefHull(const SurfaceSurvey& survey, const HeightMap& map, 
     return hull;
 }
 
-/// World units of a pixel in the middle of the object.
+/// Size of a pixel at the object's center, in world units.
 double pixelSide(const Camera& camera) {
     const double distance = glm::length(camera.targetWorld - camera.positionWorld);
     return 2 * std::tan(0.5 * radians(camera.fovYDegrees)) * distance / camera.height;
 }
 
-/// What texels are with a tile, for the comment.
+/// Describes the texel size that results from a tile, for the scene file's comment.
 std::string texelText(const Vec2& uvScale, const Vec2& tile, const HeightMap& map, double pixel) {
     const double s = uvScale.x / std::abs(tile.x) / map.width(),
                  t = uvScale.y / std::abs(tile.y) / map.height();
@@ -102,8 +106,8 @@ Vec2 chooseTile(const ControlMesh& mesh, const SurfaceSurvey& survey, const Heig
                  fromPixels = pixelSide(camera) * std::sqrt(width * height);
     const double side = std::max(fromObject, fromPixels);
     const Vec2 wanted = *survey.uvScale / (side * Vec2(std::sqrt(width / height), std::sqrt(height / width)));
-    // Whole numbers: where texture coordinates close around the mesh, the map does too. Never below 1:
-    // coordinates that repeat themselves are as their author meant them.
+    // Integers, so that the map is continuous where texture coordinates wrap around the mesh. Never below 1:
+    // if the uvs themselves repeat, their author intended it.
     Vec2 tile = glm::max(Vec2(1), glm::round(wanted));
     reason = fromObject >= fromPixels ? "tile: one map is about a third of the object, texels about square, "
                                         "whole numbers so that seams close."
@@ -133,7 +137,7 @@ int chooseProxyRate(const SurfaceSurvey& survey, Scheme scheme, std::string& rea
 }
 
 void requireUsableSize(const ControlMesh& mesh, const Bounds& bounds) {
-    constexpr double kLargest = kLargestLength / 100; // the camera stands a few sizes off
+    constexpr double kLargest = kLargestLength / 100; // the camera is a few object sizes away
     const double size = bounds.diagonal();
     if (!(size >= kSmallestLength && size <= kLargest))
         throw InputError(mesh.name, fmt::format("the mesh is {:.3g} world units large", size),
@@ -154,7 +158,7 @@ SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const Draft
     SceneDraft draft;
     draft.scheme = wishes.scheme ? *wishes.scheme : chooseScheme(mesh, draft.reasons.scheme);
     ControlMesh placed = mesh;
-    draft.lengthStep = 5e-4 * bounds.diagonal(); // a quarter of a pixel of a picture that the object fills
+    draft.lengthStep = 5e-4 * bounds.diagonal(); // a quarter of a pixel if the object fills the image
     if (glm::length(bounds.center()) > kFarAway * 0.5 * bounds.diagonal()) {
         draft.translate = -bounds.center();
         draft.reasons.translate = "To the origin: far from it, single precision is coarse.";
