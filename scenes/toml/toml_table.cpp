@@ -26,7 +26,7 @@ double numberOf(const TomlTable& table, std::string_view key, const TomlValue& v
     const auto* integer = value.as<int64_t>();
     const auto* floating = value.as<double>();
     const double number = integer ? static_cast<double>(*integer) : floating ? *floating : 0.0;
-    // Written so that NaN fails.
+    // The negated comparison rejects NaN.
     if ((!integer && !floating) || !(number >= low && number <= high) || !std::isfinite(number))
         table.fail(key, "is " + describe(value), rangeText("number", low, high));
     return number;
