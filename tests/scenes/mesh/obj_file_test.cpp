@@ -104,7 +104,7 @@ TEST(ObjFile, Faults_NameTheirLine) {
         {kSquare, "a.obj: has no face"},
         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no area"},
         {"", "a.obj: is empty"},
-        {std::string("v 0 0 0\n\0\1", 10), "a.obj:2: a byte that is no text"},
+        {std::string("v 0 0 0\n\0\1", 10), "a.obj:2: a byte that is not text"},
     };
     for (const auto& [text, message] : cases)
         EXPECT_THAT(messageFor(text), HasSubstr(message)) << text;
