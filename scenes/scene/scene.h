@@ -1,5 +1,5 @@
-// A scene in memory: plain structs with sensible defaults. scene_file.h reads one from TOML.
-// World space: right-handed, Y up, world units.
+// A scene as plain structs with defaults. scene_file.h reads it from TOML. World space: right-handed, Y up,
+// world units.
 #pragma once
 
 #include "scenes/maps/color_map.h"
@@ -16,8 +16,8 @@
 
 namespace plumbline {
 
-/// What the relief stands on: the limit surface of the control mesh, or the polygon proxy that real-time
-/// techniques are given (proxy_mesh.h).
+/// The base surface of the relief: the limit surface of the control mesh, or the polygon proxy that real-time
+/// techniques draw (proxy_mesh.h).
 enum class Base { Limit, Proxy };
 
 struct SceneObject {
@@ -28,11 +28,11 @@ struct SceneObject {
     Vec3 translate{0, 0, 0};                  // world units
     Vec3 rotateDegrees{0, 0, 0};              // about x, then y, then z
     double scale = 1;                         // > 0
-    std::optional<Relief> relief;             // none: drawn as it is
+    std::optional<Relief> relief;             // none: not displaced
     Vec3 color{0.8, 0.8, 0.8};                // linear
     std::shared_ptr<const ColorMap> colorMap; // null: `color`
 
-    /// The object's own +z in world space, unit: turned, not scaled.
+    /// The object's +z axis in world space, unit: rotated, not scaled.
     Vec3 axisWorld() const;
     /// The mesh with points and normals in world space.
     ControlMesh meshWorld() const;
@@ -40,7 +40,7 @@ struct SceneObject {
     Vec3 colorAt(const Vec2& st) const { return colorMap ? colorMap->sample(st) : color; }
 };
 
-/// What techniques must reach on a scene: validate/results/requirement.h reads the text.
+/// A bound that techniques must satisfy on a scene; validate/results/requirement.h parses the text.
 struct SceneRequirement {
     std::string text;  // "silhouette.iou >= 0.99"
     std::string where; // "file:line: field", for messages

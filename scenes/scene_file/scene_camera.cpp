@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kLargestSide = 32768; // pixels
 constexpr int64_t kMostPixels = int64_t(1) << 28;
-// Below this sine of the angle between view direction and up, the picture's roll is rounding noise.
+// Below this sine of the angle between view direction and up, the camera's roll is rounding noise.
 constexpr double kSmallestUpSine = 1e-6;
 constexpr double kSmallestFovYDegrees = 1e-3, kLargestFovYDegrees = 179.9;
 
@@ -29,9 +29,9 @@ std::optional<CameraFault> findPlaceFault(const char* field, const Vec3& place) 
     return std::nullopt;
 }
 
-/// `orbit = { distance, polar_degrees, azimuth_degrees }`: around the target, seen from `polar_degrees` off
-/// world +Y, toward +Z at azimuth 0 and +X at 90. The picture's up is where the polar angle falls, so that
-/// straight from above is a view like any other.
+/// `orbit = { distance, polar_degrees, azimuth_degrees }`: spherical coordinates around the target, with the
+/// polar angle measured from world +Y and the azimuth from +Z toward +X. The image's up is the direction of
+/// decreasing polar angle, so that a view from straight above is no special case.
 void readOrbit(const TomlTable& table, Camera& camera) {
     const TomlTable orbit = table.table("orbit");
     const double distance = orbit.number("distance", kSmallestLength, kLargestLength);
@@ -50,7 +50,7 @@ void readPlace(const TomlTable& table, Camera& camera) {
     camera.targetWorld = table.vector3("target", -kLargestLength, kLargestLength, Vec3(0));
     if (table.has("orbit")) {
         for (const char* key : {"position", "up"})
-            if (table.has(key)) table.fail(key, "stands beside orbit", "one of the two");
+            if (table.has(key)) table.fail(key, "is given together with orbit", "one of the two");
         readOrbit(table, camera);
         return;
     }
@@ -82,7 +82,7 @@ void readSize(const TomlTable& table, Camera& camera) {
 std::optional<CameraFault> findAxesFault(const Camera& camera) {
     const Vec3 view = camera.targetWorld - camera.positionWorld;
     const double magnitude = std::max(glm::length(camera.positionWorld), glm::length(camera.targetWorld));
-    // Closer than that, the direction is made of the coordinates' last digits.
+    // At smaller distances the direction consists of rounding errors of the coordinates.
     if (glm::length(view) <= 1e-12 * magnitude || !(glm::length(view) > 0))
         return CameraFault{"target", "is where the camera is", "another place than position"};
     if (!(glm::length(camera.upWorld) > 0)) return CameraFault{"up", "is zero", "a direction"};

@@ -12,12 +12,13 @@ namespace plumbline {
 /// Keys: scenes/README.md. Throws InputError.
 Camera readCamera(const TomlTable& table);
 
-/// What is wrong with a camera's numbers, by a scene file's field.
+/// An invalid value of a camera, named by its field in a scene file.
 struct CameraFault {
     const char* field;
     std::string found, expected;
 };
-/// The first that no scene file could have, of a camera that comes from elsewhere; nullopt if there is none.
+/// The first value that a scene file would not accept, for a camera from another source; nullopt if all are
+/// valid.
 std::optional<CameraFault> findFault(const Camera& camera);
 
 } // namespace plumbline

@@ -10,9 +10,9 @@
 namespace plumbline {
 namespace {
 
-constexpr double kLargestSharpness = 1e6; // any bound will do: all from kInfinitelySharp on is one
+constexpr double kLargestSharpness = 1e6; // arbitrary: from kInfinitelySharp on all are equal
 
-/// Tags by what they are of, so that a later one replaces an earlier one.
+/// Indexes tags by their edge or vertex, so that a later tag replaces an earlier one.
 struct TagIndex {
     std::map<std::pair<int, int>, SubdivisionTags::Crease> creases;
     std::map<int, SubdivisionTags::Corner> corners;

@@ -51,7 +51,7 @@ class SceneReader {
         scene_.name = file_.stem().string();
         scene_.files = {file_};
         scene_.purpose = readPurpose();
-        root_.addTo(hash_, kRequire); // what must be reached is no part of what is drawn
+        root_.addTo(hash_, kRequire); // requirements don't affect the rendering
         scene_.background = root_.vector3("background", 0, 1, Vec3(0));
         scene_.camera = readCamera(root_.table("camera"));
         readLights();
@@ -64,12 +64,12 @@ class SceneReader {
         return std::move(scene_);
     }
 
-    /// Of a scene that was read.
+    /// Must be called after read().
     std::shared_ptr<const HeightMap> mapNamed(const std::string& name) const {
         const auto found = maps_.find(name);
         if (found != maps_.end()) return found->second;
         const std::vector<std::string> names(mapNames_.begin(), mapNames_.end());
-        throw InputError(file_.string(), fmt::format("no height map of it is called \"{}\"", name),
+        throw InputError(file_.string(), fmt::format("no height map of the scene is called \"{}\"", name),
                          names.empty() ? "a scene with a [[height_map]]" : listOf(names),
                          didYouMean(name, names));
     }
@@ -107,7 +107,7 @@ class SceneReader {
         }
     }
 
-    /// A path in the scene file is relative to it.
+    /// Paths in the scene file are relative to its folder.
     std::filesystem::path readPath(const TomlTable& table, const char* key) {
         const std::string text = table.text(key);
         if (text.empty()) table.fail(key, "is empty", "a file");
@@ -202,7 +202,7 @@ class SceneReader {
         try {
             checkControlMesh(object.meshWorld(), object.scheme);
             if (object.scheme != Scheme::None) checkLimitTopology(object.mesh);
-        } catch (const InputError& error) { // names the face; the scene's line says which object
+        } catch (const InputError& error) { // names the face; the scene file's line identifies the object
             table.fail(table.has("mesh") ? "mesh" : "shape", error.what());
         }
     }
@@ -214,7 +214,7 @@ class SceneReader {
         object.scale = table.number("scale", kSmallestLength, kLargestLength, 1.0);
     }
 
-    /// `key` names what needs the uvs.
+    /// `key` names the field that needs uvs.
     static void requireUvs(const TomlTable& table, const char* key, const ControlMesh& mesh) {
         if (mesh.hasUvs()) return;
         table.fail(
@@ -260,7 +260,7 @@ class SceneReader {
             object.color = table.vector3("color", 0, 1, object.color);
             return;
         }
-        if (table.has("color")) table.fail("color_map", "stands beside color", "one of the two");
+        if (table.has("color")) table.fail("color_map", "is given together with color", "one of the two");
         requireUvs(table, "color_map", object.mesh);
         const std::filesystem::path path = readPath(table, "color_map");
         std::shared_ptr<const ColorMap>& map = colorMaps_[path.string()];
@@ -304,7 +304,7 @@ Scene parseScene(const std::filesystem::path& file, const std::string& text) {
 
 std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name) {
     SceneReader reader(file);
-    reader.read(); // all of it: a scene with a mistake anywhere is refused
+    reader.read(); // all of it: a scene with any error is rejected
     return reader.mapNamed(name);
 }
 

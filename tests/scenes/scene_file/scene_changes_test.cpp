@@ -110,7 +110,7 @@ TEST_F(SceneFile, Orbit_PlacesCameraAroundTarget) {
 
 TEST_F(SceneFile, OrbitWithPosition_IsRefused) {
     EXPECT_EQ(messageFor(with("up = [0, 1, 0.5]", "orbit = { distance = 2, polar_degrees = 10 }")),
-              "scene.toml:5: camera.position: stands beside orbit; expected one of the two");
+              "scene.toml:5: camera.position: is given together with orbit; expected one of the two");
     EXPECT_EQ(messageFor(with(kPlace, "target = [0, 1, 0]\norbit = { distance = 1e9, polar_degrees = 0 }\n")),
               "scene.toml:6: camera.orbit: puts the camera outside: its position is 1000000001; expected "
               "-1000000000 to 1000000000");

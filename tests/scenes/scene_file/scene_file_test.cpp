@@ -68,9 +68,10 @@ TEST_F(SceneFile, MapByName_IsReadAlone) {
     EXPECT_THAT(stone->depths(), ElementsAre(1, 0.8f));
     EXPECT_EQ(stone->wrapT(), Wrap::Clamp);
     EXPECT_EQ(readSceneMap(folder_ / "scene.toml", "made")->width(), 16); // no object wears it
-    EXPECT_THAT(inputErrorOf([&] { readSceneMap(folder_ / "scene.toml", "stoen"); }),
-                HasSubstr("scene.toml: no height map of it is called \"stoen\"; expected made or stone; did "
-                          "you mean 'stone'?"));
+    EXPECT_THAT(
+        inputErrorOf([&] { readSceneMap(folder_ / "scene.toml", "stoen"); }),
+        HasSubstr("scene.toml: no height map of the scene is called \"stoen\"; expected made or stone; did "
+                  "you mean 'stone'?"));
 }
 
 TEST_F(SceneFile, ShortestScene_HasDefaults) {
@@ -227,7 +228,7 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
         {"constant = 0.5", "constant = 1.5", "object.relief.constant: is 1.5"},
         {"constant = 0.5", "constant = 0.5, detph = 1", "object.relief.detph: unknown field"},
         {"color_map = \"maps/stone.png\"", "color_map = \"maps/stone.png\"\ncolor = [1, 1, 1]",
-         "stands beside color"},
+         "is given together with color"},
         {"color = [0.8, 0.75, 0.7]", "color = [8, 0.75, 0.7]", "object.color: is 8"},
         {"kind = \"torus\"", "kind = \"tours\"", "object.shape.kind: is the text \"tours\""},
         {"minor = 0.25", "minor = 0", "object.shape.minor: is 0"},
