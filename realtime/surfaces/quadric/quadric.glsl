@@ -1,4 +1,5 @@
-// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. Its input, "quadric", has no cross term.
+// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. The input "quadric" has
+// no cross term.
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
     return enterVertical(frame, st, direction, ray);
@@ -10,5 +11,5 @@ float descentAt(ReliefRay ray, float t) { return verticalDescent(ray, t); }
 
 float steepestDescent(ReliefRay ray, float t) { return verticalSteepest(ray, t); }
 
-// The frame of the hit isn't that of the fragment.
+// The frame at the hit differs from the fragment's.
 ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t) { return tiltedFrame(frame, ray.stTravel * t); }

@@ -1,4 +1,5 @@
-// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. Its input, "quadric_full", has the cross term.
+// Depth below a quadric along the fragment's normal: D_z, shaders/quadric_base.glsl. The input "quadric_full"
+// has the cross term.
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
     return enterVertical(frame, st, direction, ray);

@@ -1,9 +1,11 @@
-// Sphere tracing in a distance field of the relief (Donnelly 2005, as told by Premecz 2006, section 2.4). The listing steps
-// d in [0,1] by metric distances; field and direction must share one metric (TECHNIQUES E11): both are in world units here.
+// Sphere tracing in a distance field of the relief (Donnelly 2005, as described by Premecz 2006, section
+// 2.4). The listing steps d in [0,1] by metric distances, but field and direction must have the same metric
+// (TECHNIQUES E11); here both are in world units.
 //
-// `voxel` reads a distance that holds everywhere in the voxel, so that no step can pass through the relief. It is 0 in the voxels
-// that touch the relief; there the ray goes on by half a voxel, looks the depth up, and bisects the step that entered.
-// `trilinear` is the field as the source has it: steps until they run out.
+// `voxel` uses a distance valid in the whole voxel, so that its steps can't pass through the relief. The
+// distance is 0 in voxels that intersect the relief; there the ray advances by half a voxel, samples the
+// depth, and bisects the step that entered the relief. `trilinear` is the source's method, which only steps
+// through the filtered field.
 
 ReliefHit bisected(ReliefRay ray, float outside, float inside) {
     for (int i = 0; i < binary_steps; ++i) {
