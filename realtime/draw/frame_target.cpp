@@ -188,7 +188,7 @@ std::vector<float> FrameTarget::readTarget(int target) const {
 }
 
 Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-                        const std::vector<std::string>& channels, bool bentBase) const {
+                        const std::vector<std::string>& channels, bool curvedBase) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
     const std::vector<float> texture = readTarget(kTexture);
     ChannelSplitter splitter(width_, height_, channels, texture);
@@ -197,7 +197,7 @@ Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrig
     splitter.addNormal(readTarget(kNormal));
     splitter.addTexture(texture, stOrigins);
     const std::vector<float> surface = readTarget(kSurface);
-    if (bentBase) splitter.addCurvature(surface);
+    if (curvedBase) splitter.addCurvature(surface);
     splitter.addShadows(surface, scene_.lights);
     return splitter.takeFrame();
 }

@@ -26,7 +26,7 @@ class FrameTarget {
     /// (rows of the channel table) says which to keep, all if empty; those of the curvature are there for a
     /// base that bends.
     Frame read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-               const std::vector<std::string>& channels, bool bentBase) const;
+               const std::vector<std::string>& channels, bool curvedBase) const;
 
   private:
     std::vector<float> readTarget(int target) const;

@@ -73,7 +73,7 @@ void addRelief(ShaderSource& fragment, const Technique& technique) {
 }
 
 void addTechnique(ShaderSource& fragment, const Technique& technique) {
-    if (technique.hasBentBase()) fragment.addFile(shaderFile("quadric_base.glsl"));
+    if (technique.hasCurvedBase()) fragment.addFile(shaderFile("quadric_base.glsl"));
     fragment.addText("(parameters)", technique.glslConstants());
     fragment.addFile(technique.surface->shaderFile());
     fragment.addFile(technique.search.shaderFile());

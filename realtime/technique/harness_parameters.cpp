@@ -97,7 +97,7 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
         boolParameter("depth_correction", true,
                       "the depth buffer holds the hit's depth (RP-351, section 3.5); false: the "
                       "polygon's, as do Z and what hides what"));
-    if (surface.isBent())
+    if (surface.hasQuadricBase())
         parameters.push_back(
             choiceParameter("coefficients", {"ring", "limit"},
                             "the base's quadric: fitted to the vertices around, as in RP-351, or "

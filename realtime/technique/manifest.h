@@ -60,7 +60,7 @@ struct Manifest {
     bool hasNeed(const std::string& property) const;
     bool hasOffer(const std::string& property) const;
     /// Of a surface: whether its base is a quadric.
-    bool isBent() const { return hasInput("quadric") || hasInput("quadric_full"); }
+    bool hasQuadricBase() const { return hasInput("quadric") || hasInput("quadric_full"); }
     /// FOLDER/NAME.glsl.
     std::filesystem::path shaderFile() const { return folder / (name + ".glsl"); }
 };

@@ -41,7 +41,7 @@ struct Technique {
     /// Text of a harness setting; empty if it doesn't apply.
     std::string choice(const std::string& settingName) const;
     bool drawsMicroTriangles() const { return search.drawsMicroTriangles(); }
-    bool hasBentBase() const { return surface && surface->isBent(); }
+    bool hasCurvedBase() const { return surface && surface->hasQuadricBase(); }
     /// The quadrics its base is given; only where it is bent.
     CurvatureSet curvatureSet() const;
     bool castsReliefShadows() const { return choice("shadow") == "relief"; }

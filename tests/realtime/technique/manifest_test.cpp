@@ -318,7 +318,7 @@ TEST(Manifest, SurfaceManifest_NamesQuadricAndVariant) {
         writeFile(folder / "bent/bent.glsl", "// nothing");
         return messageOf<InputError>([&] {
             const Manifest manifest = readSurfaceManifest(folder.path() / "bent");
-            EXPECT_TRUE(manifest.isBent());
+            EXPECT_TRUE(manifest.hasQuadricBase());
             EXPECT_EQ(manifest.variantOf, "quadric");
         });
     };
