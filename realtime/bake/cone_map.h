@@ -19,6 +19,7 @@
 // Slice 1 has for each cell (i, j), the patch between texels (i, j) and (i + 1, j + 1), one ratio valid for
 // every point of it. Let lambda = 1 / c. The condition is D(x) - D(y) <= lambda |x - y| for x in the cell and
 // any y.
+//
 //   Far pairs. D(x) is the mean of D_i over the corners i of x's cell, where each axis chooses the upper
 //   corner with the fractional position as probability; the same holds for D(y). If both use the same random
 //   number per axis, the offset k = j - i only takes the two integers next to y - x, with the probabilities
@@ -28,13 +29,17 @@
 //   phi(k) for all pairs, the mean is at most lambda (y - x) . u <= lambda |x - y|. With u through the center
 //   of the square, k . u >= sqrt(|k|^2 - h^2), h half a texel's diagonal; phi is this bound from 4 h on. In
 //   nearer squares u is the bisector of their outermost directions, which are less than 90 degrees apart.
+//
 //   Near pairs. If y - x is in a square that touches 0, the chord stays within one texel of the cell
-//   (cone_near.h). Relaxed. Only exits y count, so only pairs (i, j) whose y can be an exit: k is within one
-//   texel of y - x along each axis, and j is a corner of the patch in which the ray continues from y
-//   (exitPossible). 2007: as above, with exits where gradient . (y - x) > D(y). The test is coarse for points
-//   a few texels apart, which are seen from a wide range of directions. This keeps relaxed ratios of smooth
-//   slopes close to the conservative ones; slice 0 has neither this loss nor the guarantee. Quad. Only pairs
-//   with an offset within one texel of k in the quadrant.
+//   (cone_near.h).
+//
+//   Relaxed. Only exits y count, so only pairs (i, j) whose y can be an exit: k is within one texel of y - x
+//   along each axis, and j is a corner of the patch in which the ray continues from y (exitPossible). 2007:
+//   as above, with exits where gradient . (y - x) > D(y). The test is coarse for points a few texels apart,
+//   which are seen from a wide range of directions. This keeps relaxed ratios of smooth slopes close to the
+//   conservative ones; slice 0 has neither this loss nor the guarantee.
+//
+//   Quad. Only pairs with an offset within one texel of k in the quadrant.
 //
 // Wrapping. Repeat: all repeated images count; the slope of a pair more than two tiles apart is below the
 // cap. Clamp: outside, the map repeats its border. The border point nearest to such a y has the same depth

@@ -53,7 +53,7 @@ const std::set<std::string>& harnessUniforms() {
     return names;
 }
 
-/// What writes a pixel's channels.
+/// Adds the code that writes a pixel's channels.
 void addShading(ShaderSource& fragment, size_t lightCount) {
     fragment.addText("(lights)", lightDeclarations(lightCount));
     fragment.addFile(shaderFile("camera.glsl"));
@@ -61,7 +61,7 @@ void addShading(ShaderSource& fragment, size_t lightCount) {
     fragment.addFile(shaderFile("shadow_map.glsl"));
 }
 
-/// All a ray through a fragment needs but search and surface.
+/// Adds everything for tracing a fragment's ray except search and surface.
 void addRelief(ShaderSource& fragment, const Technique& technique) {
     fragment.addFile(shaderFile("height_map.glsl"));
     fragment.addFile(shaderFile("relief_contract.glsl"));
@@ -88,8 +88,8 @@ std::string reliefSettings(const Technique& technique) {
                        technique.correctsDepth());
 }
 
-/// A program that may declare the shadow maps' sampler, with its unit set: two kinds of sampler at unit 0,
-/// where all begin, are an error of the draw even if neither is read.
+/// Builds a program that may declare the shadow maps' sampler and sets its unit. All samplers start at unit
+/// 0, and samplers of different types on the same unit make a draw fail even if they aren't used.
 std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
     auto program = std::make_unique<GlProgram>(sources.vertex, sources.fragment);
     program->use();
@@ -97,8 +97,8 @@ std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
     return program;
 }
 
-/// Whether `search` names a function that `harness` defines. Asked of the text: a compiler drops a look-up
-/// whose result some setting makes worthless.
+/// Whether `search` uses a function that `harness` defines. This checks the text because the compiler may
+/// eliminate lookups that are unused with the current settings.
 bool callsFunctionOf(const std::filesystem::path& search, const std::filesystem::path& harness) {
     const std::string text = readWholeFile(harness), searchText = readWholeFile(search);
     const std::regex definition("(?:^|\\n)[a-z]\\w* (\\w+)\\(");

@@ -10,7 +10,8 @@ namespace plumbline {
 namespace {
 
 constexpr size_t kMostRuns = 25;
-// A first frame, with what the driver compiles for it, that takes so many budgets isn't drawn again.
+// If the first frame, which includes the driver's compilation, takes more than this multiple of the budget,
+// it isn't repeated.
 constexpr double kMostBudgets = 5;
 
 double wallMs(const std::function<void()>& draw) {
@@ -46,7 +47,7 @@ FrameTime timeFrame(const GlContext& context, double budgetMs, const std::functi
     const double firstMs = wallMs(draw);
     if (firstMs > kMostBudgets * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};
     std::vector<double> times;
-    double spentMs = 0; // by the wall: queries leave out what the driver does
+    double spentMs = 0; // wall clock, because queries don't include the driver's work
     while (times.empty() || (spentMs < budgetMs && times.size() < kMostRuns)) {
         double queriedMs = 0;
         const double ms = wallMs([&] { software ? draw() : static_cast<void>(queriedMs = queryMs(draw)); });

@@ -1,4 +1,4 @@
-// Which OpenGL contexts can be opened here; for `plumbline doctor`.
+// Tests which OpenGL contexts can be opened, for `plumbline doctor`.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 
 namespace plumbline {
 
-/// One way to a context.
+/// The result for one kind of context.
 struct GlProbe {
     std::string backend; // "egl", "egl device 0", "osmesa"
     bool works = false;
     std::string detail; // renderer and version, or why it doesn't work
 };
-/// Tries them all.
+/// Tries all kinds of contexts.
 std::vector<GlProbe> probeGl();
 
 } // namespace plumbline

@@ -1,4 +1,5 @@
-// Shader programs made of several source files, with compiler errors reported in the author's file and line.
+// Shader programs composed of several source files, with compiler errors reported at the original file and
+// line.
 #pragma once
 
 #include "realtime/gl/gl_objects.h"
@@ -12,7 +13,7 @@
 
 namespace plumbline {
 
-/// Text of one shader stage in pieces; each piece keeps the name of the file it came from.
+/// The text of one shader stage as a list of pieces, each with the name of its file.
 class ShaderSource {
   public:
     /// Appends a file's text. Throws InputError if it can't be read.
@@ -20,12 +21,12 @@ class ShaderSource {
     /// Appends text under a name in brackets, such as "(parameters)".
     void addText(const std::string& name, const std::string& text);
 
-    /// Everything after a first line `#version VERSION` and `preamble`, each piece after a #line of its own
+    /// The line `#version VERSION`, the preamble, and all pieces, each preceded by a #line directive
     /// (kLinesPerFile in shader_log.h).
     std::string assemble(std::string_view version = "410 core", std::string_view preamble = {}) const;
-    /// Names by number; 0 is the preamble.
+    /// File names by number; 0 is the preamble.
     const std::vector<std::string>& files() const { return files_; }
-    /// Name of the last piece: the technique's own.
+    /// Name of the last piece, which is the technique's file.
     const std::string& author() const { return files_.back(); }
 
   private:
@@ -35,11 +36,12 @@ class ShaderSource {
 
 class GlProgram {
   public:
-    /// Compiles and links. Throws InputError: "file:line: message" if the log says where, else the log.
+    /// Compiles and links. Throws InputError: "file:line: message" if the log contains a location, otherwise
+    /// the log.
     GlProgram(const ShaderSource& vertex, const ShaderSource& fragment);
 
     void use() const { glUseProgram(program_); }
-    /// Location, -1 (which GL ignores) for a uniform the shader doesn't use.
+    /// The location; -1, which GL ignores, for a uniform that the shader doesn't use.
     GLint uniform(const char* name) const { return glGetUniformLocation(program_, name); }
     /// Names of the uniforms in use, without "[0]".
     std::set<std::string> activeUniforms() const;

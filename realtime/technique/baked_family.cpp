@@ -9,7 +9,7 @@
 namespace plumbline {
 
 const std::vector<BakedFamily>& bakedFamilies() {
-    // Units 0 and 1 are the height map's and the color map's.
+    // Units 0 and 1 are used by the height map and the color map.
     static const std::vector<BakedFamily> families{
         {"cone_map.glsl",
          "uConeMap",

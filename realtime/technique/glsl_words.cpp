@@ -9,8 +9,8 @@
 namespace plumbline {
 namespace {
 
-// GLSL 4.10 section 3.6 and GLSL ES 3.00 section 3.7, without the many sampler and matrix types, whose names
-// are covered by their beginnings below.
+// GLSL 4.10 section 3.6 and GLSL ES 3.00 section 3.7, without the sampler and matrix types, which are
+// recognized by their prefixes below.
 const std::set<std::string> kWords{
     "active", "asm", "atomic_uint", "attribute", "bool", "break", "buffer", "case", "cast", "centroid",
     "class", "coherent", "common", "const", "continue", "default", "discard", "do", "double", "else", "enum",
@@ -21,7 +21,7 @@ const std::set<std::string> kWords{
     "short", "sizeof", "smooth", "static", "struct", "subroutine", "superp", "switch", "template", "this",
     "true", "typedef", "uint", "uniform", "union", "unsigned", "using", "varying", "void", "volatile",
     "while", "writeonly",
-    // Built-in functions a parameter would hide.
+    // Built-in functions that a parameter would hide.
     "abs", "acos", "all", "any", "asin", "atan", "ceil", "clamp", "cos", "cross", "degrees", "distance",
     "dot", "equal", "exp", "exp2", "floor", "fract", "inverse", "inversesqrt", "length", "log", "log2", "max",
     "min", "mix", "mod", "modf", "normalize", "not", "pow", "radians", "reflect", "refract", "round", "sign",
@@ -97,7 +97,7 @@ bool isGlslWord(const std::string& name) {
 
 bool isHarnessName(const std::string& name) {
     for (const char* beginning :
-         {"k", "u", "g", "v", "in", "out"}) // constants, uniforms, globals and what stages hand on
+         {"k", "u", "g", "v", "in", "out"}) // constants, uniforms, globals and stage interfaces
         if (const size_t length = std::string(beginning).size();
             name.starts_with(beginning) && name.size() > length &&
             std::isupper(static_cast<unsigned char>(name[length])))

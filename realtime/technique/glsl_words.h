@@ -1,4 +1,4 @@
-// Names a parameter can't have, and words in GLSL text.
+// Reserved names that parameters can't have, and identifiers in GLSL text.
 #pragma once
 
 #include <optional>
@@ -8,10 +8,10 @@ namespace plumbline {
 
 /// A keyword, reserved word, type or built-in function of GLSL 4.10 or GLSL ES 3.00.
 bool isGlslWord(const std::string& name);
-/// A name the harness declares: a setting of its own or a function of the contract.
+/// A name that the harness declares: a setting or a function of relief_contract.glsl.
 bool isHarnessName(const std::string& name);
 
-/// A byte of GLSL text, outside of comments, that isn't ASCII: no compiler says a sensible word of it.
+/// A byte of GLSL text outside comments that isn't ASCII, for which compilers give unhelpful messages.
 struct GlslByte {
     int line;
     unsigned char value;

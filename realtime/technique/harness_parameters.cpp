@@ -38,7 +38,8 @@ Parameter numberParameter(std::string name, Type type, double low, double high, 
     return parameter;
 }
 
-/// What search and surface both allow, the default first; last the map, which asks nothing of either.
+/// The shadows that both search and surface allow, the default first; the shadow map, which has no
+/// requirements, is last.
 std::vector<std::string> allowedShadows(const Manifest& search, const Manifest& surface) {
     std::vector<std::string> allowed;
     for (const char* shadow : {"relief", "none"})
@@ -78,8 +79,8 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
         choiceParameter("shadow", shadows,
                         "cast shadows: a second search along the light; none (attached shadow only); or "
                         "a map drawn from the light (RP-351, section 3.5)"));
-    // The margin of Watt and Policarpo (2005), chapter 5, listing 5.3. Without one (as in their Fig. 5.11)
-    // lit points shadow themselves: the searches from the camera and from the light stop at slightly
+    // The bias of Watt and Policarpo (2005), chapter 5, listing 5.3. Without a bias (as in their Fig. 5.11)
+    // lit points shadow themselves, because the searches from the camera and from the light end at slightly
     // different depths.
     parameters.push_back(
         numberParameter("shadow_bias", Type::Float, 0, 1, 0.02, "relief depth",

@@ -26,7 +26,7 @@ bool contains(const std::vector<std::string>& list, const std::string& value) {
     return std::find(list.begin(), list.end(), value) != list.end();
 }
 
-/// The parts a technique and a surface have in common but `inputs`; the caller reads the rest and calls
+/// Reads the fields common to techniques and surfaces except `inputs`; the caller reads the others and calls
 /// finish().
 void readCommon(const TomlTable& table, Manifest& manifest) {
     manifest.title = table.line("title");
@@ -77,7 +77,8 @@ void checkShader(const Manifest& manifest) {
                              "a shader that uses every parameter of the manifest");
 }
 
-/// A shader that calls what is wrong on some surfaces must say so: on those it would draw nonsense silently.
+/// A shader that calls a function valid only on some surfaces must declare it under `needs`; otherwise the
+/// results on other surfaces would be silently wrong.
 void checkNeeds(const TomlTable& table, const Manifest& manifest) {
     const std::string glsl = readWholeFile(manifest.shaderFile());
     for (const auto& [name, meaning, function] : surfaceProperties())
@@ -88,7 +89,7 @@ void checkNeeds(const TomlTable& table, const Manifest& manifest) {
                        fmt::format("\"{}\" among them", name));
 }
 
-/// Absolute, without "." and a trailing slash, so that the last part is the folder's name.
+/// An absolute path without "." or a trailing slash, so that the last component is the folder's name.
 fs::path properFolder(const fs::path& folder) {
     std::error_code error;
     fs::path proper = fs::weakly_canonical(folder, error);
@@ -100,7 +101,7 @@ Manifest emptyManifest(const fs::path& folder, const char* fileName) {
     Manifest manifest;
     manifest.folder = properFolder(folder);
     manifest.name = manifest.folder.filename().string();
-    manifest.folder = folder; // messages show the path as it was given
+    manifest.folder = folder; // messages show the path as given
     manifest.file = folder / fileName;
     if (!fs::exists(manifest.file))
         throw InputError(folder.string(), fmt::format("has no {}", fileName),

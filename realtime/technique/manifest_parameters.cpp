@@ -18,8 +18,8 @@ const std::vector<std::string> kTypes{"int", "float", "bool", "choice"}; // in t
 constexpr int kLargestInt = std::numeric_limits<int32_t>::max();
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
-/// Throws InputError for what GLSL, GLSL ES or `--technique NAME:key=value` can't have as a name: `name` is
-/// the parameter's, or one the shader sees for its field `key`.
+/// Throws InputError if `name` isn't a valid name in GLSL, GLSL ES and `--technique NAME:key=value`. `name`
+/// is the parameter's name, or a GLSL name derived from the field `key`.
 void checkParameterName(const TomlTable& table, const char* key, const std::string& name) {
     const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
     const auto isNameCharacter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
