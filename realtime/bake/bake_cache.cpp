@@ -48,7 +48,7 @@ bool fetch(const fs::path& file, const std::string& key, BakeOutcome& outcome) {
     if (!stored) {
         std::error_code ignored;
         if (fs::exists(file, ignored))
-            addWarning(outcome, fmt::format("{}: is damaged, so the map is made anew", file.string()));
+            addWarning(outcome, fmt::format("{}: is damaged, so the map is baked again", file.string()));
         return false;
     }
     outcome.map = std::move(stored->map);

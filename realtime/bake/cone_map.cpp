@@ -156,7 +156,7 @@ bool isConeKind(std::string_view kind) {
 
 ConeRule coneRule(std::string_view kind) {
     if (const ConeRule* rule = findRule(kind)) return *rule;
-    throw InputError("cone map", "'" + std::string(kind) + "' is no kind of cone map",
+    throw InputError("cone map", "'" + std::string(kind) + "' is not a kind of cone map",
                      "cone_step, cone_step_quad, cone_step_relaxed or cone_step_relaxed_2007");
 }
 

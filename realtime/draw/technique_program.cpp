@@ -164,7 +164,7 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
     for (const std::string& kind : technique.bakedKinds())
         if (!callsFunctionOf(technique.search.shaderFile(), shaderFile(bakedFamily(kind).shader)))
             throw InputError(technique.search.file.string(),
-                             fmt::format("asks for input '{}', which the shader never reads", kind),
+                             fmt::format("declares input '{}', which the shader never reads", kind),
                              fmt::format("a shader that calls a function of {}", bakedFamily(kind).shader));
     return program;
 }

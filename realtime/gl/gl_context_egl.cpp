@@ -128,7 +128,8 @@ EGLDisplay openDisplay(int device, const std::string& backend) {
     } else {
         const std::vector<EGLDeviceEXT> devices = eglDevices();
         if (static_cast<size_t>(device) >= devices.size())
-            throw MachineError(backend, fmt::format("is none of the {} devices EGL lists", devices.size()),
+            throw MachineError(backend,
+                               fmt::format("is not one of the {} devices that EGL lists", devices.size()),
                                devices.empty() ? "" : fmt::format("at most {}", devices.size() - 1));
         display = getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(device)], nullptr);
     }

@@ -34,7 +34,7 @@ int unitBehindBaked() {
 const BakedFamily& bakedFamily(const std::string& kind) {
     for (const BakedFamily& family : bakedFamilies())
         if (std::find(family.kinds.begin(), family.kinds.end(), kind) != family.kinds.end()) return family;
-    throw InputError("input", fmt::format("'{}' is no kind of baked map", kind));
+    throw InputError("input", fmt::format("'{}' is not a kind of baked map", kind));
 }
 
 } // namespace plumbline

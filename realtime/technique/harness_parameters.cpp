@@ -73,7 +73,7 @@ std::vector<std::string> offeredShadows(const Manifest& manifest) {
 std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface) {
     std::vector<Parameter> parameters;
     parameters.push_back(choiceParameter("filter", {"exact", "hardware"},
-                                         "look-ups: exact bilinear in float, or the sampler's own filter"));
+                                         "lookups: exact bilinear in float, or the sampler's own filter"));
     const std::vector<std::string> shadows = allowedShadows(search, surface);
     parameters.push_back(
         choiceParameter("shadow", shadows,
@@ -84,25 +84,22 @@ std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest&
     // different depths.
     parameters.push_back(
         numberParameter("shadow_bias", Type::Float, 0, 1, 0.02, "relief depth",
-                        "what stops the light must be this much above a point of a relief to shadow it"));
+                        "minimum distance of an occluder above a point of a relief that it shadows"));
     parameters.push_back(numberParameter("shadow_map_size", Type::Int, 16, 8192, 1024, "texels",
-                                         "side of a shadow map, for a point light of each of its six"));
-    parameters.push_back(
-        numberParameter("shadow_map_bias", Type::Float, 0, 1000, 1, "",
-                        "what is in the map must be this many times the bias derived from its texels "
-                        "above a point to shadow it"));
+                                         "side of a shadow map; a point light has six of them"));
+    parameters.push_back(numberParameter("shadow_map_bias", Type::Float, 0, 1000, 1, "",
+                                         "factor of the bias derived from the map's texels"));
     parameters.push_back(boolParameter(
         "triangle_bounds", false,
         "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)"));
     parameters.push_back(
         boolParameter("depth_correction", true,
                       "the depth buffer holds the hit's depth (RP-351, section 3.5); false: the "
-                      "polygon's, as do Z and what hides what"));
+                      "polygon's, as for Z and occlusion"));
     if (surface.hasQuadricBase())
-        parameters.push_back(
-            choiceParameter("coefficients", {"ring", "limit"},
-                            "the base's quadric: fitted to the vertices around, as in RP-351, or "
-                            "with the curvature of the limit surface"));
+        parameters.push_back(choiceParameter("coefficients", {"ring", "limit"},
+                                             "the base's quadric: fitted to the one-ring, as in RP-351, or "
+                                             "with the curvature of the limit surface"));
     return parameters;
 }
 

@@ -131,12 +131,12 @@ Manifest readTechniqueManifest(const fs::path& folder) {
     manifest.inputs = table.someOf("inputs", techniqueInputs(manifest));
     manifest.channels = table.someOf("channels", channelNames(), std::vector<std::string>{});
     if (table.has("channels") && !contains(manifest.channels, "A") && !contains(manifest.channels, "id"))
-        table.fail("channels", "has neither A nor id, so that no frame says what it covers",
+        table.fail("channels", "has neither A nor id, so frames have no coverage",
                    "one of them among the channels");
     if (table.choice("geometry", kGeometries, "proxy") == "micro_triangles") {
         manifest.geometry = Geometry::MicroTriangles;
         if (!manifest.parameters.empty())
-            table.fail("parameter", "is there, but micro_triangles have no shader to take parameters",
+            table.fail("parameter", "is given, but micro_triangles have no shader that could use parameters",
                        "no [[parameter]]");
     } else {
         manifest.needs = table.someOf("needs", surfacePropertyNames());

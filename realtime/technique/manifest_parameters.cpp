@@ -28,9 +28,9 @@ void checkParameterName(const TomlTable& table, const char* key, const std::stri
         name.starts_with("gl_"))
         table.fail(key, fmt::format("'{}' can't be a GLSL name", name),
                    "a letter, then letters, digits and single underscores");
-    if (isGlslWord(name)) table.fail(key, fmt::format("'{}' is a word of GLSL", name), "another name");
+    if (isGlslWord(name)) table.fail(key, fmt::format("'{}' is reserved in GLSL", name), "another name");
     if (isHarnessName(name) || isBakeKind(name))
-        table.fail(key, fmt::format("'{}' belongs to the harness", name), "another name");
+        table.fail(key, fmt::format("'{}' is used by the harness", name), "another name");
 }
 
 void readRange(const TomlTable& table, Parameter& parameter) {

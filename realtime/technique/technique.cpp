@@ -67,7 +67,7 @@ void checkFamilies(const Technique& technique) {
         if (const auto [first, isNew] = kinds.emplace(bakedFamily(kind).sampler, kind); !isNew)
             throw InputError(
                 technique.search.file.string(),
-                fmt::format("takes both '{}' and '{}', which are read in the same way", first->second, kind),
+                fmt::format("takes both '{}' and '{}', which belong to the same family", first->second, kind),
                 "one of them");
 }
 

@@ -70,8 +70,9 @@ class DefectFinder {
                                        whereOfFace(mesh_, edge[2].face), edge.size(), edge[0].low + 1,
                                        edge[0].high + 1);
                 });
-        found.report(warnings_, smooth() ? ": no surface goes on there, the edge is made infinitely sharp"
-                                         : ": no surface goes on there, normals are the mean of all of them");
+        found.report(warnings_, smooth()
+                                    ? ": no surface continues there, the edge is made infinitely sharp"
+                                    : ": no surface continues there, normals are the mean of all of them");
     }
 
     void findOpposedFaces() {
@@ -117,10 +118,9 @@ class DefectFinder {
             if (area <= kRounding * size_ * longestEdge)
                 flat.add([&] { return whereOfFace(mesh_, face.index) + " has no area"; });
             else if (shortestEdge <= kRounding * size_)
-                collapsed.add(
-                    [&] { return whereOfFace(mesh_, face.index) + " has two vertices in one place"; });
+                collapsed.add([&] { return whereOfFace(mesh_, face.index) + " has coincident vertices"; });
         }
-        flat.report(warnings_, smooth() ? ": it still shapes the limit surface" : ": nothing is seen of it");
+        flat.report(warnings_, smooth() ? ": it still shapes the limit surface" : ": it is invisible");
         collapsed.report(warnings_, smooth() ? ": it is subdivided as if they were two"
                                              : ": normals vary abruptly there");
     }
@@ -152,11 +152,12 @@ class DefectFinder {
             if (!open.contains(root) && shell.volume < -kFlatVolume * size_ * size_ * size_)
                 insideOut.add([&, &shell = shell] {
                     return fmt::format(
-                        "{} and the rest of its closed shell of {} look inwards (volume {:.3g})",
+                        "{} and the rest of its closed shell of {} point inwards (volume {:.3g})",
                         whereOfFace(mesh_, shell.firstFace), shell.faces, shell.volume);
                 });
-        insideOut.report(warnings_,
-                         ": right for a cavity, inside out otherwise; a relief goes the other way");
+        insideOut.report(
+            warnings_,
+            ": right for a cavity, inside out otherwise; its relief is displaced the opposite way");
     }
 
     /// Signed volume between a face and the mesh's first point. The face is triangulated as a fan around its

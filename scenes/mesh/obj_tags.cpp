@@ -160,7 +160,7 @@ class TagReader {
 
     void warnOfFaceVarying(const Tag& tag) {
         result_.warnings.push_back(
-            fmt::format("{}:{}: {} is left aside: texture coordinates are linear within each face", fileName_,
+            fmt::format("{}:{}: {} is ignored: texture coordinates are linear within each face", fileName_,
                         line_, tag.name));
     }
 

@@ -43,7 +43,7 @@ void readOrbit(const TomlTable& table, Camera& camera) {
         camera.targetWorld + distance * (std::cos(polar) * Vec3(0, 1, 0) + std::sin(polar) * level);
     camera.upWorld = std::sin(polar) * Vec3(0, 1, 0) - std::cos(polar) * level;
     if (const auto fault = findPlaceFault("position", camera.positionWorld))
-        table.fail("orbit", "puts the camera outside: its position " + fault->found, fault->expected);
+        table.fail("orbit", "gives an invalid camera position: it " + fault->found, fault->expected);
 }
 
 void readPlace(const TomlTable& table, Camera& camera) {

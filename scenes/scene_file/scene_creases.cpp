@@ -64,7 +64,7 @@ void readCreases(const TomlTable& object, Scheme scheme, ControlMesh& mesh) {
     for (const TomlTable& table : object.tables("creases")) {
         const double sharpness = table.number("sharpness", 0, kLargestSharpness);
         if (table.has("edges") == table.has("vertex"))
-            table.fail({}, table.has("edges") ? "has both edges and vertex" : "has nothing to sharpen",
+            table.fail({}, table.has("edges") ? "has both edges and vertex" : "has neither edges nor vertex",
                        "edges = [vertex, vertex, …] or vertex = a number");
         if (table.has("edges"))
             readPath(table, sharpness, edges, vertexCount, tags);

@@ -92,7 +92,9 @@ class SceneReader {
             Light light;
             light.name = table.name(names);
             if (table.has("to_light") == table.has("position"))
-                table.fail({}, table.has("position") ? "has both to_light and position" : "has no place",
+                table.fail({},
+                           table.has("position") ? "has both to_light and position"
+                                                 : "has neither to_light nor position",
                            "to_light (a distant light) or position (a near one)");
             if (table.has("position")) {
                 light.kind = Light::Kind::Point;
@@ -134,7 +136,7 @@ class SceneReader {
         const Wrap wrapS = wrap[0] == "repeat" ? Wrap::Repeat : Wrap::Clamp;
         const Wrap wrapT = wrap[1] == "repeat" ? Wrap::Repeat : Wrap::Clamp;
         if (table.has("file") == table.has("generate"))
-            table.fail({}, table.has("file") ? "has both file and generate" : "has no source",
+            table.fail({}, table.has("file") ? "has both file and generate" : "has neither file nor generate",
                        "file or generate");
         maps_[name] = std::make_shared<const HeightMap>(
             table.has("file") ? readPictureMap(table, wrapS, wrapT) : readGeneratedMap(table, wrapS, wrapT));
@@ -190,7 +192,8 @@ class SceneReader {
                                            : Scheme::CatmullClark;
         object.proxyRate = table.integer("proxy_rate", 1, kMostProxyRate, 1);
         if (table.has("mesh") == table.has("shape"))
-            table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has no surface", "mesh or shape");
+            table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has neither mesh nor shape",
+                       "mesh or shape");
         object.mesh = table.has("mesh") ? readObj(readPath(table, "mesh")) : readShape(table.table("shape"));
         if (object.scheme == Scheme::None && !object.mesh.normalsMissing.empty())
             table.fail("mesh", "normals of " + object.mesh.name + ": " + object.mesh.normalsMissing,
@@ -228,7 +231,7 @@ class SceneReader {
         requireUvs(objectTable, "relief", object.mesh);
         Relief relief;
         if (table.has("map") == table.has("constant"))
-            table.fail({}, table.has("map") ? "has both map and constant" : "has no depths",
+            table.fail({}, table.has("map") ? "has both map and constant" : "has neither map nor constant",
                        "map (a height map's name) or constant (a depth in [0,1])");
         relief.map = table.has("map") ? findMap(table)
                                       : std::make_shared<const HeightMap>(HeightMap::constant(

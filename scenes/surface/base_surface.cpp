@@ -95,7 +95,7 @@ struct BaseSurface::Impl {
     bool hasLimitSurface(int face) const {
         if (!factory || factory->FaceHasLimitSurface(face)) return true;
         if (mesh.boundaryFacesSupportOnly) return false;
-        throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it");
+        throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't evaluate its limit surface");
     }
 
     void addPatches(const MeshFace& face) {
@@ -209,7 +209,7 @@ struct BaseSurface::Evaluator::State {
     void prepareSmooth() {
         if (!surface.factory->InitVertexSurface(patch.face, &smooth))
             throw InputError(whereOfFace(surface.mesh, patch.face),
-                             "OpenSubdiv can't make a limit surface of it");
+                             "OpenSubdiv can't evaluate its limit surface");
         smoothPoints.resize(3 * lengthOf(smooth.GetNumPatchPoints()));
         const Bfr::Surface<double>::PointDescriptor xyz(3);
         smooth.PreparePatchPoints(&surface.mesh.points[0].x, xyz, smoothPoints.data(), xyz);

@@ -79,7 +79,7 @@ TomlValue parseTomlValue(const std::string& where, const std::string& path, cons
         if (table.size() != 1) throw InputError(where, fmt::format("'{}' is more than a value", text));
         return convertValue(*table.get("value"), where, path);
     } catch (const toml::parse_error& error) {
-        throw InputError(where, fmt::format("'{}' is no TOML value: {}", text, error.description()),
+        throw InputError(where, fmt::format("'{}' is not a TOML value: {}", text, error.description()),
                          "a value as in a scene file: 0.5, [1, 2, 3], \"text\", { … }");
     }
 }
@@ -104,7 +104,7 @@ std::string describe(const TomlValue& value) {
     if (const auto* integer = value.as<int64_t>()) return fmt::format("{}", *integer);
     if (const auto* number = value.as<double>()) return describe(*number);
     if (const auto* text = value.as<std::string>())
-        return fmt::format("the text \"{}\"", text->size() > 60 ? text->substr(0, 60) + "…" : *text);
+        return fmt::format("the string \"{}\"", text->size() > 60 ? text->substr(0, 60) + "…" : *text);
     if (const auto* array = value.as<TomlValue::Array>()) return fmt::format("an array of {}", array->size());
     if (value.as<std::shared_ptr<TomlNode>>()) return "a table";
     return "a date or time";

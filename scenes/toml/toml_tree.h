@@ -50,7 +50,7 @@ std::optional<std::string> tomlText(const std::string& text);
 
 /// "camera.width"; either may be empty.
 std::string joinPath(const std::string& path, std::string_view key);
-/// "3", "the text \"x\"", "a table": for messages.
+/// "3", "the string \"x\"", "a table": for messages.
 std::string describe(const TomlValue& value);
 
 } // namespace plumbline

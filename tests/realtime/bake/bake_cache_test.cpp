@@ -121,7 +121,7 @@ TEST_F(BakeCache, Key_IgnoresIrrelevantInputs) {
     EXPECT_EQ(key(request("max_mipmap", {1, 2, 3}, 7)), key(request("max_mipmap", {0, 0, 0}, 9)));
 }
 
-/// Makes a map, changes its file, and expects it to be made anew and the file to be whole again.
+/// Makes a map, changes its file, and expects it to be baked again and the file to be restored.
 void expectMadeAnew(const HeightMap& map, const BakeRequest& asked, const std::string& damaged) {
     const BakeOutcome first = bakeCached(map, asked);
     writeFile(first.file, damaged);

@@ -185,10 +185,10 @@ TEST(SphereTracing, VoxelField_FindsFirstHit) {
 }
 
 TEST(SphereTracing, CurvedBase_IsRefusedWithReason) {
-    EXPECT_THAT(messageOf<InputError>([] { (void)resolveTechnique("sphere_tracing@quadric"); }),
-                HasSubstr("has no surface 'quadric': the search needs flat_base (a flat base, as a relief on "
-                          "a bent one has "
-                          "other distances)"));
+    EXPECT_THAT(
+        messageOf<InputError>([] { (void)resolveTechnique("sphere_tracing@quadric"); }),
+        HasSubstr("has no surface 'quadric': the search needs flat_base (a flat base, because distances "
+                  "differ on a curved one)"));
 }
 
 TEST(BakedTechniques, Shadows_EqualExactCells) {
@@ -248,7 +248,7 @@ TEST(BakedInput, UnreadInput_IsRefused) {
               "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
     const std::string path = (folder.path() / "mine").string();
     EXPECT_THAT(messageOf<InputError>([&] { draw(sceneOf(kViews[0]), path); }),
-                HasSubstr("technique.toml: asks for input 'cone_step', which the shader never reads"));
+                HasSubstr("technique.toml: declares input 'cone_step', which the shader never reads"));
     // Without asking for it there is no such function, and the compiler says so in the author's line.
     writeFile(folder / "mine/technique.toml",
               "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");

@@ -120,7 +120,7 @@ TEST_F(UserTechnique, UnreadBakedMap_IsRefused) {
     };
     writeShader("// normalAndDepth\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0); }\n");
     EXPECT_EQ(message(),
-              path() + "/technique.toml: asks for input 'normal', which the shader never reads; expected a "
+              path() + "/technique.toml: declares input 'normal', which the shader never reads; expected a "
                        "shader that calls a function of normal_map.glsl");
     // A look-up that a setting makes worthless is still one: compilers drop it.
     writeShader(

@@ -203,16 +203,16 @@ std::string with(const std::string& old, const std::string& replacement) {
 
 TEST(Manifest, Mistakes_NameTheirLine) {
     EXPECT_EQ(manifestMessage(with("title = 'Mine'\n", "titel = 'Mine'\n")),
-              "technique.toml:1: title: is missing; expected a text of one line");
+              "technique.toml:1: title: is missing; expected a single-line string");
     EXPECT_EQ(
         manifestMessage(with("limits = []", "limits = []\nlimit = []")),
         "technique.toml:6: limit: unknown field; expected channels, citation, geometry, inputs, limits, "
         "needs, parameter, shadows or title; did you mean 'limits'?");
     EXPECT_THAT(manifestMessage(with("['height']", "[\n'hight']")),
-                AllOf(StartsWith("technique.toml:4: inputs: holds the text \"hight\"; expected height"),
+                AllOf(StartsWith("technique.toml:4: inputs: holds the string \"hight\"; expected height"),
                       EndsWith("did you mean 'height'?")));
     EXPECT_EQ(manifestMessage(with("needs = []", "needs = 'linear_st'")),
-              "technique.toml:4: needs: is the text \"linear_st\"; expected an array of texts");
+              "technique.toml:4: needs: is the string \"linear_st\"; expected an array of strings");
     EXPECT_EQ(manifestMessage(with("needs = []", "needs = ['linear_st', 'linear_st']")),
               "technique.toml:4: needs: holds \"linear_st\" twice; expected each once");
     EXPECT_THAT(manifestMessage(with("needs = []", "needs = ['linear_stt']")),
@@ -220,11 +220,11 @@ TEST(Manifest, Mistakes_NameTheirLine) {
     EXPECT_EQ(manifestMessage(with("limits = []", "limits = []\nshadows = []")),
               "technique.toml:6: shadows: is empty; expected relief or none");
     EXPECT_EQ(manifestMessage(with("'me'", "7")),
-              "technique.toml:2: citation: is 7; expected a text in quotes");
+              "technique.toml:2: citation: is 7; expected a string in quotes");
     EXPECT_THAT(manifestMessage(std::string(kGood) + "geometry = 'proxie'"),
                 HasSubstr("did you mean 'proxy'?"));
     EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Q']"),
-                HasSubstr("channels: holds the text \"Q\""));
+                HasSubstr("channels: holds the string \"Q\""));
     EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Z']"), HasSubstr("neither A nor id"));
     EXPECT_EQ(manifestMessage(std::string(kGood) + "channels = ['id', 'Z']"), "");
     EXPECT_THAT(manifestMessage("title = "), HasSubstr("technique.toml:1: "));
@@ -234,11 +234,12 @@ TEST(Manifest, Mistakes_NameTheirLine) {
 TEST(Manifest, ParameterMistakes_NameTheirLine) {
     EXPECT_EQ(
         manifestMessage(with("'int'", "'integer'")),
-        "technique.toml:8: parameter.type: is the text \"integer\"; expected int, float, bool or choice");
+        "technique.toml:8: parameter.type: is the string \"integer\"; expected int, float, bool or choice");
     EXPECT_EQ(manifestMessage(with("default = 3", "default = 30")),
               "technique.toml:9: parameter.default: is 30; expected a whole number from 1 to 9");
-    EXPECT_EQ(manifestMessage(with("default = 3", "default = '3'")),
-              "technique.toml:9: parameter.default: is the text \"3\"; expected a whole number from 1 to 9");
+    EXPECT_EQ(
+        manifestMessage(with("default = 3", "default = '3'")),
+        "technique.toml:9: parameter.default: is the string \"3\"; expected a whole number from 1 to 9");
     EXPECT_EQ(manifestMessage(with("default = 3", "default = 3.0")),
               "technique.toml:9: parameter.default: is 3.0; expected a whole number from 1 to 9");
     EXPECT_EQ(manifestMessage(with("[1, 9]", "[9, 1]")),
@@ -247,15 +248,15 @@ TEST(Manifest, ParameterMistakes_NameTheirLine) {
               "technique.toml:10: parameter.range: is inf; expected a whole number from -2147483647 to "
               "2147483647");
     EXPECT_EQ(manifestMessage(with("unit = 'steps'", "units = 'steps'")),
-              "technique.toml:6: parameter.unit: is missing; expected a text");
+              "technique.toml:6: parameter.unit: is missing; expected a string");
     EXPECT_THAT(manifestMessage(with("'steps'", "'shadow'")),
-                HasSubstr("technique.toml:7: parameter.name: 'shadow' belongs to the harness"));
-    EXPECT_THAT(manifestMessage(with("'steps'", "'float'")), HasSubstr("is a word of GLSL"));
+                HasSubstr("technique.toml:7: parameter.name: 'shadow' is used by the harness"));
+    EXPECT_THAT(manifestMessage(with("'steps'", "'float'")), HasSubstr("is reserved in GLSL"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'a b'")), HasSubstr("can't be a GLSL name"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'gl_x'")), HasSubstr("can't be a GLSL name"));
     for (const char* name : {"kAmbient", "uHeightMap", "outColor", "gIterations", "cone_step"})
         EXPECT_THAT(manifestMessage(with("'steps'", "'" + std::string(name) + "'")),
-                    HasSubstr("belongs to the harness"));
+                    HasSubstr("is used by the harness"));
     EXPECT_THAT(manifestMessage(std::string(kGood) + kParameter + kParameter),
                 HasSubstr("technique.toml:14: parameter.name: 'steps' is declared twice"));
     EXPECT_THAT(manifestMessage(std::string(kGood) +
@@ -328,7 +329,7 @@ TEST(Manifest, SurfaceManifest_NamesQuadricAndVariant) {
     EXPECT_THAT(message("inputs = ['quadric', 'quadric_full']\n", variant),
                 HasSubstr("surface.toml:6: inputs: holds two quadrics; expected quadric or quadric_full"));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 'quadrik'\n"),
-                AllOf(HasSubstr("surface.toml:7: variant_of: is the text \"quadrik\""),
+                AllOf(HasSubstr("surface.toml:7: variant_of: is the string \"quadrik\""),
                       EndsWith("did you mean 'quadric'?")));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"),
                 HasSubstr("variant_of: is 3; expected flat"));
@@ -357,12 +358,12 @@ TEST(Manifest, ChoiceOfMapKinds_IsInput) {
     EXPECT_THAT(kinds(""), ElementsAre("normal"));
     EXPECT_THAT(kinds(":which=max_mipmap"), ElementsAre("max_mipmap"));
     EXPECT_THAT(manifestMessage(with("['height']", "['steps']")),
-                HasSubstr("inputs: holds the text \"steps\""));
+                HasSubstr("inputs: holds the string \"steps\""));
 }
 
 TEST(Manifest, TwoMapsOfOneFamily_AreRefused) {
     EXPECT_THAT(manifestMessage(with("['height']", "['height', 'cone_step', 'cone_step_relaxed']")),
-                HasSubstr("takes both 'cone_step' and 'cone_step_relaxed', which are read in the same way"));
+                HasSubstr("takes both 'cone_step' and 'cone_step_relaxed', which belong to the same family"));
 }
 
 TEST(Manifest, UnusedParameter_IsRefused) {

@@ -59,7 +59,7 @@ TEST(MeshDefects, ThreeFacesOnAnEdge_Warns) {
     EXPECT_THAT(
         warningsOf(mesh),
         ElementsAre(
-            "grid:117: face 17 is one of 3 faces on the edge from vertex 11 to 12: no surface goes on "
+            "grid:117: face 17 is one of 3 faces on the edge from vertex 11 to 12: no surface continues "
             "there, the edge is made infinitely sharp (and 3 more)"));
     EXPECT_THAT(warningsOf(mesh, Scheme::None), ElementsAre(HasSubstr("normals are the mean of all")));
     // What the line says: the limit curve is the cubic B-spline of its vertices, at one of them (a + 4 b + c)
@@ -100,12 +100,12 @@ TEST(MeshDefects, FacesWithoutArea_Warn) {
     mesh.points[1] = mesh.points[0];
     EXPECT_THAT(
         warningsOf(mesh),
-        ElementsAre("cube: face 1 has two vertices in one place: it is subdivided as if they were two (and 1 "
+        ElementsAre("cube: face 1 has coincident vertices: it is subdivided as if they were two (and 1 "
                     "more)"));
     mesh.points[5] = mesh.points[4]; // face 3 (0 1 5 4) is a line now; the other two still share the edges
     EXPECT_THAT(warningsOf(mesh), ElementsAre("cube: face 3 has no area: it still shapes the limit surface",
-                                              HasSubstr("face 1 has two vertices in one place")));
-    EXPECT_THAT(warningsOf(mesh, Scheme::None), ElementsAre("cube: face 3 has no area: nothing is seen of it",
+                                              HasSubstr("face 1 has coincident vertices")));
+    EXPECT_THAT(warningsOf(mesh, Scheme::None), ElementsAre("cube: face 3 has no area: it is invisible",
                                                             HasSubstr("normals vary abruptly there")));
     // A face that crosses itself has area on both sides of the crossing, though its area vector is zero.
     ControlMesh crossed;
@@ -123,8 +123,8 @@ TEST(MeshDefects, InwardShells_Warn) {
     EXPECT_THAT(
         warningsOf(mesh),
         ElementsAre(
-            "cube: face 1 and the rest of its closed shell of 6 look inwards (volume -8): right for a "
-            "cavity, inside out otherwise; a relief goes the other way"));
+            "cube: face 1 and the rest of its closed shell of 6 point inwards (volume -8): right for a "
+            "cavity, inside out otherwise; its relief is displaced the opposite way"));
     for (Vec3& point : mesh.points) // where the shell stands makes no difference
         point += Vec3(100, 0, 0);
     EXPECT_THAT(warningsOf(mesh), ElementsAre(HasSubstr("volume -8)")));

@@ -138,7 +138,7 @@ TEST(ObjFile, SubdivisionTags_AreKept) {
     EXPECT_TRUE(mesh.tags.boundaryCornersRound);
     EXPECT_FALSE(mesh.boundaryFacesSupportOnly);
     ASSERT_EQ(mesh.warnings.size(), 1u);
-    EXPECT_THAT(mesh.warnings[0], HasSubstr("a.obj:12: facevaryinginterpolateboundary is left aside"));
+    EXPECT_THAT(mesh.warnings[0], HasSubstr("a.obj:12: facevaryinginterpolateboundary is ignored"));
     EXPECT_TRUE(readText(kSquare + "f 1 2 3 4\nt interpolateboundary 1/0/0 0\n").boundaryFacesSupportOnly);
     EXPECT_FALSE(readText(kSquare + "f 1 2 3 4\nt interpolateboundary 1/0/0 1\n").tags.boundaryCornersRound);
 }

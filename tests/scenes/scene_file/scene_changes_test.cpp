@@ -71,12 +71,12 @@ TEST_F(ChangedScene, FaultyChange_IsNamedInError) {
                 }),
                 testing::HasSubstr("'light' is an array of 2; expected"));
     EXPECT_EQ(messageOfChange("purpose.a.b=2"),
-              "--scene-set purpose.a.b=2: 'purpose' is the text \"A test\"; expected a table");
+              "--scene-set purpose.a.b=2: 'purpose' is the string \"A test\"; expected a table");
     EXPECT_EQ(messageOfChange("camera.=2"),
               "--scene-set camera.=2: names no field; expected TABLE.FIELD=VALUE");
     EXPECT_EQ(messageOfChange("camera.width=1\nheight=2"),
               "--scene-set camera.width=1 height=2: '1 height=2' is more than a value");
-    EXPECT_THAT(messageOfChange("camera.width=wide"), testing::HasSubstr("'wide' is no TOML value"));
+    EXPECT_THAT(messageOfChange("camera.width=wide"), testing::HasSubstr("'wide' is not a TOML value"));
     // Inside of a table that was put in, the field's own place.
     EXPECT_EQ(messageOfChange("object.torus.shape={ kind = \"sphere\", radius = -1 }"),
               "--scene-set object.torus.shape={ kind = \"sphere\", radius = -1 }:1: "
@@ -112,7 +112,7 @@ TEST_F(SceneFile, OrbitWithPosition_IsRefused) {
     EXPECT_EQ(messageFor(with("up = [0, 1, 0.5]", "orbit = { distance = 2, polar_degrees = 10 }")),
               "scene.toml:5: camera.position: is given together with orbit; expected one of the two");
     EXPECT_EQ(messageFor(with(kPlace, "target = [0, 1, 0]\norbit = { distance = 1e9, polar_degrees = 0 }\n")),
-              "scene.toml:6: camera.orbit: puts the camera outside: its position is 1000000001; expected "
+              "scene.toml:6: camera.orbit: gives an invalid camera position: it is 1000000001; expected "
               "-1000000000 to 1000000000");
     EXPECT_EQ(messageFor(with(kPlace, "orbit = { distance = 2, polar_degrees = 200 }\n")),
               "scene.toml:5: camera.orbit.polar_degrees: is 200; expected a number from 0 to 180");

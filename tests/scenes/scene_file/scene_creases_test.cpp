@@ -56,7 +56,7 @@ TEST_F(SceneFile, FaultyCreases_NameTheirLine) {
         {"[1]", "object.creases: holds 1"},
         {"[{ edges = [1, 2] }]", "object.creases.sharpness: is missing"},
         {"[{ sharpness = 2 }]",
-         "object.creases: has nothing to sharpen; expected edges = [vertex, vertex, …] or vertex"},
+         "object.creases: has neither edges nor vertex; expected edges = [vertex, vertex, …] or vertex"},
         {"[{ edges = [1, 2], vertex = 3, sharpness = 2 }]", "has both edges and vertex"},
         {"[{ edges = [1, 2], sharpness = -1 }]",
          "object.creases.sharpness: is -1; expected a number from 0 to"},
@@ -94,7 +94,7 @@ TEST_F(SceneFile, MeshWarnings_NameObject) {
     const std::vector<std::string> warnings = read(kWholeScene).warnings;
     ASSERT_EQ(warnings.size(), 2u);
     EXPECT_THAT(warnings[0], testing::StartsWith("quad: "));
-    EXPECT_THAT(warnings[0], HasSubstr("quad.obj:11: facevaryingpropagatecorners is left aside"));
+    EXPECT_THAT(warnings[0], HasSubstr("quad.obj:11: facevaryingpropagatecorners is ignored"));
     EXPECT_THAT(warnings[1], testing::StartsWith("quad: "));
     EXPECT_THAT(warnings[1], HasSubstr("quad.obj: vertex 5 belongs to no face: left out"));
 }

@@ -121,11 +121,11 @@ TEST_F(SceneFile, Requirements_KeepTheirLine) {
     EXPECT_THAT(scene.requirements[2].where, HasSubstr("scene.toml:"));
     // Without quotes TOML makes a table of it.
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\nsilhouette.iou = \">= 0.99\"\n"),
-                HasSubstr("require.silhouette: is a table; expected a text or an array of texts"));
+                HasSubstr("require.silhouette: is a table; expected a string or an array of strings"));
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = []\n"),
                 HasSubstr("has no bound"));
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = 0.99\n"),
-                HasSubstr("is 0.99; expected a text or an array of texts"));
+                HasSubstr("is 0.99; expected a string or an array of strings"));
 }
 
 TEST_F(SceneFile, Orthographic_IsRead) {
@@ -182,18 +182,19 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
         {"name = \"sun\"", "name = \"lamp\"", "light.name: \"lamp\" is taken already"},
         {"name = \"sun\"\n", "", "light.name: is missing"},
         {"to_light = [0, 3, 4]", "to_light = [0, 0, 0]", "scene.toml:14: light.to_light: is zero"},
-        {"to_light = [0, 3, 4]", "", "scene.toml:12: light: has no place; expected to_light"},
+        {"to_light = [0, 3, 4]", "",
+         "scene.toml:12: light: has neither to_light nor position; expected to_light"},
         {"to_light = [0, 3, 4]", "to_light = [0, 3, 4]\nposition = [1, 1, 1]",
          "has both to_light and position"},
         {"stores = \"height\"\n", "", "height_map.stores: is missing; expected height or depth"},
         {"stores = \"height\"", "stores = \"hieght\"", "did you mean 'height'?"},
         {"[\"repeat\", \"clamp\"]", "[\"repeat\", \"clmap\"]", "did you mean 'clamp'?"},
         {"[\"repeat\", \"clamp\"]", "[\"repeat\"]", "height_map.wrap: has 1 entries"},
-        {"[\"repeat\", \"clamp\"]", "\"repeat\"", "expected an array of texts"},
+        {"[\"repeat\", \"clamp\"]", "\"repeat\"", "expected an array of strings"},
         {"file = \"maps/stone.png\"", "file = \"maps/stoen.png\"",
          "scene.toml:22: height_map.file: no such file as"},
         {"file = \"maps/stone.png\"", "file = \"quad.obj\"", "quad.obj: is not a picture"},
-        {"file = \"maps/stone.png\"\n", "", "has no source; expected file or generate"},
+        {"file = \"maps/stone.png\"\n", "", "has neither file nor generate; expected file or generate"},
         {"kind = \"cobbles\"", "kind = \"cobles\"", "did you mean 'cobbles'?"},
         {"size = 16", "size = 0", "height_map.generate.size: is 0"},
         {"size = 16", "size = 100000", "height_map.generate.size: is 100000"},
@@ -202,8 +203,8 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
         {"name = \"quad\"", "name = \"torus\"", "object.name: \"torus\" is taken already"},
         {"mesh = \"quad.obj\"", "mesh = \"quat.obj\"", "scene.toml:32: object.mesh: no such file as"},
         {"mesh = \"quad.obj\"", "mesh = \"maps\"", "object.mesh: no such file as"},
-        {"mesh = \"quad.obj\"", "", "object: has no surface; expected mesh or shape"},
-        {"scheme = \"none\"", "scheme = \"catmull\"", "object.scheme: is the text \"catmull\""},
+        {"mesh = \"quad.obj\"", "", "object: has neither mesh nor shape; expected mesh or shape"},
+        {"scheme = \"none\"", "scheme = \"catmull\"", "object.scheme: is the string \"catmull\""},
         {"scheme = \"none\"", "scheme = \"loop\"",
          "quad.obj:9: face 1: 4 vertices; expected triangles alone"},
         {"proxy_rate = 2", "proxy_rate = 65",
@@ -221,16 +222,16 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
          "stone; did you mean 'stone'?"},
         {"map = \"stone\"", "map = \"stone\", constant = 0.5", "has both map and constant"},
         {"depth = 0.08", "depth = 0.08, seams = \"wedl\"",
-         "object.relief.seams: is the text \"wedl\"; expected weld or open; did you mean 'weld'?"},
+         "object.relief.seams: is the string \"wedl\"; expected weld or open; did you mean 'weld'?"},
         {"depth = 0.08", "depth = 0.08, along = \"axes\"",
-         "object.relief.along: is the text \"axes\"; expected normal or axis; did you mean 'axis'?"},
-        {"constant = 0.5, ", "", "object.relief: has no depths"},
+         "object.relief.along: is the string \"axes\"; expected normal or axis; did you mean 'axis'?"},
+        {"constant = 0.5, ", "", "object.relief: has neither map nor constant"},
         {"constant = 0.5", "constant = 1.5", "object.relief.constant: is 1.5"},
         {"constant = 0.5", "constant = 0.5, detph = 1", "object.relief.detph: unknown field"},
         {"color_map = \"maps/stone.png\"", "color_map = \"maps/stone.png\"\ncolor = [1, 1, 1]",
          "is given together with color"},
         {"color = [0.8, 0.75, 0.7]", "color = [8, 0.75, 0.7]", "object.color: is 8"},
-        {"kind = \"torus\"", "kind = \"tours\"", "object.shape.kind: is the text \"tours\""},
+        {"kind = \"torus\"", "kind = \"tours\"", "object.shape.kind: is the string \"tours\""},
         {"minor = 0.25", "minor = 0", "object.shape.minor: is 0"},
         {"minor = 0.25", "minro = 0.25", "object.shape.minro: unknown field"},
         {"minor = 0.25", "minor = 2", "object.shape: "}, // larger than the major one: shapes.h says so

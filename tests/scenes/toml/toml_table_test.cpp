@@ -59,7 +59,7 @@ TEST(TomlTable, WrongTypeOrRange_IsRefused) {
     EXPECT_EQ(inputErrorOf([&] { root.integer("a", 0, 9); }),
               "a.toml:1: a: is 1.5; expected a whole number from 0 to 9");
     EXPECT_THAT(inputErrorOf([&] { root.number("b", 0, 9); }),
-                HasSubstr("a.toml:2: b: is the text \"text\""));
+                HasSubstr("a.toml:2: b: is the string \"text\""));
     EXPECT_THAT(inputErrorOf([&] { root.vector3("c", 0, 9); }),
                 HasSubstr("is an array of 2; expected an array of 3"));
     EXPECT_THAT(inputErrorOf([&] { root.number("d", 0, 9); }),
@@ -67,7 +67,7 @@ TEST(TomlTable, WrongTypeOrRange_IsRefused) {
     EXPECT_THAT(inputErrorOf([&] { root.number("e", 0, 1e308); }), HasSubstr("is inf"));
     EXPECT_THAT(inputErrorOf([&] { root.text("f"); }), HasSubstr("is a date or time"));
     EXPECT_THAT(inputErrorOf([&] { root.integer("g", 0, 9); }), HasSubstr("is 99999999999"));
-    EXPECT_THAT(inputErrorOf([&] { root.vector3("h", 0, 9); }), HasSubstr("is the text \"x\""));
+    EXPECT_THAT(inputErrorOf([&] { root.vector3("h", 0, 9); }), HasSubstr("is the string \"x\""));
     EXPECT_THAT(inputErrorOf([&] { root.table("a"); }), HasSubstr("is 1.5; expected a table"));
     EXPECT_THAT(inputErrorOf([&] { root.tables("t"); }), HasSubstr("is a table; expected tables [[t]]"));
     EXPECT_THAT(inputErrorOf([&] { root.table("t").number("u", 0, 9); }), HasSubstr("a.toml:10: t.u: is -1"));
@@ -85,11 +85,12 @@ TEST(TomlTable, UnknownField_IsRefusedWithHint) {
 TEST(TomlTable, MultilineText_IsRefused) {
     const TomlTable root = parse("a = 'one'\nb = ''\nc = \"x\\ny\"\nd = 3\n");
     EXPECT_EQ(root.line("a"), "one");
-    EXPECT_EQ(inputErrorOf([&] { root.line("b"); }), "a.toml:2: b: is empty; expected a text of one line");
+    EXPECT_EQ(inputErrorOf([&] { root.line("b"); }), "a.toml:2: b: is empty; expected a single-line string");
     EXPECT_EQ(inputErrorOf([&] { root.line("c"); }),
-              "a.toml:3: c: has a control character; expected a text of one line");
-    EXPECT_EQ(inputErrorOf([&] { root.line("d"); }), "a.toml:4: d: is 3; expected a text in quotes");
-    EXPECT_EQ(inputErrorOf([&] { root.line("e"); }), "a.toml:1: e: is missing; expected a text of one line");
+              "a.toml:3: c: has a control character; expected a single-line string");
+    EXPECT_EQ(inputErrorOf([&] { root.line("d"); }), "a.toml:4: d: is 3; expected a string in quotes");
+    EXPECT_EQ(inputErrorOf([&] { root.line("e"); }),
+              "a.toml:1: e: is missing; expected a single-line string");
 }
 
 TEST(TomlTable, FaultyElement_NamesItsLine) {
@@ -98,24 +99,24 @@ TEST(TomlTable, FaultyElement_NamesItsLine) {
     EXPECT_THAT(root.distinctTexts("a"), ElementsAre("x", "y"));
     EXPECT_THAT(root.someOf("q", known, std::vector<std::string>{"z"}), ElementsAre("z"));
     EXPECT_EQ(inputErrorOf([&] { root.someOf("a", known); }),
-              "a.toml:3: a: holds the text \"y\"; expected x or yes");
+              "a.toml:3: a: holds the string \"y\"; expected x or yes");
     EXPECT_EQ(inputErrorOf([&] { root.someOf("b", known); }),
               "a.toml:6: b: holds \"x\" twice; expected each once");
     EXPECT_EQ(inputErrorOf([&] { root.distinctTexts("c"); }),
-              "a.toml:8: c: holds an empty text; expected texts");
-    EXPECT_EQ(inputErrorOf([&] { root.texts("d"); }), "a.toml:10: d: holds 3; expected texts");
+              "a.toml:8: c: holds an empty string; expected strings");
+    EXPECT_EQ(inputErrorOf([&] { root.texts("d"); }), "a.toml:10: d: holds 3; expected strings");
     EXPECT_EQ(inputErrorOf([&] { root.someOf("e", known); }),
               "a.toml:1: e: is missing; expected an array with some of x or yes");
     root.change("--scene-set", "b", "['y']");
     EXPECT_EQ(inputErrorOf([&] { root.someOf("b", known); }),
-              "--scene-set: holds the text \"y\"; expected x or yes");
+              "--scene-set: holds the string \"y\"; expected x or yes");
 }
 
 TEST(TomlTable, UnknownChoice_HasHint) {
     EXPECT_EQ(inputErrorOf([] {
                   parse("\nwrap = 'repaet'").choice("wrap", {"repeat", "clamp"});
               }),
-              "a.toml:2: wrap: is the text \"repaet\"; expected repeat or clamp; did you mean 'repeat'?");
+              "a.toml:2: wrap: is the string \"repaet\"; expected repeat or clamp; did you mean 'repeat'?");
 }
 
 TEST(TomlTable, SyntaxError_NamesItsLine) {
