@@ -60,7 +60,7 @@ struct Comparison {
 };
 
 /// Relative error of depth that is none: the reference's vertices and depths are float, good to 6e-8 of a
-/// world unit or two, and a polished hit is as good as the ray's crossing of the surface allows.
+/// world unit or two, and a refined hit is as good as the ray's crossing of the surface allows.
 inline constexpr double kSameDepth = 1e-5;
 
 /// `jumpRadiusPx`: how far the frame may be off sideways where one part of the surface hides another.

@@ -71,7 +71,7 @@ TEST(AlongAxis, Transform_RotatesAxisWithoutScale) {
 }
 
 // In the object's space the base is s (x, y, a x^2 + b y^2), (x, y) = 2 uv - 1, and the relief moves z alone,
-// by world units: P_x = s (1, 0, 2 a x) - depth d_x z, P_y likewise. The shape is exact and so is the polish:
+// by world units: P_x = s (1, 0, 2 a x) - depth d_x z, P_y likewise. The shape is exact and so is the refinement:
 // floats are what is left, 2^-24 of coordinates up to 2.5. Normals, from st in float, 2^-24 off: the map's
 // gradient changes by up to 2 * 16^2 of that, 3e-5, and the slope by depth / 2 / s of it: 6e-6 at depth 0.6.
 TEST(AlongAxis, Quadric_HasClosedForm) {
