@@ -19,7 +19,7 @@ std::string withCreases(const std::string& creases) {
 TEST_F(SceneFile, Creases_AreRead) {
     const SubdivisionTags tags =
         read(withCreases("[{ edges = [1, 2, 3], sharpness = 2.5 }, { vertex = 72, sharpness = 10 },\n"
-                         "  { edges = [3, 2], sharpness = 4 }]")) // the latest counts
+                         "  { edges = [3, 2], sharpness = 4 }]")) // the last one applies
             .objects[1]
             .mesh.tags;
     ASSERT_EQ(tags.creases.size(), 2u);
@@ -100,7 +100,7 @@ TEST_F(SceneFile, MeshWarnings_NameObject) {
 }
 
 TEST_F(SceneFile, BoxCorners_AreNumberedAsInReadme) {
-    // Edges of its front face, z = 1.5: infinitely sharp, their limit stays in that plane.
+    // Edges of its front face, z = 1.5: infinitely sharp, so their limit is in that plane.
     const Scene scene =
         read(with("kind = \"torus\", major = 1.0, minor = 0.25, segments = [12, 6] }",
                   "kind = \"box\", size = [1, 2, 3] }\ncreases = [{ edges = [1, 2, 3, 4, 1], sharpness = "

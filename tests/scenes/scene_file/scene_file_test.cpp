@@ -28,7 +28,7 @@ TEST_F(SceneFile, EveryField_IsRead) {
     EXPECT_EQ(scene.camera.height, 48);
     ASSERT_EQ(scene.lights.size(), 2u);
     EXPECT_EQ(scene.lights[0].kind, Light::Kind::Directional);
-    EXPECT_NEAR(glm::length(scene.lights[0].toLightWorld - Vec3(0, 0.6, 0.8)), 0, 1e-15); // 3-4-5, made unit
+    EXPECT_NEAR(glm::length(scene.lights[0].toLightWorld - Vec3(0, 0.6, 0.8)), 0, 1e-15); // 3-4-5, normalized
     EXPECT_EQ(scene.lights[1].name, "lamp");
     EXPECT_EQ(scene.lights[1].kind, Light::Kind::Point);
     EXPECT_EQ(scene.lights[1].positionWorld, Vec3(1, 2, 3));
@@ -67,7 +67,7 @@ TEST_F(SceneFile, MapByName_IsReadAlone) {
     const auto stone = readSceneMap(folder_ / "scene.toml", "stone");
     EXPECT_THAT(stone->depths(), ElementsAre(1, 0.8f));
     EXPECT_EQ(stone->wrapT(), Wrap::Clamp);
-    EXPECT_EQ(readSceneMap(folder_ / "scene.toml", "made")->width(), 16); // no object wears it
+    EXPECT_EQ(readSceneMap(folder_ / "scene.toml", "made")->width(), 16); // not used by any object
     EXPECT_THAT(
         inputErrorOf([&] { readSceneMap(folder_ / "scene.toml", "stoen"); }),
         HasSubstr("scene.toml: no height map of the scene is called \"stoen\"; expected made or stone; did "
@@ -91,8 +91,8 @@ TEST_F(SceneFile, ShortestScene_HasDefaults) {
     EXPECT_EQ(scene.objects[0].color, Vec3(0.8));
 }
 
-// The axis is the object's +z, turned by its rotation (10, 20, 30 degrees about x, y, z) but not scaled: cos
-// 20 cos 10 along z.
+// The axis is the object's +z, rotated (10, 20, 30 degrees about x, y, z) but not scaled: cos 20 cos 10 along
+// z.
 TEST_F(SceneFile, Along_DefaultsToNormal) {
     EXPECT_FALSE(read(kWholeScene).objects[0].relief->axisWorld);
     EXPECT_FALSE(read(with("depth = 0.08", "depth = 0.08, along = \"normal\"")).objects[0].relief->axisWorld);
@@ -119,7 +119,7 @@ TEST_F(SceneFile, Requirements_KeepTheirLine) {
     EXPECT_EQ(scene.requirements[2].text, "silhouette.iou >= 0.99");
     EXPECT_THAT(scene.requirements[2].where, HasSubstr("require.silhouette.iou"));
     EXPECT_THAT(scene.requirements[2].where, HasSubstr("scene.toml:"));
-    // Without quotes TOML makes a table of it.
+    // Without quotes TOML parses it as a table.
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\nsilhouette.iou = \">= 0.99\"\n"),
                 HasSubstr("require.silhouette: is a table; expected a string or an array of strings"));
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = []\n"),
@@ -234,7 +234,7 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
         {"kind = \"torus\"", "kind = \"tours\"", "object.shape.kind: is the string \"tours\""},
         {"minor = 0.25", "minor = 0", "object.shape.minor: is 0"},
         {"minor = 0.25", "minro = 0.25", "object.shape.minro: unknown field"},
-        {"minor = 0.25", "minor = 2", "object.shape: "}, // larger than the major one: shapes.h says so
+        {"minor = 0.25", "minor = 2", "object.shape: "}, // larger than the major radius
         {"segments = [12, 6]", "segments = [12, 0]", "object.shape.segments: is 0"},
         {"segments = [12, 6]", "segments = 12", "object.shape.segments: is 12"},
         {"[[object]]\nname = \"torus\"", "[object2]\nname = \"torus\"", "object2: unknown field"},
@@ -295,7 +295,7 @@ TEST_F(SceneFile, Hash_FollowsEveryRelevantByte) {
     EXPECT_NE(read(kWholeScene).hash, otherMap);
 }
 
-// It changes no picture: results before and after stay comparable.
+// Requirements don't change the rendering, so results remain comparable.
 TEST_F(SceneFile, Hash_IgnoresRequirements) {
     const std::string hash = read(kWholeScene).hash, bound = "\"silhouette.iou\" = \">= 0.99\"";
     EXPECT_EQ(read(std::string(kWholeScene) + "[require]\n" + bound + "\n").hash, hash);
@@ -314,7 +314,8 @@ TEST_F(SceneFile, DamagedAnywhere_IsReadOrRefused) {
     int refused = 0;
     for (int i = 0; i < 400; ++i) {
         std::string text = kWholeScene;
-        // No digits, which might ask for a mesh of a million faces: that is allowed and slow.
+        // Digits aren't changed, because they might request a mesh of a million faces, which is valid but
+        // slow.
         for (int k = 0; k < 2; ++k)
             text[random() % text.size()] = "[]{}=\"x,.\n#\xff"[random() % 12];
         refused += !worksOrIsRefused([&] { read(text); });

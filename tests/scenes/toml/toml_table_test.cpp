@@ -19,7 +19,7 @@ TEST(TomlTable, RequestedFields_AreRead) {
     EXPECT_EQ(root.text("name"), "n");
     EXPECT_TRUE(root.boolean("flag"));
     EXPECT_EQ(root.integer("count", 0, 9), 3);
-    EXPECT_EQ(root.number("size", 0, 9), 2); // a whole number is a number
+    EXPECT_EQ(root.number("size", 0, 9), 2); // an integer is a valid number
     EXPECT_EQ(root.vector3("place", -9, 9), Vec3(1, 2.5, -3));
     EXPECT_EQ(root.table("camera").integer("width", 1, 9), 8);
     ASSERT_EQ(root.tables("light").size(), 2u);
@@ -48,7 +48,7 @@ TEST(TomlTable, Fallback_ReplacesOnlyMissingField) {
     EXPECT_EQ(root.text("b", "x"), "x");
     EXPECT_EQ(root.choice("b", {"x", "y"}, "y"), "y");
     EXPECT_THAT(root.texts("b", std::vector<std::string>{"q"}), ElementsAre("q"));
-    EXPECT_THROW(root.integer("a", 2, 9, 5), InputError); // there, but wrong
+    EXPECT_THROW(root.integer("a", 2, 9, 5), InputError); // present but invalid
     EXPECT_EQ(inputErrorOf([&] { root.integer("b", 0, 9); }),
               "a.toml:1: b: is missing; expected a whole number from 0 to 9");
 }
@@ -140,8 +140,7 @@ TEST(TomlTable, DeepKeys_AreRefusedBeforeParsing) {
     EXPECT_EQ(
         inputErrorOf([&] { parse("b = 1").change("--scene-set", "b", "{ " + deep(100000) + " = 1 }"); }),
         "--scene-set: has keys of more than 1000 parts within each other; expected a few");
-    // Inline tables within each other, also one after another in an array, keys in quotes, quotes and braces
-    // in texts.
+    // Nested inline tables, also several in an array, quoted keys, and quotes and braces in strings.
     const auto nested = [&](int levels, const std::string& key, const std::string& before = "") {
         std::string text = "b = ";
         for (int i = 0; i < levels; ++i)
