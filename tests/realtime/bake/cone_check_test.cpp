@@ -28,8 +28,8 @@ bool isRelaxed(const std::string& kind) {
     return kind.find("relaxed") != std::string::npos;
 }
 
-/// A step is worked out in double from ratios rounded down, so it ends short of its cone by more than
-/// rounding: no overshoot at all.
+/// A step is computed in double from ratios that are rounded down, so it ends inside its cone by more than
+/// rounding errors, and there is no overshoot at all.
 TEST(ConeCheck, CellSteps_NeverSkipSurface) {
     for (const std::string& generated : generatedMapKinds()) {
         const HeightMap map = generateMap(generated, 64, 1, Wrap::Repeat, Wrap::Repeat);
@@ -54,7 +54,7 @@ TEST(ConeCheck, ClampedBordersAndOddSizes_NeverSkipSurface) {
         }
 }
 
-/// TECHNIQUES.md, E20: "never misses" is true of the texel centers alone.
+/// TECHNIQUES.md, E20: "never misses" is only true at texel centers.
 TEST(ConeCheck, InterpolatedRatiosOfBricks_SkipSurface) {
     const HeightMap map = generateMap("bricks", 128, 1, Wrap::Repeat, Wrap::Repeat);
     const BakedMap cones = bake(map, "cone_step");
@@ -65,8 +65,8 @@ TEST(ConeCheck, InterpolatedRatiosOfBricks_SkipSurface) {
     EXPECT_LT(four.overshootingRays, kRays / 50);
 }
 
-/// TECHNIQUES.md, E19: tested from depth 0 alone, cones let rays through that arrive deeper and flatter. By
-/// cells, so that nothing else is to blame; the same rays don't get through the safe map's cones.
+/// TECHNIQUES.md, E19: cones computed for rays from depth 0 don't stop rays that start deeper at shallower
+/// angles. The cell lookup excludes other causes; with the conservative map the same rays don't overshoot.
 TEST(ConeCheck, ConesOf2007_SkipSurface) {
     for (const char* generated : {"noise", "cobbles", "waves"}) {
         const HeightMap map = generateMap(generated, 128, 1, Wrap::Repeat, Wrap::Repeat);
@@ -77,7 +77,7 @@ TEST(ConeCheck, ConesOf2007_SkipSurface) {
     }
 }
 
-/// The check finds cones that are a fifth too wide.
+/// The check detects cones that are 20 % too wide.
 TEST(ConeCheck, WidenedCones_SkipSurface) {
     const HeightMap map = generateMap("bricks", 64, 1, Wrap::Repeat, Wrap::Repeat);
     for (const char* kind : {"cone_step", "cone_step_quad", "cone_step_relaxed"}) {
@@ -91,7 +91,7 @@ TEST(ConeCheck, WidenedCones_SkipSurface) {
         for (const uint64_t overshoots : check.overshootsByDepth)
             counted += overshoots;
         EXPECT_EQ(counted, check.overshoots);
-        // The ray told of is that deep inside within that step.
+        // The reported ray reaches the reported depth within the reported step.
         std::vector<InsideInterval> intervals;
         walkRelief(map, check.deepestRay, check.deepestFrom, check.deepestTo, intervals);
         double deepest = 0;
@@ -135,7 +135,7 @@ TEST(ConeCheck, MapsThatDontMatch_AreRefused) {
     EXPECT_THROW(checkCones(map, cones, ConeLookup::Cell, false, 10, kSeed), InputError);
 }
 
-/// The height maps of the library, each once.
+/// The distinct height maps of the library.
 std::vector<std::shared_ptr<const HeightMap>> libraryMaps() {
     std::vector<std::shared_ptr<const HeightMap>> maps;
     for (const LibraryScene& entry : libraryScenes())
@@ -151,8 +151,8 @@ std::vector<std::shared_ptr<const HeightMap>> libraryMaps() {
     return maps;
 }
 
-/// PLUMBLINE_CONE_RAYS sets the rays a map (the slow run: ten million). 1/255 of the depth is what a picture
-/// could show; none at all is what is claimed.
+/// PLUMBLINE_CONE_RAYS sets the number of rays per map (slow run: ten million). 1/255 of the depth would be
+/// visible in an image; the guarantee is that there is no overshoot at all.
 TEST(ConeCheck, LibraryMaps_NeverSkipSurface) {
     const char* asked = std::getenv("PLUMBLINE_CONE_RAYS");
     const uint64_t rays = asked ? std::strtoull(asked, nullptr, 10) : 20000;

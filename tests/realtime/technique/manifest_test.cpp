@@ -159,8 +159,7 @@ TEST(Settings, BadSetting_MessageNamesChoices) {
     EXPECT_THAT(message("./no/such/folder"), HasSubstr("no folder"));
 }
 
-// --- manifests of a user
-// ---------------------------------------------------------------------------------------------
+// --- manifests of a user -------------------------------------------------------------------------
 
 constexpr const char* kGood = "title = 'Mine'\n"
                               "citation = 'me'\n"
@@ -178,7 +177,7 @@ constexpr const char* kShader =
     "// steps: not a use\n"
     "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 1.0 / float(steps)); }\n";
 
-/// Message for a manifest in the folder "mine"; empty if it is good.
+/// The error message for a manifest in the folder "mine"; empty if it is valid.
 std::string manifestMessage(const std::string& toml, const std::string& shader = kShader) {
     const TemporaryFolder folder;
     writeFile(folder / "mine/technique.toml", toml);
@@ -193,7 +192,7 @@ TEST(Manifest, ValidManifest_IsReadInFull) {
     EXPECT_EQ(manifestMessage(kGood), "");
 }
 
-/// `kGood` and `kParameter` with one piece of text replaced.
+/// `kGood` and `kParameter` with one text fragment replaced.
 std::string with(const std::string& old, const std::string& replacement) {
     std::string toml = std::string(kGood) + kParameter;
     const size_t at = toml.find(old);
@@ -265,7 +264,7 @@ TEST(Manifest, ParameterMistakes_NameTheirLine) {
                 HasSubstr("parameter.range: is 1e+300; expected a number from"));
 }
 
-/// Message of the user's technique with these needs on a surface; empty if they compose.
+/// The error message for a technique with these needs on a surface; empty if they are compatible.
 std::string compositionMessage(const std::string& needs, const std::string& surface) {
     const TemporaryFolder folder;
     writeFile(folder / "mine/technique.toml", with("needs = []", "needs = [" + needs + "]"));
@@ -343,7 +342,7 @@ TEST(Settings, Coefficients_ChooseVertexQuadrics) {
     EXPECT_EQ(set("linear_binary@quadric_full:coefficients=limit"), CurvatureSet::LimitThreeTerms);
     EXPECT_EQ(nameOf("linear_binary@quadric:coefficients=limit"), "linear_binary@quadric:coefficients=limit");
     EXPECT_THAT(resolveTechnique("linear_binary").settingNames(),
-                Not(Contains("coefficients"))); // nothing bent
+                Not(Contains("coefficients"))); // no curved base
 }
 
 TEST(Manifest, ChoiceOfMapKinds_IsInput) {
