@@ -46,7 +46,7 @@ void addCertificate(const Certificate& certificate, std::map<std::string, std::s
 
 // Runs until the error aimed at is met. Rates are planned from the grids of each face that are worst at its
 // first rate; the second plan knows by how much that was off.
-constexpr int kMostRuns = 3;
+constexpr int kMaxRuns = 3;
 
 struct ReferenceScene::Impl {
     const Scene& scene;
@@ -113,7 +113,7 @@ struct ReferenceScene::Impl {
     Frame render() {
         MeasuredFrame traced = trace();
         int run = 1;
-        while (run < kMostRuns && isAboveAim() && stats.certificate.limit.empty() && refinePlan(traced)) {
+        while (run < kMaxRuns && isAboveAim() && stats.certificate.limit.empty() && refinePlan(traced)) {
             build();
             traced = trace();
             ++run;
@@ -121,8 +121,8 @@ struct ReferenceScene::Impl {
         if (!isAboveAim())
             stats.certificate.limit.clear();
         else if (stats.certificate.limit.empty())
-            stats.certificate.limit = run == kMostRuns
-                                          ? fmt::format("{} runs, each finer than the last", kMostRuns)
+            stats.certificate.limit = run == kMaxRuns
+                                          ? fmt::format("{} runs, each finer than the last", kMaxRuns)
                                           : "places that finer micro-triangles come no closer to";
         const Stopwatch watch;
         markUncertain(scene, tracedObjects(), *embree, traced.evidence, traced.frame);

@@ -10,7 +10,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int kMostSlices = 1024;
+constexpr int kMaxSlices = 1024;
 constexpr std::string_view kConeSlices =
     "0: cones at texel centers, as published; 1: cones valid for every point of the cell between texels "
     "(i, j) and (i + 1, j + 1)";
@@ -54,9 +54,9 @@ void checkRequest(const BakeKind& kind, const BakeRequest& request) {
                              fmt::format("a tile of {} x {} world units, {} deep", request.scale.s,
                                          request.scale.t, request.scale.depth),
                              "three numbers above 0");
-    if (request.slices < 1 || request.slices > kMostSlices)
+    if (request.slices < 1 || request.slices > kMaxSlices)
         throw InputError(kind.name, fmt::format("{} slices", request.slices),
-                         fmt::format("1 to {}", kMostSlices));
+                         fmt::format("1 to {}", kMaxSlices));
 }
 
 } // namespace

@@ -27,10 +27,10 @@ struct Shape {
     uint32_t channels, slices, levels, width, height;
 
     bool isSensible() const {
-        constexpr uint32_t kMostTexels = 1u << 20; // per side, so that sizes in bytes can't overflow 64 bits
+        constexpr uint32_t kMaxTexels = 1u << 20; // per side, so that sizes in bytes can't overflow 64 bits
         const auto within = [](uint32_t value, uint32_t most) { return value >= 1 && value <= most; };
         return within(channels, 4) && within(slices, 1024) && within(levels, 32) &&
-               within(width, kMostTexels) && within(height, kMostTexels);
+               within(width, kMaxTexels) && within(height, kMaxTexels);
     }
     uint64_t levelBytes(uint32_t level) const {
         const auto side = [&](uint32_t texels) { return uint64_t(std::max(1u, texels >> level)); };

@@ -15,8 +15,8 @@
 namespace plumbline {
 namespace {
 
-constexpr int kMostSteps = 200;
-constexpr double kLeastSlope = 0.01, kMostSlope = 10; // st per depth
+constexpr int kMaxSteps = 200;
+constexpr double kMinSlope = 0.01, kMaxSlope = 10; // st per depth
 
 // Clearance, in relief depth, at which a ray counts as having reached the surface: well above rounding errors
 // and well below the depths by which overshoots are classified.
@@ -34,7 +34,7 @@ double drawUnit(uint64_t seed, uint64_t ray, uint64_t purpose) {
 CheckRay drawRay(const HeightMap& map, uint64_t seed, uint64_t ray) {
     const auto draw = [&](uint64_t purpose) { return drawUnit(seed, ray, purpose); };
     const Vec2 st(draw(0), draw(1));
-    const double turns = draw(2), slope = kLeastSlope * std::pow(kMostSlope / kLeastSlope, draw(3));
+    const double turns = draw(2), slope = kMinSlope * std::pow(kMaxSlope / kMinSlope, draw(3));
     const double start = ray % 2 == 0 ? 0 : draw(4) * map.depth(st);
     const Vec2 perDepth = slope * Vec2(sineOfTurns(turns + 0.25), sineOfTurns(turns));
     return {{st - start * perDepth, perDepth}, start};
@@ -69,7 +69,7 @@ double ratioAt(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, i
 
 /// Depths that a ray visits, beginning with its start.
 struct Visits {
-    std::array<double, kMostSteps + 1> depths;
+    std::array<double, kMaxSteps + 1> depths;
     int count = 0;
     bool inside = false; // the last one is inside
     int arrivalSteps = -1;
@@ -80,7 +80,7 @@ Visits stepRay(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, c
     const int channel = cones.channels == 1 ? 0 : quadrantOf(ray.line.slope);
     Visits visits;
     double depth = ray.start;
-    for (int step = 0; step <= kMostSteps; ++step) {
+    for (int step = 0; step <= kMaxSteps; ++step) {
         visits.depths[static_cast<size_t>(visits.count++)] = depth;
         const Vec2 st = ray.line.at(depth);
         const double clearance = map.depth(st) - depth;
@@ -107,7 +107,7 @@ struct Tally {
     ConeCheck check;
     uint64_t deepestIndex = 0; // of its ray; the first one for equal depths
 
-    void addLeap(double deepest, const CheckRay& ray, uint64_t index, double from, double to) {
+    void addOvershoot(double deepest, const CheckRay& ray, uint64_t index, double from, double to) {
         ++check.overshoots;
         size_t bin = 0;
         while (bin + 1 < ConeCheck::kDepths.size() && deepest > ConeCheck::kDepths[bin])
@@ -173,7 +173,7 @@ void checkRay(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, bo
                 std::max(deepest, inside.end <= to ? inside.deepest
                                                    : deepestWithin(map, ray.line, from, to, scratch.part));
         }
-        if (deepest > 0) tally.addLeap(deepest, ray, index, from, to);
+        if (deepest > 0) tally.addOvershoot(deepest, ray, index, from, to);
     }
     if (tally.check.overshoots > overshootsBefore) ++tally.check.overshootingRays;
 }

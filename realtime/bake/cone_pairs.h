@@ -57,7 +57,7 @@ class ConePairs {
         return s * s + t * t;
     }
     /// Lower bound of distanceSquared over all offsets of at least this squared length. Monotonic.
-    double leastDistanceSquared(double offsetSquared) const {
+    double minDistanceSquared(double offsetSquared) const {
         return offsetSquared >= closedFormFrom_ ? offsetSquared - halfDiagonalSquared_ : 0.5 * offsetSquared;
     }
     /// Pairs farther apart than this many map sizes along an axis have slopes below 1, the cap of every cone.

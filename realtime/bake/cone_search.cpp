@@ -65,17 +65,17 @@ ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i
     high += shift - query.texel;
     const Vec2i nearest = glm::max(glm::max(low, -high), Vec2i(0)), farthest = glm::max(-low, high);
     const double offsetSquared = pairs_.offsetSquared(nearest.x, nearest.y);
-    const double distanceSquared = pairs_.leastDistanceSquared(offsetSquared);
+    const double distanceSquared = pairs_.minDistanceSquared(offsetSquared);
     const auto tooLow = [&](double drop) {
         return !(drop > 0) || drop * drop <= query.skipped * distanceSquared;
     };
     const DepthPyramid::Bound* bounds = pyramid_.bounds(level, at);
-    if (tooLow(query.depth - bounds->leastDepth)) return block;
+    if (tooLow(query.depth - bounds->minDepth)) return block;
     if (!pairs_.meetsSector(low, high, query.sector)) return block;
     DepthPyramid::Bound bound = *bounds;
     if (const unsigned octants = pyramid_.octantsMet(low, high)) {
         bound = DepthPyramid::boundOfOctants(bounds, octants);
-        if (tooLow(query.depth - bound.leastDepth) || std::max(farthest.x, farthest.y) < bound.leastReach)
+        if (tooLow(query.depth - bound.minDepth) || std::max(farthest.x, farthest.y) < bound.minReach)
             return block;
     }
     if (pairs_.rule().relaxed && !pyramid_.exitPossible(level, at, low, high)) return block;
@@ -83,7 +83,7 @@ ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i
         block.bound = kInfinity;
         return block;
     }
-    const double drop = query.depth - bound.leastDepth;
+    const double drop = query.depth - bound.minDepth;
     block.bound = drop * drop / distanceSquared;
     // D_p - D_q <= above - slope . k, so the pair's slope is at most above / distance + |slope| |k| /
     // distance.
@@ -117,7 +117,7 @@ void ConeSearch::visitLeaf(Query& query, const Block& block) const {
             const double drop = query.depth - row[i];
             if (!(drop > 0)) continue;
             const Vec2i offset = Vec2i(i, j) + block.shift - query.texel;
-            const double least = pairs_.leastDistanceSquared(pairs_.offsetSquared(offset.x, offset.y));
+            const double least = pairs_.minDistanceSquared(pairs_.offsetSquared(offset.x, offset.y));
             if (drop * drop <= query.skipped * least) continue;
             if (pairs_.rule().relaxed) {
                 const unsigned octants = pyramid_.octantsMet(offset, offset);
@@ -141,7 +141,7 @@ void ConeSearch::visitBeyondBorder(Query& query) const {
         first[across] = n;
         while (!pairs_.meetsSector(first, first, query.sector))
             first[along] += sign;
-        const double least = pairs_.leastDistanceSquared(pairs_.offsetSquared(first.x, first.y));
+        const double least = pairs_.minDistanceSquared(pairs_.offsetSquared(first.x, first.y));
         if (query.depth * query.depth <= query.skipped * least) return;
         for (const int side : {-n, n}) {
             const int at = query.texel[across] + side;

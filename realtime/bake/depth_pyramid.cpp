@@ -31,7 +31,7 @@ double fastestGrowth(double larger, double smaller, const OctantRange& range) {
 
 struct OctantUse {
     bool matters = false;
-    double leastReach = kInfinity;
+    double minReach = kInfinity;
 };
 
 void useSlope(OctantUse& use, const Vec2& slope, double depth, unsigned octant, double rayStart,
@@ -42,7 +42,7 @@ void useSlope(OctantUse& use, const Vec2& slope, double depth, unsigned octant, 
     if (!(growth + slack > 0)) return;
     use.matters = true;
     const double reach = rayStart * depth / (growth + slack) * (1 - kReachSlack) - range.beyond;
-    use.leastReach = std::min(use.leastReach, reach);
+    use.minReach = std::min(use.minReach, reach);
 }
 
 OctantUse octantUse(const ConePairs& pairs, int i, int j, unsigned octant) {
@@ -147,16 +147,15 @@ void DepthPyramid::makeLeaf(const Vec2i& at) {
             const double depth = depthAt(i, j);
             const double residual = depth - glm::dot(plane.slope, Vec2(i, j) - plane.center) - kResidualSlack;
             const auto take = [&](Bound& b, double reach) {
-                b.leastDepth = std::min(b.leastDepth, depth);
+                b.minDepth = std::min(b.minDepth, depth);
                 b.residual = std::min(b.residual, residual);
-                b.leastReach = std::min(b.leastReach, reach);
+                b.minReach = std::min(b.minReach, reach);
             };
             take(bounds[0], 0);
             if (classes_ == 1) continue;
             const unsigned octants = octantsOf(i, j);
             for (unsigned octant = 0; octant < kOctants; ++octant)
-                if (octants >> octant & 1)
-                    take(bounds[1 + octant], octantUse(pairs_, i, j, octant).leastReach);
+                if (octants >> octant & 1) take(bounds[1 + octant], octantUse(pairs_, i, j, octant).minReach);
         }
     if (classes_ > 1) level.slopes[blockIndex(level, at)] = leafSlopes(low, high);
     plane.steepness = glm::length(plane.slope * Vec2(mapSize_));
@@ -198,9 +197,9 @@ void DepthPyramid::makeParent(int levelIndex, const Vec2i& at) {
                              0.5 * glm::dot(tilt, Vec2(span)) - kResidualSlack;
         for (int c = 0; c < classes_; ++c) {
             const Bound& from = finer.bounds[child * static_cast<size_t>(classes_) + static_cast<size_t>(c)];
-            bounds[c].leastDepth = std::min(bounds[c].leastDepth, from.leastDepth);
+            bounds[c].minDepth = std::min(bounds[c].minDepth, from.minDepth);
             bounds[c].residual = std::min(bounds[c].residual, from.residual + shift);
-            bounds[c].leastReach = std::min(bounds[c].leastReach, from.leastReach);
+            bounds[c].minReach = std::min(bounds[c].minReach, from.minReach);
         }
     });
     plane.steepness = glm::length(plane.slope * Vec2(mapSize_));

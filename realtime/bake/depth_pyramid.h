@@ -26,9 +26,9 @@ class DepthPyramid {
 
     /// Bounds of a block for the texels that count from one octant, or for all texels.
     struct Bound {
-        double leastDepth; // infinite: no such texel
-        double residual;   // depth >= residual + slope . (texel - center)
-        double leastReach; // no texel counts for cones with both |k_s| and |k_t| below this
+        double minDepth; // infinite: no such texel
+        double residual; // depth >= residual + slope . (texel - center)
+        double minReach; // no texel counts for cones with both |k_s| and |k_t| below this
     };
     struct Plane {
         Vec2 center;      // texels
@@ -69,9 +69,9 @@ class DepthPyramid {
         Bound met{kInfinity, kInfinity, kInfinity};
         for (; octants != 0; octants &= octants - 1) {
             const Bound& b = bounds[1 + std::countr_zero(octants)];
-            met.leastDepth = std::min(met.leastDepth, b.leastDepth);
+            met.minDepth = std::min(met.minDepth, b.minDepth);
             met.residual = std::min(met.residual, b.residual);
-            met.leastReach = std::min(met.leastReach, b.leastReach);
+            met.minReach = std::min(met.minReach, b.minReach);
         }
         return met;
     }

@@ -57,7 +57,7 @@ std::vector<double> squaredGaps(int count, double side, int touching) {
 
 /// Minimum depth of the bilinear relief over the box around texel (i, j). It is at a corner of one of the
 /// box's four pieces, each a quarter of a patch.
-double leastDepthAround(const HeightMap& map, int i, int j) {
+double minDepthAround(const HeightMap& map, int i, int j) {
     const auto depth = [&](int column, int row) { return static_cast<double>(map.texel(column, row)); };
     double least = depth(i, j);
     for (const int across : {-1, 1}) {
@@ -80,7 +80,7 @@ struct Measure {
 };
 
 int firstSolidBox(const HeightMap& map, int i, int j, int slices) {
-    return std::max(0, static_cast<int>(std::ceil(leastDepthAround(map, i, j) * slices)) - 1);
+    return std::max(0, static_cast<int>(std::ceil(minDepthAround(map, i, j) * slices)) - 1);
 }
 
 int firstSolidCenter(const HeightMap& map, int i, int j, int slices) {

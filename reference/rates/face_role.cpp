@@ -76,8 +76,8 @@ class Placer {
           screen_(Screen::ofCamera(scene.camera)), volume_(viewVolume(scene.camera)),
           hidesBackFaces_(isClosed(surface) && !(relief && relief->axisWorld)) {
         if (!relief) return;
-        low_ = relief->offset - relief->depth * relief->map->mostDepth();
-        high_ = relief->offset - relief->depth * relief->map->leastDepth();
+        low_ = relief->offset - relief->depth * relief->map->maxDepth();
+        high_ = relief->offset - relief->depth * relief->map->minDepth();
     }
 
     FacePlace place(int face, BaseSurface::Evaluator& evaluator) const {

@@ -31,10 +31,10 @@ constexpr double kFalling = 0.7;
 // Doubling the rate along one axis only is preferred if it reduces the error below this fraction.
 constexpr double kWorthAlone = 0.6;
 
-/// `value` >= 0; at most kMostRate.
+/// `value` >= 0; at most kMaxRate.
 int powerOfTwoAtLeast(double value) {
     return static_cast<int>(
-        std::bit_ceil(static_cast<unsigned>(std::ceil(std::min<double>(value, kMostRate)))));
+        std::bit_ceil(static_cast<unsigned>(std::ceil(std::min<double>(value, kMaxRate)))));
 }
 
 double bytesOf(uint64_t microTriangles) {
@@ -115,7 +115,7 @@ class LadderBuilder {
         Vec2i rate(probe_.smallestRate(face));
         if (scale == 0) return {rate, 0, {}};
         if (relief_ &&
-            scale * relief_->depth * (relief_->map->mostDepth() - relief_->map->leastDepth()) > errorPx) {
+            scale * relief_->depth * (relief_->map->maxDepth() - relief_->map->minDepth()) > errorPx) {
             const Vec2 cells = probe_.texelsAcross(face) / kFirstTexels;
             rate = glm::max(rate, Vec2i(powerOfTwoAtLeast(cells.x), powerOfTwoAtLeast(cells.y)));
         }
@@ -133,7 +133,7 @@ class LadderBuilder {
     /// more texels per cell first.
     template <typename RungAt>
     Ladder::Rung finer(const Ladder::Rung& here, int face, RungAt rungAt) const {
-        const Vec2i doubled = glm::min(here.rate * 2, Vec2i(kMostRate));
+        const Vec2i doubled = glm::min(here.rate * 2, Vec2i(kMaxRate));
         if (doubled == here.rate) return here;
         const Ladder::Rung both = rungAt(doubled);
         if (!probe_.isSquare(face)) return both;
@@ -201,7 +201,7 @@ struct RatePlanner::Impl {
 
     /// Limits all rates and halves the limit until the plan fits into memory.
     void giveUpTexels(RatePlan& plan) const {
-        for (int most = kMostRate / 2; most >= 1 && !fits(plan); most /= 2) {
+        for (int most = kMaxRate / 2; most >= 1 && !fits(plan); most /= 2) {
             for (size_t i = 0; i < objects.size(); ++i) {
                 std::vector<Vec2i> faces = plan.rates[i].faces;
                 for (const BaseSurface::Patch& patch : objects[i].surface->patches()) {
@@ -288,7 +288,7 @@ RatePlan RatePlanner::plan() const {
 RatePlan planUniformRate(const std::vector<PlannedObject>& objects, int rate, uint64_t memoryBytes) {
     if (!isRate(rate))
         throw InputError("--rate", fmt::format("found {}", rate),
-                         fmt::format("a power of two from 1 to {}", kMostRate));
+                         fmt::format("a power of two from 1 to {}", kMaxRate));
     RatePlan plan;
     for (const PlannedObject& object : objects) {
         plan.rates.push_back(uniformRates(*object.surface, rate));

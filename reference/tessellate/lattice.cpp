@@ -60,7 +60,7 @@ PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate) {
 }
 
 Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates) {
-    Rates rates{std::move(faceRates), std::vector<int>(lengthOf(surface.edgeCount()), kMostRate)};
+    Rates rates{std::move(faceRates), std::vector<int>(lengthOf(surface.edgeCount()), kMaxRate)};
     forEachFace(surface, [&](int face, const BaseSurface::Patch& patch) {
         const Vec2i rate = item(rates.faces, face);
         assert(isRate(rate.x) && isRate(rate.y) && (!patch.subFace || rate.x >= 2));

@@ -71,7 +71,7 @@ struct MicroMeshSize {
     uint64_t grids = 0;
 };
 
-/// Segments per control edge: powers of two, at most kMostRate.
+/// Segments per control edge: powers of two, at most kMaxRate.
 struct Rates {
     /// Per face. For a face that is a single square patch: along its edges 0 and 2, and along 1 and 3.
     /// Otherwise two equal numbers for all edges, at least 2 if the face is divided into sub-faces.
@@ -90,9 +90,9 @@ inline int largestRate(const Rates& rates) {
 
 /// Samples are at multiples of 1 / rate. Rates are powers of two so that OpenSubdiv's limit points are exact
 /// there, and at most 2^10, the finest level of its approximation.
-inline constexpr int kMostRate = 1024;
+inline constexpr int kMaxRate = 1024;
 inline bool isRate(int rate) {
-    return rate >= 1 && rate <= kMostRate && std::has_single_bit(static_cast<unsigned>(rate));
+    return rate >= 1 && rate <= kMaxRate && std::has_single_bit(static_cast<unsigned>(rate));
 }
 
 /// Derives the edge rates. `faceRates` is Rates::faces.

@@ -12,7 +12,7 @@ namespace {
 constexpr double kOnCrease = 1e-9;
 // For a triangle over more texels along an axis, the bound is the map's whole range, because traversing its
 // texels would be too slow for such coarse cells.
-constexpr double kMostTexels = 64;
+constexpr double kMaxTexels = 64;
 
 double lookUp(const HeightMap& map, const Vec2& texel) {
     const double i = std::floor(texel.x), j = std::floor(texel.y);
@@ -40,7 +40,7 @@ bool withinPatch(const Vec2& low, const Vec2& high) {
 bool isSmall(const Vec2& low, const Vec2& high) {
     constexpr double kLargestNumber = 1e9;
     const Vec2 size = high - low, farthest = glm::max(glm::abs(low), glm::abs(high));
-    return size.x <= kMostTexels && size.y <= kMostTexels && farthest.x < kLargestNumber &&
+    return size.x <= kMaxTexels && size.y <= kMaxTexels && farthest.x < kLargestNumber &&
            farthest.y < kLargestNumber;
 }
 
@@ -151,7 +151,7 @@ double triangleDeviation(const HeightMap& map, const std::array<MapPoint, 3>& co
     if (!isSmall(low, high)) {
         const double least = std::min({a.depth, b.depth, c.depth});
         const double most = std::max({a.depth, b.depth, c.depth});
-        return std::max(most - map.leastDepth(), map.mostDepth() - least);
+        return std::max(most - map.minDepth(), map.maxDepth() - least);
     }
     if (withinPatch(low, high))
         return std::abs(twistAt(map, 0.5 * (low + high))) *

@@ -56,8 +56,8 @@ class TileMeasure {
                 const BaseSurface::Evaluator& evaluator)
         : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator) {
         if (relief) {
-            const double low = relief->offset - relief->depth * relief->map->mostDepth();
-            const double high = relief->offset - relief->depth * relief->map->leastDepth();
+            const double low = relief->offset - relief->depth * relief->map->maxDepth();
+            const double high = relief->offset - relief->depth * relief->map->minDepth();
             largestHeight_ = std::max(std::abs(low), std::abs(high));
         }
         for (int side = 0; side < (lattice.triangular ? 3 : 4); ++side)
@@ -89,7 +89,7 @@ class TileMeasure {
         const double depth = relief_ ? relief_->depth : 0;
         if (relief_)
             map += (tile_.bend.x + tile_.bend.y) * coarsest_ *
-                   (relief_->map->mostDepth() - relief_->map->leastDepth());
+                   (relief_->map->maxDepth() - relief_->map->minDepth());
         // At a tear, the true surface is a wall between the two heights, and its distance from a welded cell
         // is at most the cell's width.
         const double rounding = kFloatRounding * coordinate;

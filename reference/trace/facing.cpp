@@ -12,7 +12,7 @@ namespace plumbline {
 namespace {
 
 // Maximum number of texels examined along an axis; for a larger region the result is "not certain".
-constexpr double kMostTexels = 24;
+constexpr double kMaxTexels = 24;
 // Lower bound of the cosine for rays nearly parallel to the surface.
 constexpr double kSmallestCosine = 1e-3;
 
@@ -28,7 +28,7 @@ struct GradientBox {
 /// Returns false if the rectangle is too large.
 bool gradientsWithin(const HeightMap& map, const Vec2& texel, const Vec2& radius, GradientBox& box) {
     constexpr double kLargestNumber = 1e9; // fits an int
-    if (!(radius.x <= kMostTexels / 2 && radius.y <= kMostTexels / 2) ||
+    if (!(radius.x <= kMaxTexels / 2 && radius.y <= kMaxTexels / 2) ||
         !(std::abs(texel.x) < kLargestNumber && std::abs(texel.y) < kLargestNumber))
         return false;
     const Vec2 first = glm::floor(texel - radius), last = glm::floor(texel + radius);
@@ -65,7 +65,7 @@ bool facesThroughout(const BaseSample& base, const Relief* relief, double radius
     const Vec3 a = base.positionU + k.alongU * height, b = base.positionV + k.alongV * height;
     const double level = side * glm::dot(glm::cross(a, b), toward);
     const double margin = turn * glm::length(a) * glm::length(b);
-    if (!relief || relief->map->leastDepth() == relief->map->mostDepth()) return level > margin;
+    if (!relief || relief->map->minDepth() == relief->map->maxDepth()) return level > margin;
 
     const HeightMap& map = *relief->map;
     const Vec2 size(map.width(), map.height());

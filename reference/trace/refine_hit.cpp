@@ -9,7 +9,7 @@ namespace {
 
 // Newton's method doubles the number of correct digits per step. From a micro-triangle it converges in two or
 // three steps, plus one for each crossed crease between texels.
-constexpr int kMostSteps = 12;
+constexpr int kMaxSteps = 12;
 // Number of starting points when searching for an earlier intersection.
 constexpr int kStartsBefore = 6;
 // Converged: the distance from the ray is less than this fraction of the coordinates. At 1 degree to the
@@ -78,7 +78,7 @@ std::optional<RefinedHit> HitRefiner::refine(const Ray& ray, const PatchPlace& s
     const double tolerance = kConverged * (std::max({origin.x, origin.y, origin.z}) + std::abs(distance));
     PatchPlace place = clamped(start);
     double smallest = kInfinity;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
         const SurfaceSample sample = sampleAt(place);
         const Vec2 residual = across.of(sample.displaced.position - ray.origin);
         const double size = glm::length(residual);

@@ -77,7 +77,7 @@ std::string depthGiven(const SurfaceSurvey& survey, double depth) {
 std::vector<Vec3> reliefHull(const SurfaceSurvey& survey, const HeightMap& map, double depth) {
     std::vector<Vec3> hull;
     for (const BasePoint& sample : survey.samples)
-        for (const float d : {map.leastDepth(), map.mostDepth()})
+        for (const float d : {map.minDepth(), map.maxDepth()})
             hull.push_back(sample.position - sample.normal * (depth * static_cast<double>(d)));
     return hull;
 }
@@ -129,7 +129,7 @@ int chooseProxyRate(const SurfaceSurvey& survey, Scheme scheme, std::string& rea
     }
     rate = std::clamp(
         static_cast<int>(std::ceil(std::sqrt(kProxyPolygons / static_cast<double>(survey.patchCount)))), 1,
-        kMostProxyRate);
+        kMaxProxyRate);
     reason =
         fmt::format("Segments per edge of the polygons real-time techniques get: about {} polygons in all.",
                     survey.patchCount * rate * rate);

@@ -16,13 +16,13 @@ namespace {
 
 constexpr uint32_t kMagic = 20000630;
 constexpr uint32_t kFlagDeep = 0x800, kFlagMultiPart = 0x1000;
-constexpr int64_t kMostPixels = int64_t(1) << 30;
+constexpr int64_t kMaxPixels = int64_t(1) << 30;
 // Chunk tables grow with the height alone, so an image of 1 x 2^30 pixels must be rejected too.
 constexpr int64_t kLongestSide = int64_t(1) << 20;
 /// The library keeps whole headers in memory. Real headers have kilobytes, or a few megabytes with a preview
 /// or a list of names.
 constexpr uint64_t kLargestHeader = uint64_t(16) << 20;
-constexpr size_t kMostParts = 1024;
+constexpr size_t kMaxParts = 1024;
 
 struct Window {
     int32_t left = 0, top = 0, right = -1, bottom = -1; // inclusive
@@ -181,8 +181,8 @@ std::vector<Summary> readHeaders(Reader& reader, bool multiPart) {
     if (!multiPart) return {readAttributes(reader, reader.name())};
     std::vector<Summary> parts;
     for (std::string name = reader.name(); !name.empty(); name = reader.name()) {
-        if (parts.size() == kMostParts)
-            reader.fail(fmt::format("has more than {} parts", kMostParts), "parts of one picture");
+        if (parts.size() == kMaxParts)
+            reader.fail(fmt::format("has more than {} parts", kMaxParts), "parts of one picture");
         parts.push_back(readAttributes(reader, name));
     }
     if (parts.empty()) reader.fail("has a damaged header: no part");
@@ -205,7 +205,7 @@ void checkPartsAgree(const Reader& reader, const std::vector<Summary>& parts) {
 void checkWindows(const Reader& reader, const Summary& summary) {
     const int64_t width = summary.data.width(), height = summary.data.height();
     if (width < 1 || height < 1) reader.fail(fmt::format("has an empty data window, {} x {}", width, height));
-    if (width > kLongestSide || height > kLongestSide || width * height > kMostPixels)
+    if (width > kLongestSide || height > kLongestSide || width * height > kMaxPixels)
         reader.fail(fmt::format("is {} x {} pixels large", width, height),
                     "at most 2^20 a side and 2^30 in all");
     if (!(summary.data == summary.display))

@@ -68,7 +68,7 @@ Layout checkSpec(const oiio::ImageSpec& spec) {
     const int64_t pixels = int64_t(spec.width) * spec.height;
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1)
         throw Failure{"has no plain two-dimensional pixels"};
-    if (pixels > plumbline::kMostPicturePixels)
+    if (pixels > plumbline::kMaxPicturePixels)
         throw Failure{
             fmt::format("is {} x {} pixels large; expected at most 2^30 pixels", spec.width, spec.height)};
     if (spec.nchannels < 1 || spec.nchannels > 64)

@@ -28,5 +28,5 @@ using PlumblineWritePng = void(const char* file, int width, int height, const ui
 
 namespace plumbline {
 /// Largest number of pixels in an image: 1 Gpixel.
-inline constexpr int64_t kMostPicturePixels = int64_t(1) << 30;
+inline constexpr int64_t kMaxPicturePixels = int64_t(1) << 30;
 } // namespace plumbline

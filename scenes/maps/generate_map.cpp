@@ -130,9 +130,9 @@ HeightMap generateMap(const std::string& kind, int size, unsigned seed, Wrap wra
     if (found == kKinds.end())
         throw InputError("generate", fmt::format("kind '{}' is unknown", kind), listOf(generatedMapKinds()),
                          didYouMean(kind, generatedMapKinds()));
-    if (size < 1 || size > kMostGeneratedTexels)
+    if (size < 1 || size > kMaxGeneratedTexels)
         throw InputError(fmt::format("generate '{}'", kind), fmt::format("size = {}", size),
-                         fmt::format("a whole number from 1 to {}", kMostGeneratedTexels));
+                         fmt::format("a whole number from 1 to {}", kMaxGeneratedTexels));
     return HeightMap(fmt::format("generated {}, {} x {}, seed {}", kind, size, size, seed), size, size,
                      found->texels(size, seed), wrapS, wrapT);
 }

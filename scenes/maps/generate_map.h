@@ -19,12 +19,12 @@
 
 namespace plumbline {
 
-inline constexpr int kMostGeneratedTexels = 16384; // along one side
+inline constexpr int kMaxGeneratedTexels = 16384; // along one side
 
 /// Kinds, in the order of the documentation.
 const std::vector<std::string>& generatedMapKinds();
 
-/// size x size texels. Throws InputError for an unknown kind or a size outside [1, kMostGeneratedTexels].
+/// size x size texels. Throws InputError for an unknown kind or a size outside [1, kMaxGeneratedTexels].
 HeightMap generateMap(const std::string& kind, int size, unsigned seed, Wrap wrapS, Wrap wrapT);
 
 } // namespace plumbline

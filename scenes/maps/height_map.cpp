@@ -47,8 +47,8 @@ HeightMap::HeightMap(std::string name, int width, int height, std::vector<float>
                          "at least 1 x 1 texels and a value for each");
     checkDepths(name_, width_, depths_);
     const auto [least, most] = std::ranges::minmax_element(depths_);
-    leastDepth_ = *least;
-    mostDepth_ = *most;
+    minDepth_ = *least;
+    maxDepth_ = *most;
 }
 
 HeightMap HeightMap::constant(std::string name, float depth) {

@@ -32,8 +32,8 @@ class HeightMap {
     Wrap wrapT() const { return wrapT_; }
     const std::vector<float>& depths() const { return depths_; }
     /// Smallest and largest of the depths.
-    float leastDepth() const { return leastDepth_; }
-    float mostDepth() const { return mostDepth_; }
+    float minDepth() const { return minDepth_; }
+    float maxDepth() const { return maxDepth_; }
     /// Texel by index, wrapped.
     float texel(int i, int j) const;
     /// The bilinear patch between texels (i, j) and (i+1, j+1), wrapped: d_xy at x right, y up.
@@ -62,7 +62,7 @@ class HeightMap {
     int width_, height_;
     std::vector<float> depths_;
     Wrap wrapS_, wrapT_;
-    float leastDepth_, mostDepth_;
+    float minDepth_, maxDepth_;
 };
 
 } // namespace plumbline

@@ -64,7 +64,7 @@ struct Scene {
 };
 
 /// The one shading formula: color * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
-/// GLSL twin: shadeLinear in realtime/shaders/shading.glsl.
+/// GLSL version: writePoint in realtime/shaders/shading.glsl.
 inline constexpr double kAmbient = 0.05;
 
 } // namespace plumbline

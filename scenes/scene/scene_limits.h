@@ -8,6 +8,6 @@ namespace plumbline {
 inline constexpr double kLargestLength = 1e9;
 inline constexpr double kSmallestLength = 1e-9;
 
-inline constexpr int kMostProxyRate = 64; // segments of the proxy per control edge
+inline constexpr int kMaxProxyRate = 64; // segments of the proxy per control edge
 
 } // namespace plumbline

@@ -13,7 +13,7 @@ namespace plumbline {
 namespace {
 
 constexpr int kLargestSide = 32768; // pixels
-constexpr int64_t kMostPixels = int64_t(1) << 28;
+constexpr int64_t kMaxPixels = int64_t(1) << 28;
 // Below this sine of the angle between view direction and up, the camera's roll is rounding noise.
 constexpr double kSmallestUpSine = 1e-6;
 constexpr double kSmallestFovYDegrees = 1e-3, kLargestFovYDegrees = 179.9;
@@ -74,7 +74,7 @@ void readProjection(const TomlTable& table, Camera& camera) {
 void readSize(const TomlTable& table, Camera& camera) {
     camera.width = table.integer("width", 1, kLargestSide, camera.width);
     camera.height = table.integer("height", 1, kLargestSide, camera.height);
-    if (int64_t(camera.width) * camera.height > kMostPixels)
+    if (int64_t(camera.width) * camera.height > kMaxPixels)
         table.fail("width", fmt::format("{} x {} pixels are too many", camera.width, camera.height),
                    "at most 2^28");
 }

@@ -26,8 +26,8 @@
 namespace plumbline {
 namespace {
 
-constexpr size_t kMostLights = 16;
-constexpr size_t kMostObjects = 4096;
+constexpr size_t kMaxLights = 16;
+constexpr size_t kMaxObjects = 4096;
 constexpr double kLargestTile = 1e6;
 constexpr double kSmallestTile = 1e-6;
 constexpr std::string_view kRequire = "require";
@@ -85,9 +85,9 @@ class SceneReader {
     void readLights() {
         std::set<std::string> names;
         const std::vector<TomlTable> tables = root_.tables("light");
-        if (tables.size() > kMostLights)
-            tables[kMostLights].fail({}, fmt::format("is one of {} lights", tables.size()),
-                                     fmt::format("at most {}", kMostLights));
+        if (tables.size() > kMaxLights)
+            tables[kMaxLights].fail({}, fmt::format("is one of {} lights", tables.size()),
+                                    fmt::format("at most {}", kMaxLights));
         for (const TomlTable& table : tables) {
             Light light;
             light.name = table.name(names);
@@ -153,7 +153,7 @@ class SceneReader {
             table.fail("stores", "is \"height\"", "\"depth\" or nothing: generated maps are depths");
         const TomlTable generate = table.table("generate");
         const std::string kind = generate.choice("kind", generatedMapKinds());
-        const int size = generate.integer("size", 1, kMostGeneratedTexels, 256);
+        const int size = generate.integer("size", 1, kMaxGeneratedTexels, 256);
         const int seed = generate.integer("seed", 0, std::numeric_limits<int>::max(), 1);
         generate.finish();
         try {
@@ -166,9 +166,9 @@ class SceneReader {
     void readObjects() {
         const std::vector<TomlTable> tables = root_.tables("object");
         if (tables.empty()) root_.fail("object", "is missing", "at least one [[object]]");
-        if (tables.size() > kMostObjects)
-            tables[kMostObjects].fail({}, fmt::format("is one of {} objects", tables.size()),
-                                      fmt::format("at most {}", kMostObjects));
+        if (tables.size() > kMaxObjects)
+            tables[kMaxObjects].fail({}, fmt::format("is one of {} objects", tables.size()),
+                                     fmt::format("at most {}", kMaxObjects));
         std::set<std::string> names;
         for (const TomlTable& table : tables) {
             SceneObject object;
@@ -190,7 +190,7 @@ class SceneReader {
         object.scheme = scheme == "loop"   ? Scheme::Loop
                         : scheme == "none" ? Scheme::None
                                            : Scheme::CatmullClark;
-        object.proxyRate = table.integer("proxy_rate", 1, kMostProxyRate, 1);
+        object.proxyRate = table.integer("proxy_rate", 1, kMaxProxyRate, 1);
         if (table.has("mesh") == table.has("shape"))
             table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has neither mesh nor shape",
                        "mesh or shape");

@@ -62,15 +62,15 @@ class LimitTopology {
 
   private:
     void checkSizes(const MeshFace& face) const {
-        if (std::cmp_greater(face.size, kMostLimitEdges))
+        if (std::cmp_greater(face.size, kMaxLimitEdges))
             throw InputError(whereOfFace(mesh_, face.index), fmt::format("{} vertices", face.size),
-                             fmt::format("at most {} in a face with a limit surface", kMostLimitEdges),
+                             fmt::format("at most {} in a face with a limit surface", kMaxLimitEdges),
                              "scheme \"none\" takes it");
         for (const int vertex : face.of(mesh_.faceVertices))
-            if (const int edges = item(edgeCounts_, vertex); edges > kMostLimitEdges)
+            if (const int edges = item(edgeCounts_, vertex); edges > kMaxLimitEdges)
                 throw InputError(whereOfFace(mesh_, face.index),
                                  fmt::format("vertex {} has {} edges", vertex + 1, edges),
-                                 fmt::format("at most {} at a vertex of a limit surface", kMostLimitEdges),
+                                 fmt::format("at most {} at a vertex of a limit surface", kMaxLimitEdges),
                                  "scheme \"none\" takes it");
     }
 

@@ -10,11 +10,11 @@
 
 namespace plumbline {
 
-inline constexpr int kMostLimitEdges = 512;
+inline constexpr int kMaxLimitEdges = 512;
 
 /// Throws InputError naming the face if
 ///
-/// - it has more than kMostLimitEdges vertices, or one of its vertices has more edges. Bfr's time and memory
+/// - it has more than kMaxLimitEdges vertices, or one of its vertices has more edges. Bfr's time and memory
 ///   grow at least quadratically: a face of 500 vertices takes seconds, one of 2000 exhausts the memory, and
 ///   a vertex of 8000 edges takes minutes.
 /// - Bfr would access memory out of bounds: two faces are the only ones at two consecutive edges, which both

@@ -21,7 +21,7 @@ constexpr double kTornFraction = 1.0 / 256;
 /// leave errors of about 1e-7 of the largest coordinate, and maps have up to a few thousand texels per side.
 constexpr double kWholeTexels = 1e-2;
 
-constexpr int kFewestPlaces = 32, kMostPlaces = 2048;
+constexpr int kMinPlaces = 32, kMaxPlaces = 2048;
 /// Normals are compared at both ends of an edge and in between: they differ all along a crease, but only at
 /// one end if the edge meets a corner.
 constexpr int kNormalSegments = 4;
@@ -89,10 +89,9 @@ class TearFinder {
         const Vec2 a0 = stAtEnd(a, 0), a1 = stAtEnd(a, 1), b0 = stAtEnd(b, 0), b1 = stAtEnd(b, 1);
         if (joins(a0, b0, a1, b1)) return false;
         const double length = std::max(longest((a1 - a0) * texels), longest((b1 - b0) * texels));
-        // Written so that an infinite length gives kMostPlaces.
-        const int places = 2 * length < kMostPlaces
-                               ? std::max(kFewestPlaces, static_cast<int>(2 * length) + 1)
-                               : kMostPlaces;
+        // Written so that an infinite length gives kMaxPlaces.
+        const int places =
+            2 * length < kMaxPlaces ? std::max(kMinPlaces, static_cast<int>(2 * length) + 1) : kMaxPlaces;
         for (int i = 0; i <= places; ++i) {
             const double t = double(i) / places;
             const double difference = map.depth(glm::mix(a0, a1, t)) - map.depth(glm::mix(b0, b1, t));

@@ -11,7 +11,7 @@
 namespace plumbline {
 namespace {
 
-constexpr int kMostParts = 1000;
+constexpr int kMaxParts = 1000;
 
 /// The position after the single-line or multi-line string that begins at `begin`.
 size_t endOfString(std::string_view text, size_t begin) {
@@ -77,9 +77,9 @@ void checkKeyDepth(const std::string& where, std::string_view text) {
             at = std::min(text.find('\n', at), text.size());
         } else {
             depth.add(text[at++]);
-            if (depth.parts() > kMostParts)
+            if (depth.parts() > kMaxParts)
                 throw InputError(where,
-                                 fmt::format("has keys of more than {} parts within each other", kMostParts),
+                                 fmt::format("has keys of more than {} parts within each other", kMaxParts),
                                  "a few");
         }
     }

@@ -16,7 +16,7 @@
 
 // Minimum of 1 - 2 l k: beyond the centers of curvature (a relief deeper than the radius) the nearest point
 // isn't unique.
-const float kLeastFocal = 1e-3;
+const float kMinFocal = 1e-3;
 // Tolerance of the end of the search, relative to the relief depth: 1/16 of the final interval of 10 linear
 // steps and 6 bisections.
 const float kEndTolerance = 1e-4;
@@ -32,12 +32,12 @@ vec3 nearestOf(vec2 k, vec3 point) {
     float along = 0.0;
     vec2 focal, foot;
     for (int i = 0; i < newton_steps; ++i) {
-        focal = max(1.0 - 2.0 * along * k, kLeastFocal);
+        focal = max(1.0 - 2.0 * along * k, kMinFocal);
         foot = point.xy / focal;
         float miss = point.z - dot(k, foot * foot) - along;
         along += miss / (1.0 + 4.0 * dot(k * foot, k * foot / focal));
     }
-    foot = point.xy / max(1.0 - 2.0 * along * k, kLeastFocal);
+    foot = point.xy / max(1.0 - 2.0 * along * k, kMinFocal);
     vec2 slope = 2.0 * k * foot;
     return vec3(foot, along * sqrt(1.0 + dot(slope, slope)));
 }

@@ -23,7 +23,7 @@ ReliefHit bisected(ReliefRay ray, float outside, float inside) {
 ReliefHit traceRelief(ReliefRay ray) {
     float t = 0.0, outside = 0.0;
     vec3 voxels = abs(vec3(ray.stTravel, 1.0)) * vec3(distanceFieldSize()); // crossed from t = 0 to 1
-    float leastStep = 0.5 / max(max(voxels.x, voxels.y), voxels.z);
+    float minStep = 0.5 / max(max(voxels.x, voxels.y), voxels.z);
     for (int i = 0; i < sphere_steps; ++i) {
         vec3 position = reliefPosition(ray, t);
         if (t >= 1.0) break;
@@ -33,7 +33,7 @@ ReliefHit traceRelief(ReliefRay ray) {
             if (reliefDepth(position.xy) <= position.z) return bisected(ray, outside, t);
         }
         outside = t;
-        t = min(t + max(free / max(ray.lengthWorld, 1e-30), field == field_voxel ? leastStep : 0.0), 1.0);
+        t = min(t + max(free / max(ray.lengthWorld, 1e-30), field == field_voxel ? minStep : 0.0), 1.0);
     }
     if (field == field_voxel && t >= 1.0) return bisected(ray, outside, 1.0);
     return hitAt(ray, t);

@@ -118,7 +118,7 @@ void interpolateLimit(ControlMesh& mesh) {
     // 0.6 of its value; an error of 1e-12 takes about 55 steps.
     constexpr double kLeast = 1.0 / 16, kMost = 1, kMiddle = (kMost + kLeast) / 2,
                      kHalf = (kMost - kLeast) / 2;
-    constexpr int kMostSteps = 400;
+    constexpr int kMaxSteps = 400;
     const LimitMask mask(mesh);
     const std::vector<Vec3> targets = mesh.points;
     Bounds bounds;
@@ -126,7 +126,7 @@ void interpolateLimit(ControlMesh& mesh) {
         bounds.add(target);
     std::vector<Vec3> moves(targets.size(), Vec3(0));
     double rho = 0; // rho and the two factors are the recurrence of the Chebyshev polynomials' ratios
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
         const std::vector<Vec3> limits = mask.apply(mesh.points);
         const double next = step == 0 ? kHalf / kMiddle : 1 / (2 * kMiddle / kHalf - rho);
         const double keep = step == 0 ? 0 : next * rho, gain = step == 0 ? 1 / kMiddle : 2 * next / kHalf;

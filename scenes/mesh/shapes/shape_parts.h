@@ -17,7 +17,7 @@ std::string whereOfShape(std::string_view shape);
 void requirePositive(std::string_view shape, std::string_view parameter, double value);
 void requireFinite(std::string_view shape, std::string_view parameter, double value);
 void requireSegments(std::string_view shape, std::string_view parameter, int value, int fewest, int most);
-/// Throws if the number of faces exceeds kMostShapeFaces.
+/// Throws if the number of faces exceeds kMaxShapeFaces.
 void requireFaces(std::string_view shape, int64_t faces);
 
 /// Appends quads of a grid of columns x rows faces. `vertex(i, j)` and `uv(i, j)` return indices for lattice

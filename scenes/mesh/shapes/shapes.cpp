@@ -43,8 +43,8 @@ double ringShrink(int segments) {
 ControlMesh makePlane(double width, double depth, int segmentsX, int segmentsZ) {
     requirePositive("plane", "width", width);
     requirePositive("plane", "depth", depth);
-    requireSegments("plane", "segments[0]", segmentsX, 1, kMostShapeSegments);
-    requireSegments("plane", "segments[1]", segmentsZ, 1, kMostShapeSegments);
+    requireSegments("plane", "segments[0]", segmentsX, 1, kMaxShapeSegments);
+    requireSegments("plane", "segments[1]", segmentsZ, 1, kMaxShapeSegments);
     requireFaces("plane", int64_t(segmentsX) * segmentsZ);
     // The boundary rule also reproduces linear data, so the limit surface is exactly this rectangle with a
     // uniform parametrization.
@@ -57,7 +57,7 @@ ControlMesh makeQuadric(double a, double b, double halfSize, int segments) {
     requireFinite("quadric", "a", a);
     requireFinite("quadric", "b", b);
     requirePositive("quadric", "half_size", halfSize);
-    requireSegments("quadric", "segments", segments, 1, kMostShapeSegments - 2);
+    requireSegments("quadric", "segments", segments, 1, kMaxShapeSegments - 2);
     const int side = segments + 2; // with the ring that only supports the limit surface
     requireFaces("quadric", int64_t(side) * side);
     // Control values of x^2 on a uniform cubic B-spline of knot spacing h are the blossom (pq + qr + rp) / 3
@@ -79,8 +79,8 @@ ControlMesh makeQuadric(double a, double b, double halfSize, int segments) {
 ControlMesh makeCylinder(double radius, double height, int segmentsAround, int segmentsUp) {
     requirePositive("cylinder", "radius", radius);
     requirePositive("cylinder", "height", height);
-    requireSegments("cylinder", "segments[0]", segmentsAround, 3, kMostShapeSegments);
-    requireSegments("cylinder", "segments[1]", segmentsUp, 1, kMostShapeSegments);
+    requireSegments("cylinder", "segments[0]", segmentsAround, 3, kMaxShapeSegments);
+    requireSegments("cylinder", "segments[1]", segmentsUp, 1, kMaxShapeSegments);
     requireFaces("cylinder", int64_t(segmentsAround) * segmentsUp);
     // Evenly spaced rows are linear along y. The boundary rule, which depends only on boundary vertices,
     // preserves this: the ends are at +-height/2 and the sides are straight.
@@ -97,8 +97,8 @@ ControlMesh makeTorus(double major, double minor, int segmentsMajor, int segment
     if (!(minor < major))
         throw InputError(whereOfShape("torus"), fmt::format("minor = {}", minor),
                          fmt::format("less than major = {}", major));
-    requireSegments("torus", "segments[0]", segmentsMajor, 3, kMostShapeSegments);
-    requireSegments("torus", "segments[1]", segmentsMinor, 3, kMostShapeSegments);
+    requireSegments("torus", "segments[0]", segmentsMajor, 3, kMaxShapeSegments);
+    requireSegments("torus", "segments[1]", segmentsMinor, 3, kMaxShapeSegments);
     requireFaces("torus", int64_t(segmentsMajor) * segmentsMinor);
     // The limit mask is the product of two ring masks: the tube's shrinks the tube toward its center line,
     // and the other one then scales the distance from the axis.
@@ -150,7 +150,7 @@ ControlMesh makeCube(std::string name, int segments, bool sidesContinueS, Positi
 
 ControlMesh makeSphere(double radius, int segmentsPerCubeEdge) {
     requirePositive("sphere", "radius", radius);
-    requireSegments("sphere", "segments", segmentsPerCubeEdge, 1, kMostShapeSegments);
+    requireSegments("sphere", "segments", segmentsPerCubeEdge, 1, kMaxShapeSegments);
     requireFaces("sphere", int64_t(6) * segmentsPerCubeEdge * segmentsPerCubeEdge);
     ControlMesh mesh = makeCube("sphere", segmentsPerCubeEdge, true, [&](const Vec3& cube) {
         // Equal angles instead of equal lengths (the tangent warp) give lattice cells of nearly equal size on
@@ -166,7 +166,7 @@ ControlMesh makeBox(const Vec3& size, int segments) {
     requirePositive("box", "size[0]", size.x);
     requirePositive("box", "size[1]", size.y);
     requirePositive("box", "size[2]", size.z);
-    requireSegments("box", "segments", segments, 1, kMostShapeSegments);
+    requireSegments("box", "segments", segments, 1, kMaxShapeSegments);
     requireFaces("box", int64_t(6) * segments * segments);
     ControlMesh mesh = makeCube("box", segments, false, [&](const Vec3& cube) { return 0.5 * size * cube; });
     for (const CubeSide& side : kCubeSides) {

@@ -8,7 +8,7 @@
 // % with 4 segments per cube edge, decreasing with the second power because of the cube's corners.
 //
 // Object space, y up. All throw InputError for a size that isn't positive and finite, segments outside the
-// given range, and more than kMostShapeFaces faces.
+// given range, and more than kMaxShapeFaces faces.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -20,8 +20,8 @@
 
 namespace plumbline {
 
-inline constexpr int kMostShapeSegments = 4096; // along one direction
-inline constexpr int kMostShapeFaces = 1 << 18; // control meshes are coarse; the tessellator adds detail
+inline constexpr int kMaxShapeSegments = 4096; // along one direction
+inline constexpr int kMaxShapeFaces = 1 << 18; // control meshes are coarse; the tessellator adds detail
 
 /// A plane in the xz plane facing +Y, centered; uv (0,0) at (-x, +z), so that the texture isn't mirrored seen
 /// from above. Segments >= 1.

@@ -205,7 +205,7 @@ std::vector<std::array<Vec3, 16>> teapotPatches() {
 }
 
 ControlMesh makeTeapot(int segments) {
-    requireSegments("teapot", "segments", segments, 2, kMostTeapotSegments);
+    requireSegments("teapot", "segments", segments, 2, kMaxTeapotSegments);
     ControlMesh mesh;
     mesh.name = "teapot";
     for (const std::vector<Chart>& part : teapotParts()) {

@@ -12,7 +12,7 @@
 
 namespace plumbline {
 
-inline constexpr int kMostTeapotSegments = 64; // along a patch
+inline constexpr int kMaxTeapotSegments = 64; // along a patch
 
 /// The classic teapot (Newell 1975): its 32 bicubic Bezier patches are meshed with `segments` quads per side,
 /// with coincident vertices merged, such that the limit of every vertex lies on the patches. y is up, the
@@ -21,7 +21,7 @@ inline constexpr int kMostTeapotSegments = 64; // along a patch
 /// Charts, with u around and v along by arc length: body [0,4] x [0,1] upwards, bottom [0,4] x [0,1]
 /// outwards, lid [0,2] x [0,1] upwards, handle [0,1] x [0,2], spout [0,1] x [0,1]. The extents are integers
 /// so that maps tile, and their units have similar lengths so that the texture scale is similar everywhere.
-/// Segments in [2, kMostTeapotSegments]: with 1, a tube of two faces isn't a manifold; with 64, the poles
+/// Segments in [2, kMaxTeapotSegments]: with 1, a tube of two faces isn't a manifold; with 64, the poles
 /// have 256 neighbors (a limit surface supports 512).
 ControlMesh makeTeapot(int segments);
 

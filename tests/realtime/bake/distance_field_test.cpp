@@ -25,7 +25,7 @@ int stepsApart(int a, int b, int size, Wrap wrap) {
 }
 
 /// Minimum of the bilinear depths at the 3 x 3 corners of the four pieces of a texel's box.
-double leastInBox(const HeightMap& map, int i, int j) {
+double minInBox(const HeightMap& map, int i, int j) {
     double least = 1;
     for (const int x : {-1, 0, 1})
         for (const int y : {-1, 0, 1})
@@ -49,7 +49,7 @@ BakedMap definition(const HeightMap& map, const BakeScale& scale, int slices) {
         for (int solidI = 0; solidI < width; ++solidI)
             for (int solidK = 0; solidK <= slices; ++solidK) {
                 const bool below = solidK == slices; // the ground, which is solid for the center field
-                const bool solidBox = !below && leastInBox(map, solidI, solidJ) * slices <= solidK + 1;
+                const bool solidBox = !below && minInBox(map, solidI, solidJ) * slices <= solidK + 1;
                 const bool solidCenter =
                     below || static_cast<double>(map.texel(solidI, solidJ)) * slices <= solidK + 0.5;
                 for (int k = 0; k < slices; ++k)

@@ -224,7 +224,7 @@ std::vector<Case> randomCases(size_t count, unsigned seed) {
     return cases;
 }
 
-TEST(QuadricDepth, RandomQuadrics_EqualCppTwin) {
+TEST(QuadricDepth, RandomQuadrics_EqualCpp) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const std::vector<Case> cases = randomCases(4000, 5);
     std::mt19937 random(6);

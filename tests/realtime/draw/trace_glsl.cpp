@@ -13,7 +13,7 @@
 namespace plumbline {
 namespace {
 
-constexpr size_t kMostRaysAtOnce = 4096; // a row of a texture
+constexpr size_t kMaxRaysAtOnce = 4096; // a row of a texture
 
 ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
     const Technique technique = resolveTechnique(name);
@@ -89,9 +89,9 @@ std::vector<TracedHit> traceGlsl(const std::string& technique, const HeightMap& 
     const CurrentContext current(*context);
     GlTexture texture = GlTexture::make();
     std::vector<TracedHit> hits;
-    for (size_t first = 0; first < lines.size(); first += kMostRaysAtOnce) {
+    for (size_t first = 0; first < lines.size(); first += kMaxRaysAtOnce) {
         std::vector<glm::vec4> arguments;
-        for (size_t i = first; i < std::min(first + kMostRaysAtOnce, lines.size()); ++i)
+        for (size_t i = first; i < std::min(first + kMaxRaysAtOnce, lines.size()); ++i)
             arguments.emplace_back(lines[i].st, lines[i].stTravel);
         for (const glm::vec4& value :
              evaluateGlsl(searchSource(technique, path), arguments,

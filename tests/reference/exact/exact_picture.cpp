@@ -12,7 +12,7 @@ namespace {
 constexpr int kDirections = 16;
 constexpr double kNarrowestBandPx = 1.0 / 1024, kWidestBandPx = 8;
 constexpr size_t kLinesKept = 5;
-constexpr int kMostBands =
+constexpr int kMaxBands =
     500; // maximum number of pixels whose band is computed, because it is slow for entirely wrong frames
 
 /// Visits points around a point, at the radius and at half of it, until `visit` returns true.
@@ -197,7 +197,7 @@ class FrameComparer {
     const Frame& frame_;
     ExactPicture picture_;
     double jumpRadiusPx_;
-    int bandsLeft_ = kMostBands;
+    int bandsLeft_ = kMaxBands;
     Comparison result_;
 };
 

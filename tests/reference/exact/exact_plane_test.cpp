@@ -16,17 +16,17 @@ namespace {
 // pixels, up to 15 % are within 1/8 pixel of a shadow's edge and up to 28 % within 1/4; a light 5 degrees
 // above the plane magnifies an error 11 times. The error bounds are per grid of 16 x 16 micro-cells and a few
 // times larger than the error at most of its points.
-constexpr double kMostUncertain = 0.03;
-constexpr double kMostShadowUncertain = 0.4;
+constexpr double kMaxUncertain = 0.03;
+constexpr double kMaxShadowUncertain = 0.4;
 // A frame that shows another part of the surface everywhere must not pass either: fins at 85 degrees have 1.5
 // % such pixels.
-constexpr double kMostJumped = 0.03;
+constexpr double kMaxJumped = 0.03;
 
 // With two segments per texel, or a third of one, creases are cut off and needles are lost. Many pixels are
 // uncertain, including all shadows of needles, and must be marked.
 constexpr int kCoarseRate = 128;
-constexpr double kMostUncertainWhenCoarse = 0.25;
-constexpr double kMostWrongDepthWhenCoarse = 0.02;
+constexpr double kMaxUncertainWhenCoarse = 0.25;
+constexpr double kMaxWrongDepthWhenCoarse = 0.02;
 
 // Where one part of the surface occludes another, the edge may be displaced by the certificate's error; twice
 // that, because the error is measured in the visible cells and the edge may be in the adjacent ones; but at
@@ -71,16 +71,16 @@ class ExactPlaneFrame : public testing::TestWithParam<ExactScene> {
 TEST_P(ExactPlaneFrame, CertainPixels_AreRight) {
     ASSERT_NO_FATAL_FAILURE(compareWithExactTracer(GetParam().fineRate));
     EXPECT_EQ(comparison.depthWrong, 0) << lines();
-    EXPECT_LT(comparison.uncertainShare(), kMostUncertain);
-    EXPECT_LT(comparison.shadowUncertainShare(), kMostShadowUncertain);
-    EXPECT_LT(comparison.depthJumped, kMostJumped * comparison.covered);
+    EXPECT_LT(comparison.uncertainShare(), kMaxUncertain);
+    EXPECT_LT(comparison.shadowUncertainShare(), kMaxShadowUncertain);
+    EXPECT_LT(comparison.depthJumped, kMaxJumped * comparison.covered);
 }
 
 TEST_P(ExactPlaneFrame, CertainPixelsOfCoarseRun_AreRight) {
     ASSERT_NO_FATAL_FAILURE(compareWithExactTracer(kCoarseRate));
     // Depth has no separate mark where another part of the same object may be visible.
-    EXPECT_LT(comparison.depthWrong, kMostWrongDepthWhenCoarse * comparison.depthCompared) << lines();
-    EXPECT_LT(comparison.uncertainShare(), kMostUncertainWhenCoarse);
+    EXPECT_LT(comparison.depthWrong, kMaxWrongDepthWhenCoarse * comparison.depthCompared) << lines();
+    EXPECT_LT(comparison.uncertainShare(), kMaxUncertainWhenCoarse);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ExactPlaneFrame, testing::ValuesIn(exactScenes()),

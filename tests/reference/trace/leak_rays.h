@@ -107,14 +107,14 @@ class LeakTarget {
     /// some adjacent ones.
     Aim aim(const Vec3& place, const std::array<size_t, 3>& triangle, size_t corners,
             const Vec3& origin) const {
-        constexpr double kLeastCosine = 0.1; // 84 degrees, so that a rounded ray can't change the sign
+        constexpr double kMinCosine = 0.1; // 84 degrees, so that a rounded ray can't change the sign
         const Vec3 direction = glm::normalize(place - origin);
         Aim result{place};
         for (size_t k = 0; k < corners; ++k)
             for (const Vec3& normal : fans_[triangle[k]]) {
                 const double cosine = glm::dot(normal, direction);
-                result.outer = result.outer && cosine < -kLeastCosine;
-                result.inner = result.inner && cosine > kLeastCosine;
+                result.outer = result.outer && cosine < -kMinCosine;
+                result.inner = result.inner && cosine > kMinCosine;
             }
         return result;
     }
