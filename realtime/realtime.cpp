@@ -138,7 +138,7 @@ struct RealtimeRenderer::Impl {
                                                 ? std::vector<Vec2>(scene.objects.size(), Vec2(0))
                                                 : gpu->objects.stOrigins();
         Frame frame = gpu->target.read(gpu->view.originWorld(), stOrigins, technique.search.channels,
-                                       technique.hasBentBase());
+                                       technique.hasCurvedBase());
         // Not the driver: frames of different backends are equal byte for byte where their pixels are.
         frame.metadata = sceneMetadata(scene);
         frame.metadata[header::kRenderer] = "realtime";
@@ -172,7 +172,7 @@ TechniqueResult RealtimeRenderer::render(const Technique& technique,
     const CurrentContext current(*impl_->context);
     GpuScene& objects = impl_->gpu->objects;
     BakeCost bakes = objects.prepareBaked(technique.bakedKinds());
-    if (technique.hasBentBase()) objects.useCurvature(technique.curvatureSet());
+    if (technique.hasCurvedBase()) objects.useCurvature(technique.curvatureSet());
     if (onPhase) onPhase(kPhaseDrawing);
     FrameTime time = impl_->drawTechnique(technique, microMeshes);
 

@@ -35,7 +35,7 @@ class Stopwatch {
 
 // Runs until the error aimed at is met. Rates are planned from the grids of each face that are worst at its
 // first rate; the second plan knows by how much that was off.
-constexpr int kMostRuns = 3;
+constexpr int kMaxRuns = 3;
 
 struct ReferenceScene::Impl {
     const Scene& scene;
@@ -103,7 +103,7 @@ struct ReferenceScene::Impl {
     Frame render() {
         MeasuredFrame traced = trace();
         int run = 1;
-        while (run < kMostRuns && isAboveAim() && limit.empty() && refinePlan(traced)) {
+        while (run < kMaxRuns && isAboveAim() && limit.empty() && refinePlan(traced)) {
             build();
             traced = trace();
             ++run;
@@ -111,8 +111,8 @@ struct ReferenceScene::Impl {
         if (!isAboveAim())
             limit.clear();
         else if (limit.empty())
-            limit = run == kMostRuns ? fmt::format("{} runs, each finer than the last", kMostRuns)
-                                     : "places that finer micro-triangles come no closer to";
+            limit = run == kMaxRuns ? fmt::format("{} runs, each finer than the last", kMaxRuns)
+                                    : "places that finer micro-triangles come no closer to";
         stats.certificate.limit = limit;
         const Stopwatch watch;
         markUncertain(scene, tracedObjects(), *embree, traced.evidence, traced.frame);

@@ -10,9 +10,9 @@
 namespace plumbline {
 namespace {
 
-constexpr int kMostSlices = 1024;
+constexpr int kMaxSlices = 1024;
 constexpr std::string_view kConeSlices =
-    "0: cones of texel centers, as published; 1: cones right for every point of the cell between texels "
+    "0: cones at texel centers, as published; 1: cones valid for every point of the cell between texels "
     "(i, j) and (i + 1, j + 1)";
 
 const std::vector<BakeKind>& table() {
@@ -33,10 +33,10 @@ const std::vector<BakeKind>& table() {
          "ratios toward +s, -s, +t, -t: st length per relief depth, at most 1", false, bakeQuadConeMap},
         {"cone_step_relaxed",
          "Relaxed cones: a ray that starts outside, at any depth, never leaves the relief inside",
-         "Policarpo, Oliveira, GPU Gems 3, section 18.4, 2007; the criterion is ours "
+         "Policarpo, Oliveira, GPU Gems 3, section 18.4, 2007; the criterion is this project's "
          "(realtime/bake/cone_map.h)",
          kConeSlices, "ratio: st length per relief depth, at most 1", false, bakeRelaxedConeMap},
-        {"cone_step_relaxed_2007", "Relaxed cones as published: right for rays that start at depth 0 alone",
+        {"cone_step_relaxed_2007", "Relaxed cones as published: valid only for rays that start at depth 0",
          "Policarpo, Oliveira, GPU Gems 3, listing 18-2, 2007", kConeSlices,
          "ratio: st length per relief depth, at most 1", false, bakeRelaxedConeMap2007},
         {"max_mipmap", "Bounds of the relief over blocks of 2^k x 2^k bilinear patches, level k of a pyramid",
@@ -54,9 +54,9 @@ void checkRequest(const BakeKind& kind, const BakeRequest& request) {
                              fmt::format("a tile of {} x {} world units, {} deep", request.scale.s,
                                          request.scale.t, request.scale.depth),
                              "three numbers above 0");
-    if (request.slices < 1 || request.slices > kMostSlices)
+    if (request.slices < 1 || request.slices > kMaxSlices)
         throw InputError(kind.name, fmt::format("{} slices", request.slices),
-                         fmt::format("1 to {}", kMostSlices));
+                         fmt::format("1 to {}", kMaxSlices));
 }
 
 } // namespace
@@ -77,7 +77,7 @@ const BakeKind& bakeKind(std::string_view name) {
         if (kind.name == name) return kind;
         names.emplace_back(kind.name);
     }
-    throw InputError("bake", fmt::format("no kind of map is called '{}'", name), listOf(names),
+    throw InputError("bake", fmt::format("unknown kind of map '{}'", name), listOf(names),
                      didYouMean(name, names));
 }
 

@@ -1,8 +1,8 @@
-// The kinds of baked maps, by name, and the one way to make them.
+// The kinds of baked maps and the function that bakes them.
 //
-// A kind is what a technique's manifest asks for under `inputs` and `plumbline bake --kind` takes. Bakes see
-// a height map alone, no scene and no OpenGL; they run on all threads and give the same bits on any number of
-// them.
+// A technique's manifest names kinds under `inputs`; `plumbline bake` takes one as `--kind`. Bakers only use
+// a height map, no scene and no OpenGL. They run on all threads, and their results are bit-identical for any
+// number of threads.
 #pragma once
 
 #include "realtime/bake/baked_map.h"
@@ -15,8 +15,8 @@
 
 namespace plumbline {
 
-/// Extent of one tile of the relief, world units: what turns texture space into space. Only ratios matter to
-/// every kind that asks for it.
+/// Extent of one tile of the relief in world units, which maps texture space to world space. All kinds that
+/// need it depend only on the ratios.
 struct BakeScale {
     double s = 1, t = 1; // of one map width, one map height
     double depth = 1;    // of relief depth 1
@@ -25,20 +25,20 @@ struct BakeScale {
 
 struct BakeRequest {
     std::string kind;
-    BakeScale scale; // kinds with needsScale alone
+    BakeScale scale; // only for kinds with needsScale
     int slices = 64; // of a distance field: slices of equal depth
     bool operator==(const BakeRequest&) const = default;
 };
 
 struct BakeKind {
     std::string_view name;
-    std::string_view meaning, source; // a sentence; paper and section
-    std::string_view slices;          // what slice k holds
-    std::string_view channels;        // what channel k holds, with units
+    std::string_view meaning, source; // one sentence; paper and section
+    std::string_view slices;          // contents of slice k
+    std::string_view channels;        // contents of channel k, with units
     bool needsScale;
     BakedMap (*make)(const HeightMap&, const BakeRequest&); // arguments checked by bakeMap
-    bool takesSlices = false;                               // BakeRequest::slices matters
-    int version = 1; // of the builder: goes up when it gives other values than before, so that caches let go
+    bool takesSlices = false;                               // uses BakeRequest::slices
+    int version = 1; // of the baker: incremented when its values change, which invalidates cached maps
 };
 std::span<const BakeKind> bakeKinds();
 /// Throws InputError that lists the kinds.

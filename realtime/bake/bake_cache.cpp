@@ -25,7 +25,7 @@ void addWarning(BakeOutcome& outcome, const std::string& warning) {
     outcome.warning += (outcome.warning.empty() ? "" : "; ") + warning;
 }
 
-/// Empty if there is no folder for it.
+/// Empty if there is no cache folder.
 fs::path fileInCache(const std::string& kind, const std::string& key, BakeOutcome& outcome) {
     const std::optional<fs::path> folder = bakeCacheFolder();
     if (!folder) {
@@ -42,13 +42,13 @@ fs::path fileInCache(const std::string& kind, const std::string& key, BakeOutcom
     return {};
 }
 
-/// True if the map was there.
+/// Returns whether the map was in the cache.
 bool fetch(const fs::path& file, const std::string& key, BakeOutcome& outcome) {
     std::optional<StoredMap> stored = readBakedMap(file, key);
     if (!stored) {
         std::error_code ignored;
         if (fs::exists(file, ignored))
-            addWarning(outcome, fmt::format("{}: is damaged, so the map is made anew", file.string()));
+            addWarning(outcome, fmt::format("{}: is damaged, so the map is baked again", file.string()));
         return false;
     }
     outcome.map = std::move(stored->map);

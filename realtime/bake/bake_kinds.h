@@ -1,4 +1,4 @@
-// One function a kind; bake.cpp has the table.
+// The bakers, one per kind; bake.cpp has the table of kinds.
 #pragma once
 
 #include "realtime/bake/bake.h"

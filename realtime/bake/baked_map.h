@@ -1,7 +1,7 @@
-// A map worked out from a height map before drawing: cone ratios, distances, normals, bounds.
+// A map precomputed from a height map: cone ratios, distances, normals or depth bounds.
 //
-// Texture space: s, t in map widths and heights, row 0 = bottom, as the height map it was made from; relief
-// depth d, 0 on top and 1 deepest.
+// Texture space: s, t in map widths and heights, row 0 = bottom, like the height map; relief depth d, 0 on
+// top and 1 deepest.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace plumbline {
 
 struct BakedMap {
-    /// One level: slices x height x width x channels values, row 0 of each slice = bottom, channels
+    /// One mip level: slices x height x width x channels values, row 0 of each slice = bottom, channels
     /// innermost.
     struct Level {
         int width = 0, height = 0;
@@ -19,10 +19,10 @@ struct BakedMap {
     };
 
     std::string kind; // name in bakeKinds()
-    int slices = 1;   // what they are: BakeKind::slices
+    int slices = 1;   // meaning: BakeKind::slices
     int channels = 1; // 1 to 4
     std::vector<Level>
-        levels; // level k + 1 has max(1, size / 2) of level k's texels a side; at least one level
+        levels; // at least one; each side of level k + 1 has max(1, n / 2) texels, n that of level k
 
     /// First channel of a texel.
     const float* at(int level, int slice, int column, int row) const {

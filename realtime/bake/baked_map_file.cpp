@@ -22,15 +22,15 @@ constexpr size_t kHashLetters = 32;
 constexpr size_t kHeaderBytes =
     kMagic.size() + sizeof(uint32_t) + kHashLetters + 5 * sizeof(uint32_t) + sizeof(double);
 
-/// What a header says of the values behind it.
+/// The sizes in a file's header.
 struct Shape {
     uint32_t channels, slices, levels, width, height;
 
     bool isSensible() const {
-        constexpr uint32_t kMostTexels = 1u << 20; // a side: sizes in bytes stay far inside 64 bits
+        constexpr uint32_t kMaxTexels = 1u << 20; // per side, so that sizes in bytes can't overflow 64 bits
         const auto within = [](uint32_t value, uint32_t most) { return value >= 1 && value <= most; };
         return within(channels, 4) && within(slices, 1024) && within(levels, 32) &&
-               within(width, kMostTexels) && within(height, kMostTexels);
+               within(width, kMaxTexels) && within(height, kMaxTexels);
     }
     uint64_t levelBytes(uint32_t level) const {
         const auto side = [&](uint32_t texels) { return uint64_t(std::max(1u, texels >> level)); };
@@ -73,7 +73,7 @@ std::string_view bytesOf(const std::vector<float>& values) {
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
-/// Nothing unless the header is one of this format and key.
+/// Returns nothing unless the header has this format and key.
 std::optional<Shape> shapeOf(std::string_view header, const std::string& key, double& ms) {
     if (!header.starts_with(kMagic)) return std::nullopt;
     header.remove_prefix(kMagic.size());

@@ -1,11 +1,10 @@
-// A baked map in a file, for the cache (bake_cache.h): exact bits, and a checksum that tells whether all of
-// them are there.
+// File format of the cache (bake_cache.h): the exact values of a baked map with a checksum.
 //
 //   8   "PLUMBAKE"
 //   4   version of this format
-//   32  the key: what the map was made from, hexadecimal
+//   32  the key, a hash of what the map was baked from, hexadecimal
 //   20  channels, slices, levels, width and height of level 0
-//   8   milliseconds that making it took, double
+//   8   milliseconds spent on baking, double
 //   …   values of level 0, 1, …: float, in the order of BakedMap::Level
 //   32  ContentHash of all of the above
 // Integers are unsigned, everything is little-endian.
@@ -19,7 +18,7 @@
 
 namespace plumbline {
 
-/// Part of what a key is made of.
+/// Version of the format; part of the hashed key.
 inline constexpr int kBakedMapFormat = 1;
 
 struct StoredMap {
@@ -27,11 +26,11 @@ struct StoredMap {
     double ms = 0;
 };
 
-/// `key`: 32 letters. Write-then-rename; throws InputError if the file can't be written.
+/// `key`: 32 characters. Replaces the file atomically; throws InputError if it can't be written.
 void writeBakedMap(const std::filesystem::path& file, const std::string& key, const StoredMap& stored);
 
-/// Nothing if there is no such file, or it isn't, to the last bit, what was written under this key. Throws
-/// MachineError if it doesn't fit into memory.
+/// Returns nothing if the file is missing, has another key or is damaged. Throws MachineError if the map
+/// doesn't fit into memory.
 std::optional<StoredMap> readBakedMap(const std::filesystem::path& file, const std::string& key);
 
 } // namespace plumbline

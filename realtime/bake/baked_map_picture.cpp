@@ -16,7 +16,8 @@ namespace {
 std::string sliceName(const BakedMap& map, int slice) {
     if (map.slices == 1) return "";
     if (map.kind.starts_with("cone_step") && map.slices == 2) return slice == 0 ? "texel." : "cell.";
-    // As many digits as the last one has, three for a field: programs sort channels by name.
+    // Padded with zeros to the number of digits of the last slice, for a distance field to three, because
+    // viewers sort channels by name.
     const size_t digits = map.kind == "distance_field" ? 3 : std::to_string(map.slices - 1).size();
     return fmt::format("slice{:0{}}.", slice, digits);
 }
@@ -31,7 +32,7 @@ std::string_view channelName(const BakedMap& map, int channel) {
     return kColors.at(index);
 }
 
-/// One channel of one slice, the top row first.
+/// One channel of one slice, top row first.
 std::vector<float> planeOf(const BakedMap& map, int slice, int channel) {
     const BakedMap::Level& level = map.levels[0];
     std::vector<float> plane;

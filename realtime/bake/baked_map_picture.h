@@ -1,4 +1,4 @@
-// A baked map as an OpenEXR picture, for people to look at. The cache (bake_cache.h) keeps the map itself.
+// Writes a baked map as an OpenEXR image for inspection. The cache (bake_cache.h) stores the map itself.
 #pragma once
 
 #include "realtime/bake/baked_map.h"
@@ -13,11 +13,10 @@ namespace plumbline {
 ///   normal              n.X n.Y n.Z D
 ///   max_mipmap          least most
 ///   distance_field      slice000.box slice000.center slice001.box …
-///   any other           R G B A, as many as it has; of more slices than one, slice0.R …; cone maps call
-///   their two slices texel
-///                       and cell
-/// The attribute `kind` is added to those given. Write-then-rename. Throws InputError if the file can't be
-/// written, MachineError if memory is short.
+///   cone maps           texel.R … and cell.R …, for their two slices
+///   others              R G B A, as many as there are; with several slices, slice0.R …
+/// The attribute `kind` is added to the given ones. The file is replaced atomically. Throws InputError if it
+/// can't be written, MachineError if there isn't enough memory.
 void writeBakedPicture(const std::filesystem::path& file, const BakedMap& map,
                        std::map<std::string, std::string> attributes);
 

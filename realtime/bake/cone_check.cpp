@@ -15,11 +15,11 @@
 namespace plumbline {
 namespace {
 
-constexpr int kMostSteps = 200;
-constexpr double kLeastSlope = 0.01, kMostSlope = 10; // st per depth
+constexpr int kMaxSteps = 200;
+constexpr double kMinSlope = 0.01, kMaxSlope = 10; // st per depth
 
-// Clearance, in relief depth, at which a ray has arrived for good: well above rounding, well below what leaps
-// are sorted by.
+// Clearance, in relief depth, at which a ray counts as having reached the surface: well above rounding errors
+// and well below the depths by which overshoots are classified.
 constexpr double kTouching = 1e-9;
 
 struct CheckRay {
@@ -34,7 +34,7 @@ double drawUnit(uint64_t seed, uint64_t ray, uint64_t purpose) {
 CheckRay drawRay(const HeightMap& map, uint64_t seed, uint64_t ray) {
     const auto draw = [&](uint64_t purpose) { return drawUnit(seed, ray, purpose); };
     const Vec2 st(draw(0), draw(1));
-    const double turns = draw(2), slope = kLeastSlope * std::pow(kMostSlope / kLeastSlope, draw(3));
+    const double turns = draw(2), slope = kMinSlope * std::pow(kMaxSlope / kMinSlope, draw(3));
     const double start = ray % 2 == 0 ? 0 : draw(4) * map.depth(st);
     const Vec2 perDepth = slope * Vec2(sineOfTurns(turns + 0.25), sineOfTurns(turns));
     return {{st - start * perDepth, perDepth}, start};
@@ -67,11 +67,11 @@ double ratioAt(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, i
                      std::lerp(texel(s.first, t.second), texel(s.second, t.second), s.weight), t.weight);
 }
 
-/// Depths a ray visits, the start first.
+/// Depths that a ray visits, beginning with its start.
 struct Visits {
-    std::array<double, kMostSteps + 1> depths;
+    std::array<double, kMaxSteps + 1> depths;
     int count = 0;
-    bool inside = false; // the last is inside
+    bool inside = false; // the last one is inside
     int arrivalSteps = -1;
 };
 
@@ -80,7 +80,7 @@ Visits stepRay(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, c
     const int channel = cones.channels == 1 ? 0 : quadrantOf(ray.line.slope);
     Visits visits;
     double depth = ray.start;
-    for (int step = 0; step <= kMostSteps; ++step) {
+    for (int step = 0; step <= kMaxSteps; ++step) {
         visits.depths[static_cast<size_t>(visits.count++)] = depth;
         const Vec2 st = ray.line.at(depth);
         const double clearance = map.depth(st) - depth;
@@ -93,7 +93,7 @@ Visits stepRay(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, c
     return visits;
 }
 
-/// Deepest point of the ray below the surface between two depths; 0: none.
+/// Largest depth of the ray below the surface between two depths; 0 if it stays outside.
 double deepestWithin(const HeightMap& map, const DescendingRay& ray, double from, double to,
                      std::vector<InsideInterval>& scratch) {
     walkRelief(map, ray, from, to, scratch);
@@ -105,14 +105,14 @@ double deepestWithin(const HeightMap& map, const DescendingRay& ray, double from
 
 struct Tally {
     ConeCheck check;
-    uint64_t deepestIndex = 0; // of its ray: the first of equals
+    uint64_t deepestIndex = 0; // of its ray; the first one for equal depths
 
-    void addLeap(double deepest, const CheckRay& ray, uint64_t index, double from, double to) {
-        ++check.leaps;
+    void addOvershoot(double deepest, const CheckRay& ray, uint64_t index, double from, double to) {
+        ++check.overshoots;
         size_t bin = 0;
         while (bin + 1 < ConeCheck::kDepths.size() && deepest > ConeCheck::kDepths[bin])
             ++bin;
-        ++check.leapsByDepth[bin];
+        ++check.overshootsByDepth[bin];
         if (deepest <= check.deepest) return;
         check.deepest = deepest;
         check.deepestRay = ray.line;
@@ -125,10 +125,10 @@ struct Tally {
         const ConeCheck& o = other.check;
         check.rays += o.rays;
         check.pierced += o.pierced;
-        check.leaping += o.leaping;
-        check.leaps += o.leaps;
-        for (size_t i = 0; i < o.leapsByDepth.size(); ++i)
-            check.leapsByDepth[i] += o.leapsByDepth[i];
+        check.overshootingRays += o.overshootingRays;
+        check.overshoots += o.overshoots;
+        for (size_t i = 0; i < o.overshootsByDepth.size(); ++i)
+            check.overshootsByDepth[i] += o.overshootsByDepth[i];
         check.arrived += o.arrived;
         check.arrivalSteps += o.arrivalSteps;
         if (o.deepest > check.deepest || (o.deepest == check.deepest && other.deepestIndex < deepestIndex)) {
@@ -141,12 +141,13 @@ struct Tally {
     }
 };
 
-/// Where the walk and the look-ups of the visited points say different things of a point on the surface, the
-/// visited ones are believed: a ray that was found outside may have touched.
+/// Buffers reused for all rays of a thread.
 struct Scratch {
     std::vector<InsideInterval> intervals, part;
 };
 
+/// If the exact traversal and the lookup at a visited point disagree about a point on the surface, the
+/// visited point decides: a ray that was found outside may have touched the surface there.
 void checkRay(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, bool relaxed, uint64_t seed,
               uint64_t index, Tally& tally, Scratch& scratch) {
     const CheckRay ray = drawRay(map, seed, index);
@@ -159,7 +160,7 @@ void checkRay(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, bo
     const auto count = static_cast<size_t>(visits.count);
     walkRelief(map, ray.line, ray.start, visits.depths[count - 1], scratch.intervals);
     if (!scratch.intervals.empty() || visits.inside || visits.depths[count - 1] < 1) ++tally.check.pierced;
-    const uint64_t leapsBefore = tally.check.leaps;
+    const uint64_t overshootsBefore = tally.check.overshoots;
     size_t k = 0;
     for (size_t step = 1; step < count && k < scratch.intervals.size(); ++step) {
         const double from = visits.depths[step - 1], to = visits.depths[step];
@@ -167,14 +168,14 @@ void checkRay(const HeightMap& map, const BakedMap& cones, ConeLookup lookup, bo
         for (; k < scratch.intervals.size() && scratch.intervals[k].begin < to; ++k) {
             const InsideInterval& inside = scratch.intervals[k];
             const bool passed = inside.end < to || (step + 1 < count || !visits.inside);
-            if (relaxed && !passed) continue; // the step ended in it
+            if (relaxed && !passed) continue; // the step ended inside the interval
             deepest =
                 std::max(deepest, inside.end <= to ? inside.deepest
                                                    : deepestWithin(map, ray.line, from, to, scratch.part));
         }
-        if (deepest > 0) tally.addLeap(deepest, ray, index, from, to);
+        if (deepest > 0) tally.addOvershoot(deepest, ray, index, from, to);
     }
-    if (tally.check.leaps > leapsBefore) ++tally.check.leaping;
+    if (tally.check.overshoots > overshootsBefore) ++tally.check.overshootingRays;
 }
 
 } // namespace

@@ -17,7 +17,7 @@ namespace {
 
 constexpr ConeRule kConservative{1, false, 0}, kQuad{4, false, 0}, kSafe{1, true, 0}, k2007{1, true, 1};
 
-/// Null for a kind that is no cone map.
+/// Null for other kinds of maps.
 const ConeRule* findRule(std::string_view kind) {
     if (kind == "cone_step") return &kConservative;
     if (kind == "cone_step_quad") return &kQuad;
@@ -34,7 +34,7 @@ int sectorOf(const ConeRule& rule, int channel) {
     return rule.sectors == 1 ? kAllDirections : channel;
 }
 
-/// Kept squared slopes of every texel and sector, channels innermost.
+/// Rounded squared slopes (keptSlopeSquared) of every texel and sector, channels innermost.
 std::vector<float> searchTexels(const ConePairs& pairs) {
     const HeightMap& map = pairs.map();
     const DepthPyramid pyramid(pairs);
@@ -58,7 +58,7 @@ void fillTexels(const HeightMap& map, const ConeRule& rule, float* ratios) {
     std::transform(slopes.begin(), slopes.end(), ratios, coneRatio);
 }
 
-/// Kept squared slope of a cell: the steepest of its corners' far pairs and of what is near.
+/// Rounded squared slope of a cell: the maximum of the far pairs of its corners and of nearSlope.
 float cellSlope(const HeightMap& map, const ConeRule& rule, const std::vector<float>& farSlopes, int column,
                 int row, int channel) {
     const auto next = [](int i, int size, Wrap wrap) {
@@ -76,7 +76,7 @@ float cellSlope(const HeightMap& map, const ConeRule& rule, const std::vector<fl
     return near > farSlope ? std::max(far, keptSlopeSquared(near * near)) : far;
 }
 
-/// Does the cell stand for points outside the map, too?
+/// Whether the cell also covers points outside the map.
 bool holdsOutside(const HeightMap& map, int column, int row) {
     const auto onBorder = [](int i, int size, Wrap wrap) {
         return wrap == Wrap::Clamp && (i == 0 || i + 1 == size);
@@ -99,7 +99,7 @@ void fillCells(const HeightMap& map, const ConeRule& rule, float* ratios) {
     });
 }
 
-/// Texels first to last of the finer level, along one axis.
+/// First and last texel of the finer level, along one axis.
 std::pair<int, int> finerTexels(int i, int size, int finerSize) {
     return {std::min(2 * i, finerSize - 1), i + 1 == size ? finerSize - 1 : 2 * i + 1};
 }
@@ -156,7 +156,7 @@ bool isConeKind(std::string_view kind) {
 
 ConeRule coneRule(std::string_view kind) {
     if (const ConeRule* rule = findRule(kind)) return *rule;
-    throw InputError("cone map", "'" + std::string(kind) + "' is no kind of cone map",
+    throw InputError("cone map", "'" + std::string(kind) + "' is not a kind of cone map",
                      "cone_step, cone_step_quad, cone_step_relaxed or cone_step_relaxed_2007");
 }
 

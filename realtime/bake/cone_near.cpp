@@ -7,8 +7,7 @@
 namespace plumbline {
 namespace {
 
-// A direction may be this far outside a half-plane it is on the border of; as a share of the lengths
-// involved.
+// Relative tolerance for directions on the border of a half-plane.
 constexpr double kOnBorder = 1e-12;
 
 /// Directions e with normal . e >= 0 for each normal.
@@ -25,7 +24,8 @@ struct Directions {
     }
 };
 
-/// Largest m . e over unit directions: along m, or on a border. 0 if none is positive.
+/// Maximum of m . e over the unit directions e, which is attained along m or on a border; 0 if none is
+/// positive.
 double largestAlong(const Vec2& m, const Directions& directions) {
     const double length = glm::length(m);
     if (length == 0) return 0;
@@ -44,7 +44,7 @@ std::array<Vec2, 4> corners(const CellSlopes& cell, const Vec2& texelsPerSt) {
     return {st(cell.s.x, cell.t.x), st(cell.s.y, cell.t.x), st(cell.s.x, cell.t.y), st(cell.s.y, cell.t.y)};
 }
 
-/// The nine patches, the cell itself in the middle.
+/// The slopes of the 3 x 3 patches around a cell.
 struct Neighborhood {
     std::array<CellSlopes, 9> cells;
     Vec2 texelsPerSt;
@@ -65,7 +65,7 @@ Neighborhood neighborhood(const HeightMap& map, int column, int row) {
     return n;
 }
 
-/// Directions of chords that lead from the middle into patch (s, t).
+/// Directions of chords from the middle cell into patch (s, t).
 Directions leadingTo(int s, int t, int sector) {
     Directions directions;
     if (s != 0) directions.restrictTo(Vec2(s, 0));
@@ -83,8 +83,9 @@ double steepestIn(const std::array<Vec2, 4>& gradients, const Directions& direct
     return atLeast;
 }
 
-/// Can a chord fall faster than `atLeast` by gradient g, in a direction along which gradient `exit` grows?
-/// Other limits left aside, the best direction is against g, or else at a right angle to `exit`.
+/// Whether a chord can descend more steeply than `atLeast` for gradient g, in a direction in which depth
+/// increases for gradient `exit`. Without other constraints, the steepest direction is -g, or else orthogonal
+/// to `exit`.
 bool maySteepen(const Vec2& g, const Vec2& exit, double atLeast) {
     const double square = atLeast * atLeast;
     if (glm::dot(g, g) <= square) return false;
@@ -104,8 +105,8 @@ double nearSlope(const HeightMap& map, const ConeRule& rule, int column, int row
                 atLeast = steepestIn(near.gradients(s, t), directions, atLeast);
                 continue;
             }
-            // A ray leaves in patch (s, t): its depth grows there along e, gradient . e > 0 for a corner of
-            // its box.
+            // The ray exits in patch (s, t), so the patch's depth increases along e: gradient . e > 0 for a
+            // corner of its box.
             if (!exitPossible(near.at(s, t), s, t, rule.rayStart)) continue;
             for (const Vec2& exit : near.gradients(s, t)) {
                 if (exit == Vec2(0)) continue;

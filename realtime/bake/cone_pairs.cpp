@@ -6,14 +6,14 @@
 namespace plumbline {
 namespace {
 
-// From four half-diagonals on a texel looks small: the closed form of phi is within 4 % of the offset's
-// length.
+// From four half-diagonals on, a texel is small relative to the offset: the closed form of phi is within 4 %
+// of the offset's length.
 constexpr double kFarHalfDiagonals = 4;
 
-// Takes back what rounding may have added to a length: far above 2^-52, far below a float's last bit.
+// Compensates for rounding up of a length: far above 2^-52 and far below a float's last bit.
 constexpr double kRoundedDown = 1 - 1e-12;
 
-/// Largest g b over g in `slopes`, b in [k - 1, k + 1]. Convex in g: an end has it.
+/// Largest g b over g in `slopes`, b in [k - 1, k + 1]. It is convex in g, so its maximum is at an end.
 double largestProduct(const Vec2& slopes, int k) {
     return std::max(slopes.x * k + std::abs(slopes.x), slopes.y * k + std::abs(slopes.y));
 }
@@ -56,7 +56,7 @@ double ConePairs::nearDistanceSquared(int ks, int kt) const {
                         static_cast<size_t>(std::abs(ks))];
 }
 
-/// phi(k) for k_s, k_t >= 0; other offsets mirror it, squares and all.
+/// phi(k) for k_s, k_t >= 0; other offsets follow by symmetry.
 double ConePairs::computeNearDistance(int ks, int kt) const {
     if (ks == 0 && kt == 0) return 0;
     const auto st = [&](double s, double t) { return Vec2(s * perWidth_, t * perHeight_); };
@@ -66,8 +66,8 @@ double ConePairs::computeNearDistance(int ks, int kt) const {
         for (int qs = std::max(ks - 1, 0); qs <= ks; ++qs) {
             if (qs == 0 && qt == 0) continue; // touches the origin
             const bool far = offsetSquared(qs + 1, qt + 1) >= closedFormFrom_;
-            // A near square may look wide: the middle of its outermost directions loses least, cos 45 degrees
-            // at worst.
+            // A near square spans a wide angle. The bisector of its outermost directions loses least, a
+            // factor of cos 45 degrees at worst.
             const Vec2 direction = far ? st(qs + 0.5, qt + 0.5)
                                        : glm::normalize(st(qs + 1, qt)) + glm::normalize(st(qs, qt + 1));
             least = std::min(least, glm::dot(offset, glm::normalize(direction)));

@@ -1,10 +1,10 @@
-// What a cone map is made of: for two places of a height map, how steeply the second rises above the first,
-// and whether the second matters to a cone that stands on the first.
+// Pairs of points of a height map, from which cone maps are computed: how steeply the second point rises
+// above the first, and whether it constrains a cone whose apex is at the first.
 //
-// An offset k = q - p counts texels, wrapped images included (a repeated map is an endless row of itself).
-// Lengths are in st units (map widths and heights), heights in relief depth. Slopes are depth per st length:
-// a cone of ratio c admits slopes up to 1 / c. Everything is in double; the same functions serve the fast
-// search (cone_search.h) and the plain double loop of the tests.
+// An offset k = q - p is in texels and may refer to a repeated image of the map. Lengths are in st units (map
+// widths and heights), heights in relief depth. Slopes are depth per st length: a cone of ratio c admits
+// slopes up to 1 / c. All computations are in double precision. The fast search (cone_search.h) and the
+// brute-force loop of the tests use the same functions.
 #pragma once
 
 #include "scenes/maps/height_map.h"
@@ -14,30 +14,31 @@
 
 namespace plumbline {
 
-/// Which kind of cone. Quadrants of direction: E, W, N, S = +s, -s, +t, -t, each 45 degrees to both sides in
-/// st.
+/// The kind of cone. The quadrants E, W, N, S are centered at the directions +s, -s, +t, -t and extend 45
+/// degrees to both sides in st.
 struct ConeRule {
-    int sectors = 1;      // 1: all directions in one; 4: E, W, N, S
-    bool relaxed = false; // only places where a ray could leave the relief matter
+    int sectors = 1;      // 1: all directions; 4: E, W, N, S
+    bool relaxed = false; // only points where a ray can exit the relief count
     double rayStart = 0;  // relaxed: 0 = rays may start anywhere outside (safe), 1 = at depth 0 only (2007)
 };
 inline constexpr int kAllDirections = -1; // instead of a sector
 
-/// The two slices of a cone map (cone_map.h): cones of texel centers, and of whole cells for the bilinear
-/// surface.
+/// The two slices of a cone map (cone_map.h): cones at texel centers, and cones valid in whole cells of the
+/// bilinear surface.
 enum class ConeSlice { Texels, Cells };
 
-/// Box of the gradients of a bilinear patch, depth per texel: (s.x to s.y) x (t.x to t.y). The patch takes
-/// all of it, as its slope in s depends on t alone and the other way round. `least`: its least depth.
+/// The range of gradients of a bilinear patch, depth per texel: (s.x to s.y) x (t.x to t.y). All gradients of
+/// this box occur, because the slope in s depends only on t and vice versa. `least`: the patch's minimum
+/// depth.
 struct CellSlopes {
     Vec2 s, t;
     double least;
 };
 CellSlopes cellSlopes(const HeightMap::Cell& cell);
 
-/// Can a ray leave the relief in a cell, when the place it leaves at is k + [-1,1]^2 texels from where its
-/// step began? An exit needs a depth that grows along the ray: gradient . offset > 0; for a ray from depth 0,
-/// which has sunk by the depth of the place, > that depth.
+/// Whether a ray can exit the relief in a cell at an offset of k + [-1,1]^2 texels from the start of its
+/// step. At an exit, the relief's depth must increase along the ray: gradient . offset > 0, or, for a ray
+/// from depth 0, which has descended by the depth at the exit, > that depth.
 bool exitPossible(const CellSlopes& cell, int ks, int kt, double rayStart);
 
 class ConePairs {
@@ -45,8 +46,8 @@ class ConePairs {
     /// Keeps a reference to the map.
     ConePairs(const HeightMap& map, ConeSlice slice, ConeRule rule);
 
-    /// The squared length that a drop over offset k is divided by: |k|^2 in st units, or phi(k)^2 of
-    /// cone_map.h for cells.
+    /// The squared distance by which the height difference over offset k is divided: |k|^2 in st units, or
+    /// phi(k)^2 of cone_map.h for cells.
     double distanceSquared(int ks, int kt) const {
         const double squared = offsetSquared(ks, kt);
         return squared >= closedFormFrom_ ? squared - halfDiagonalSquared_ : nearDistanceSquared(ks, kt);
@@ -55,16 +56,16 @@ class ConePairs {
         const double s = ks * perWidth_, t = kt * perHeight_;
         return s * s + t * t;
     }
-    /// No offset of at least this squared length has a smaller distanceSquared. Grows with its argument.
-    double leastDistanceSquared(double offsetSquared) const {
+    /// Lower bound of distanceSquared over all offsets of at least this squared length. Monotonic.
+    double minDistanceSquared(double offsetSquared) const {
         return offsetSquared >= closedFormFrom_ ? offsetSquared - halfDiagonalSquared_ : 0.5 * offsetSquared;
     }
     /// Pairs farther apart than this many map sizes along an axis have slopes below 1, the cap of every cone.
     static constexpr int kReachTiles = 2;
 
-    /// Does q = (column, row) + k matter to a cone on (column, row)?
+    /// Whether q = (column, row) + k constrains a cone at (column, row).
     bool counts(int column, int row, int ks, int kt, int sector) const;
-    /// Does any offset of the box matter to the sector?
+    /// Whether the box of offsets intersects the sector.
     bool meetsSector(const Vec2i& low, const Vec2i& high, int sector) const {
         if (sector == kAllDirections) return true;
         const int wider = spread();
@@ -75,7 +76,7 @@ class ConePairs {
         return farthest * size[along] >= nearest * size[across];
     }
 
-    /// Are all true offsets of the pair in the sector?
+    /// Whether all actual offsets that the pair represents are in the sector.
     bool insideSector(const Vec2i& offset, int sector) const;
 
     ConeSlice slice() const { return slice_; }
@@ -83,7 +84,7 @@ class ConePairs {
     const HeightMap& map() const { return map_; }
 
   private:
-    /// A cell's pair stands for true offsets within a texel of its own along each axis.
+    /// A pair of cells represents actual offsets within one texel of its own along each axis.
     int spread() const { return slice_ == ConeSlice::Cells ? 1 : 0; }
     double nearDistanceSquared(int ks, int kt) const;
     double computeNearDistance(int ks, int kt) const;

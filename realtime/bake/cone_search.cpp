@@ -7,7 +7,7 @@
 namespace plumbline {
 namespace {
 
-// Takes back the rounding of a comparison of products.
+// Relative tolerance for the rounding of products in comparisons.
 constexpr double kSlack = 1e-12;
 
 } // namespace
@@ -24,10 +24,10 @@ float coneRatio(float keptSlopeSquared) {
     return rounded > ratio ? std::nextafter(rounded, 0.0f) : rounded;
 }
 
-/// A block that may hold a steeper pair. Slopes squared.
+/// A block that may contain a steeper pair. Slopes are squared.
 struct ConeSearch::Block {
     int level;
-    Vec2i at, shift; // shift: texels of the image it is in
+    Vec2i at, shift; // shift: offset of its repeated image, texels
     double bound;
 };
 
@@ -35,16 +35,15 @@ struct ConeSearch::Query {
     Vec2i texel;
     int sector;
     double depth;
-    double steepest = 1; // squared
-    double skipped =
-        1 - kSlack; // pairs up to this squared slope are kept as `steepest` is, or don't pass the cap
+    double steepest = 1;         // squared
+    double skipped = 1 - kSlack; // pairs up to this squared slope round to `steepest` or are below the cap
     Winner winner{};
 
     void take(double slopeSquared, const Vec2i& at) {
         steepest = slopeSquared;
         winner = at;
         const auto rounded = static_cast<float>(slopeSquared);
-        // Up to halfway to the next float, all round to this one.
+        // All values up to halfway to the next float round to this one.
         skipped = 0.5 * (double(rounded) + double(std::nextafter(rounded, kInfinityF))) * (1 - kSlack);
     }
 };
@@ -55,8 +54,8 @@ ConeSearch::ConeSearch(const ConePairs& pairs, const DepthPyramid& pyramid)
     tiles_ = {tiles(pairs.map().wrapS()), tiles(pairs.map().wrapT())};
 }
 
-/// An upper bound of the slopes to a block: its highest point at its least distance, or its plane, whichever
-/// is less.
+/// Upper bound of the slopes to a block: the smaller one of the bounds from its highest point at its minimum
+/// distance, and from its plane.
 ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i& at,
                                       const Vec2i& shift) const {
     Block block{level, at, shift, 0};
@@ -66,17 +65,17 @@ ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i
     high += shift - query.texel;
     const Vec2i nearest = glm::max(glm::max(low, -high), Vec2i(0)), farthest = glm::max(-low, high);
     const double offsetSquared = pairs_.offsetSquared(nearest.x, nearest.y);
-    const double distanceSquared = pairs_.leastDistanceSquared(offsetSquared);
+    const double distanceSquared = pairs_.minDistanceSquared(offsetSquared);
     const auto tooLow = [&](double drop) {
         return !(drop > 0) || drop * drop <= query.skipped * distanceSquared;
     };
     const DepthPyramid::Bound* bounds = pyramid_.bounds(level, at);
-    if (tooLow(query.depth - bounds->leastDepth)) return block;
+    if (tooLow(query.depth - bounds->minDepth)) return block;
     if (!pairs_.meetsSector(low, high, query.sector)) return block;
     DepthPyramid::Bound bound = *bounds;
     if (const unsigned octants = pyramid_.octantsMet(low, high)) {
         bound = DepthPyramid::boundOfOctants(bounds, octants);
-        if (tooLow(query.depth - bound.leastDepth) || std::max(farthest.x, farthest.y) < bound.leastReach)
+        if (tooLow(query.depth - bound.minDepth) || std::max(farthest.x, farthest.y) < bound.minReach)
             return block;
     }
     if (pairs_.rule().relaxed && !pyramid_.exitPossible(level, at, low, high)) return block;
@@ -84,9 +83,10 @@ ConeSearch::Block ConeSearch::boundOf(const Query& query, int level, const Vec2i
         block.bound = kInfinity;
         return block;
     }
-    const double drop = query.depth - bound.leastDepth;
+    const double drop = query.depth - bound.minDepth;
     block.bound = drop * drop / distanceSquared;
-    // D_p - D_q <= above - slope . k, so the slope is at most above / distance + |slope| |k| / distance.
+    // D_p - D_q <= above - slope . k, so the pair's slope is at most above / distance + |slope| |k| /
+    // distance.
     const DepthPyramid::Plane& plane = pyramid_.plane(level, at);
     const double above =
         query.depth - bound.residual - glm::dot(plane.slope, Vec2(query.texel - shift) - plane.center);
@@ -117,7 +117,7 @@ void ConeSearch::visitLeaf(Query& query, const Block& block) const {
             const double drop = query.depth - row[i];
             if (!(drop > 0)) continue;
             const Vec2i offset = Vec2i(i, j) + block.shift - query.texel;
-            const double least = pairs_.leastDistanceSquared(pairs_.offsetSquared(offset.x, offset.y));
+            const double least = pairs_.minDistanceSquared(pairs_.offsetSquared(offset.x, offset.y));
             if (drop * drop <= query.skipped * least) continue;
             if (pairs_.rule().relaxed) {
                 const unsigned octants = pyramid_.octantsMet(offset, offset);
@@ -128,19 +128,20 @@ void ConeSearch::visitLeaf(Query& query, const Block& block) const {
     }
 }
 
-/// A quadrant of a clamped map sees the border's texels again, farther out: those that in the map are in
-/// another quadrant. What is seen first, on the quadrant's edge, decides; column by column outwards.
+/// Beyond the border of a clamped map, its border texels are repeated. A quadrant may contain the repetition
+/// of a texel that is in another quadrant in the map. The nearest repetition, at the quadrant's edge, is the
+/// one that counts; columns are visited outwards.
 void ConeSearch::visitBeyondBorder(Query& query) const {
     if (query.sector == kAllDirections) return;
     const int along = query.sector / 2, across = 1 - along, sign = query.sector % 2 == 0 ? 1 : -1;
     if (tiles_[along] > 0) return;
-    Vec2i first(0); // offset of the nearest texel of the border, or beyond it
+    Vec2i first(0); // offset of the nearest texel at or beyond the border
     first[along] = sign > 0 ? size_[along] - 1 - query.texel[along] : -query.texel[along];
     for (int n = 0; n <= ConePairs::kReachTiles * size_[across]; ++n) {
         first[across] = n;
         while (!pairs_.meetsSector(first, first, query.sector))
             first[along] += sign;
-        const double least = pairs_.leastDistanceSquared(pairs_.offsetSquared(first.x, first.y));
+        const double least = pairs_.minDistanceSquared(pairs_.offsetSquared(first.x, first.y));
         if (query.depth * query.depth <= query.skipped * least) return;
         for (const int side : {-n, n}) {
             const int at = query.texel[across] + side;
@@ -155,9 +156,9 @@ void ConeSearch::visitBeyondBorder(Query& query) const {
     }
 }
 
-/// Blocks still to be looked at, the most promising of the last group on top.
+/// Stack of blocks to be visited, with the most promising one of the last group on top.
 struct ConeSearch::Agenda {
-    // 25 images, then three more a level wait.
+    // At most 25 images, and three more per level.
     std::array<Block, 128> blocks;
     size_t count = 0, groupBegin = 0;
 
@@ -187,7 +188,7 @@ void ConeSearch::addChildren(const Query& query, const Block& block, Agenda& age
             agenda.add(query, boundOf(query, block.level - 1, {x, y}, block.shift));
 }
 
-/// The neighbor's winner, and where it would be had it come along.
+/// Visits the neighboring texel's winner, and the same offset from this texel, as initial bounds.
 void ConeSearch::visitGuesses(Query& query, const Vec2i& neighborsWinner) const {
     for (const int step : {0, 1}) {
         const Vec2i guess = neighborsWinner + Vec2i(step, 0);

@@ -1,4 +1,4 @@
-// The steepest rise from a texel: exactly the largest of all pairs (cone_pairs.h), found by branch and bound
+// Finds the steepest slope from a texel: the exact maximum over all pairs (cone_pairs.h), by branch and bound
 // over a DepthPyramid.
 #pragma once
 
@@ -9,20 +9,21 @@
 
 namespace plumbline {
 
-/// A squared slope as it is kept: 1 where no pair exceeds the cap, else the second float above, so that
-/// slopes that differ by less than a float's last bit are one, which the search can stop at, and rounding
+/// Rounds a squared slope: to 1 if no pair exceeds the cap, otherwise to the second float above. Slopes that
+/// differ by less than a float's last bit become equal, which allows the search to stop early, and rounding
 /// never makes a cone wider.
 float keptSlopeSquared(double slopeSquared);
-/// The cone ratio of a kept squared slope, rounded down; 1 at most.
+/// The cone ratio of a rounded squared slope, rounded down; at most 1.
 float coneRatio(float keptSlopeSquared);
 
 class ConeSearch {
   public:
     ConeSearch(const ConePairs& pairs, const DepthPyramid& pyramid);
 
-    /// Place of a winner, in texels of the endless map: a good first guess for the next texel.
+    /// Position of the pair's second texel, unwrapped: a good initial guess for the next texel.
     using Winner = std::optional<Vec2i>;
-    /// The largest squared slope from a texel over all pairs that count, kept; at least 1. Replaces `winner`.
+    /// The maximum squared slope from a texel over all pairs that count, rounded by keptSlopeSquared; at
+    /// least 1. Updates `winner`.
     float steepestSquared(int column, int row, int sector, Winner& winner) const;
 
   private:
@@ -40,7 +41,7 @@ class ConeSearch {
     const ConePairs& pairs_;
     const DepthPyramid& pyramid_;
     Vec2i size_;
-    Vec2i tiles_; // images looked at to each side
+    Vec2i tiles_; // repeated images visited to each side
 };
 
 } // namespace plumbline

@@ -8,11 +8,11 @@
 namespace plumbline {
 namespace {
 
-// What rounding may have added to a residual, in relief depth, and to a reach, as a share: far above 2^-52.
+// Bounds of rounding errors: of a residual in relief depth, of a reach as a fraction; far above 2^-52.
 constexpr double kResidualSlack = 1e-14, kReachSlack = 1e-9;
 
-/// Directions of an octant: the ratio of its smaller to its larger component, and how far the larger goes
-/// beyond |k|.
+/// Range of directions of an octant: the ratio of the smaller to the larger component, and how far the larger
+/// one extends beyond |k|.
 struct OctantRange {
     double leastRatio, mostRatio, beyond;
 };
@@ -24,14 +24,14 @@ OctantRange octantRange(ConeSlice slice) {
     return {-1 / (n - 1), (n + 1) / (n - 1), 1};
 }
 
-/// Fastest growth of depth per texel of the larger component, over the octant; 0 or less: none.
+/// Maximum increase of depth per texel of the larger component over the octant; none if <= 0.
 double fastestGrowth(double larger, double smaller, const OctantRange& range) {
     return larger + std::max(range.leastRatio * smaller, range.mostRatio * smaller);
 }
 
 struct OctantUse {
     bool matters = false;
-    double leastReach = kInfinity;
+    double minReach = kInfinity;
 };
 
 void useSlope(OctantUse& use, const Vec2& slope, double depth, unsigned octant, double rayStart,
@@ -42,7 +42,7 @@ void useSlope(OctantUse& use, const Vec2& slope, double depth, unsigned octant, 
     if (!(growth + slack > 0)) return;
     use.matters = true;
     const double reach = rayStart * depth / (growth + slack) * (1 - kReachSlack) - range.beyond;
-    use.leastReach = std::min(use.leastReach, reach);
+    use.minReach = std::min(use.minReach, reach);
 }
 
 OctantUse octantUse(const ConePairs& pairs, int i, int j, unsigned octant) {
@@ -50,7 +50,7 @@ OctantUse octantUse(const ConePairs& pairs, int i, int j, unsigned octant) {
     const OctantRange range = octantRange(pairs.slice());
     OctantUse use;
     if (pairs.slice() == ConeSlice::Texels) {
-        // The difference toward the side the octant is on, as a slope along +s, +t.
+        // The one-sided difference toward the octant, as a slope along +s, +t.
         const int ds = octant & 1 ? -1 : 1, dt = octant & 2 ? -1 : 1;
         const double depth = map.texel(i, j);
         const Vec2 slope(ds * (map.texel(i + ds, j) - depth), dt * (map.texel(i, j + dt) - depth));
@@ -147,16 +147,15 @@ void DepthPyramid::makeLeaf(const Vec2i& at) {
             const double depth = depthAt(i, j);
             const double residual = depth - glm::dot(plane.slope, Vec2(i, j) - plane.center) - kResidualSlack;
             const auto take = [&](Bound& b, double reach) {
-                b.leastDepth = std::min(b.leastDepth, depth);
+                b.minDepth = std::min(b.minDepth, depth);
                 b.residual = std::min(b.residual, residual);
-                b.leastReach = std::min(b.leastReach, reach);
+                b.minReach = std::min(b.minReach, reach);
             };
             take(bounds[0], 0);
             if (classes_ == 1) continue;
             const unsigned octants = octantsOf(i, j);
             for (unsigned octant = 0; octant < kOctants; ++octant)
-                if (octants >> octant & 1)
-                    take(bounds[1 + octant], octantUse(pairs_, i, j, octant).leastReach);
+                if (octants >> octant & 1) take(bounds[1 + octant], octantUse(pairs_, i, j, octant).minReach);
         }
     if (classes_ > 1) level.slopes[blockIndex(level, at)] = leafSlopes(low, high);
     plane.steepness = glm::length(plane.slope * Vec2(mapSize_));
@@ -192,15 +191,15 @@ void DepthPyramid::makeParent(int levelIndex, const Vec2i& at) {
     Bound* bounds = &level.bounds[blockIndex(level, at) * static_cast<size_t>(classes_)];
     forEachChild([&](size_t child, const Vec2i& span) {
         const Plane& childPlane = finer.planes[child];
-        // The child's plane above this one: linear, least at a corner of the child.
+        // The child's plane relative to this one is linear, so its minimum is at a corner of the child.
         const Vec2 tilt = glm::abs(childPlane.slope - plane.slope);
         const double shift = -glm::dot(plane.slope, childPlane.center - plane.center) -
                              0.5 * glm::dot(tilt, Vec2(span)) - kResidualSlack;
         for (int c = 0; c < classes_; ++c) {
             const Bound& from = finer.bounds[child * static_cast<size_t>(classes_) + static_cast<size_t>(c)];
-            bounds[c].leastDepth = std::min(bounds[c].leastDepth, from.leastDepth);
+            bounds[c].minDepth = std::min(bounds[c].minDepth, from.minDepth);
             bounds[c].residual = std::min(bounds[c].residual, from.residual + shift);
-            bounds[c].leastReach = std::min(bounds[c].leastReach, from.leastReach);
+            bounds[c].minReach = std::min(bounds[c].minReach, from.minReach);
         }
     });
     plane.steepness = glm::length(plane.slope * Vec2(mapSize_));

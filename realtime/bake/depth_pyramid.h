@@ -1,8 +1,8 @@
-// A quadtree over a height map that says of a block of texels how high it can reach: by its least depth, and
-// by a plane below which none of its texels lies. Relief depth and texels; no wrapping, that is the caller's.
+// A quadtree over a height map that bounds how high a block of texels can reach: by its minimum depth, and by
+// a plane that no texel exceeds in height. Units: relief depth and texels. Wrapping is left to the caller.
 //
-// For relaxed cones it also says so of the texels alone that matter from a given side: an octant of offsets k
-// from the cone's texel to here, named by the bits k_s < 0, k_t < 0, |k_t| > |k_s|.
+// For relaxed cones it has additional bounds of only those texels that count from a given side, that is, an
+// octant of offsets k from the cone's texel to here, identified by the bits k_s < 0, k_t < 0, |k_t| > |k_s|.
 #pragma once
 
 #include "realtime/bake/cone_pairs.h"
@@ -18,17 +18,17 @@ class DepthPyramid {
   public:
     static constexpr int kLeafSize = 4;
     static constexpr int kOctants = 8;
-    /// Octants say nothing of cells' pairs nearer than this many texels (the larger of |k_s|, |k_t|): from
-    /// near, a cell is seen from many sides at once.
+    /// Octants aren't used for pairs of cells nearer than this many texels (the larger of |k_s|, |k_t|),
+    /// because a near cell is seen from a wide range of directions.
     static constexpr int kNearCells = 6;
 
     explicit DepthPyramid(const ConePairs& pairs);
 
-    /// Bounds of a block for texels seen from one octant, or all of them.
+    /// Bounds of a block for the texels that count from one octant, or for all texels.
     struct Bound {
-        double leastDepth; // infinite: no such texel
-        double residual;   // depth >= residual + slope . (texel - center)
-        double leastReach; // none matters to a cone with both |k_s| and |k_t| below this
+        double minDepth; // infinite: no such texel
+        double residual; // depth >= residual + slope . (texel - center)
+        double minReach; // no texel counts for cones with both |k_s| and |k_t| below this
     };
     struct Plane {
         Vec2 center;      // texels
@@ -37,7 +37,7 @@ class DepthPyramid {
     };
     int levelCount() const { return static_cast<int>(levels_.size()); }
     Vec2i blockCount(int level) const { return levels_[static_cast<size_t>(level)].size; }
-    /// Texels low to high, both within the block.
+    /// The range of texels of a block, both ends inclusive.
     void block(int level, const Vec2i& at, Vec2i& low, Vec2i& high) const {
         const int side = kLeafSize << level;
         low = at * side;
@@ -47,13 +47,13 @@ class DepthPyramid {
         const Level& l = levels_[static_cast<size_t>(level)];
         return l.planes[blockIndex(l, at)];
     }
-    /// Of all texels of a block, then of those that matter from each octant (relaxed only).
+    /// Bounds of all texels of a block, then of those that count from each octant (relaxed only).
     const Bound* bounds(int level, const Vec2i& at) const {
         const Level& l = levels_[static_cast<size_t>(level)];
         return &l.bounds[blockIndex(l, at) * static_cast<size_t>(classes_)];
     }
-    /// Do the gradients of the cells around a block's texels let a ray leave there, from low to high away
-    /// from where it began? (Relaxed only.)
+    /// Whether the gradients of the cells around a block's texels allow a ray to exit there, at an offset
+    /// between low and high from its start (relaxed only).
     bool exitPossible(int level, const Vec2i& at, const Vec2i& low, const Vec2i& high) const {
         const Level& l = levels_[static_cast<size_t>(level)];
         const CellSlopes& slopes = l.slopes[blockIndex(l, at)];
@@ -64,24 +64,24 @@ class DepthPyramid {
                    largest(slopes.t, low.y - spread_, high.y + spread_) >
                pairs_.rule().rayStart * slopes.least;
     }
-    /// What holds of several octants, a bit each.
+    /// The combined bounds of several octants, given as bits.
     static Bound boundOfOctants(const Bound* bounds, unsigned octants) {
         Bound met{kInfinity, kInfinity, kInfinity};
         for (; octants != 0; octants &= octants - 1) {
             const Bound& b = bounds[1 + std::countr_zero(octants)];
-            met.leastDepth = std::min(met.leastDepth, b.leastDepth);
+            met.minDepth = std::min(met.minDepth, b.minDepth);
             met.residual = std::min(met.residual, b.residual);
-            met.leastReach = std::min(met.leastReach, b.leastReach);
+            met.minReach = std::min(met.minReach, b.minReach);
         }
         return met;
     }
-    /// The octants that a texel matters from, a bit each; cells from kNearCells on.
+    /// The octants from which a texel counts, as bits; for cells at distances from kNearCells on.
     unsigned octantsOf(int column, int row) const {
         return octants_[static_cast<size_t>(row) * static_cast<size_t>(mapSize_.x) +
                         static_cast<size_t>(column)];
     }
 
-    /// Octants met by a box of offsets; 0 where octants say nothing.
+    /// Octants that intersect a box of offsets; 0 where octants aren't used.
     unsigned octantsMet(const Vec2i& low, const Vec2i& high) const {
         if (classes_ == 1) return 0;
         const Vec2i nearest = glm::max(glm::max(low, -high), Vec2i(0));
@@ -103,7 +103,7 @@ class DepthPyramid {
         Vec2i size{0, 0};
         std::vector<Plane> planes;
         std::vector<CellSlopes> slopes; // of all cells around its texels; relaxed only
-        std::vector<Bound> bounds;      // classes_ a block: all, then the octants
+        std::vector<Bound> bounds;      // classes_ per block: all, then the octants
     };
     size_t blockIndex(const Level& level, const Vec2i& at) const {
         return static_cast<size_t>(at.y) * static_cast<size_t>(level.size.x) + static_cast<size_t>(at.x);
@@ -115,11 +115,11 @@ class DepthPyramid {
 
     const ConePairs& pairs_;
     Vec2i mapSize_;
-    int spread_;       // true offsets of a pair are within this many texels of its own
-    int nothingBelow_; // offsets that octants say nothing of, texels
+    int spread_;       // actual offsets of a pair are within this many texels of its own
+    int nothingBelow_; // octants aren't used for smaller offsets, texels
     int classes_;      // 1, or 1 + kOctants
     std::vector<Level> levels_;
-    std::vector<uint8_t> octants_; // a texel; empty unless relaxed
+    std::vector<uint8_t> octants_; // per texel; empty unless relaxed
 };
 
 } // namespace plumbline

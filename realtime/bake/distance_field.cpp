@@ -1,31 +1,32 @@
-// Distances to the relief on a grid of boxes, for sphere tracing.
+// Bakes a distance field of the relief on a voxel grid, for sphere tracing.
 //
-// Voxel (i, j, k) is the box [i, i+1]/W x [j, j+1]/H of st around the center of texel (i, j), and [k,
-// k+1]/slices of relief depth. It is solid if any point of it lies on or below the bilinear relief. Space:
-// one map width is sx/sz long, one map height sy/sz, the relief depth 1; all distances are in this unit, the
-// relief's depth.
+// Voxel (i, j, k) is the box [i, i+1]/W x [j, j+1]/H of st around the center of texel (i, j), and
+// [k, k+1]/slices of relief depth. It is solid if any point of it lies on or below the bilinear relief.
+// Space: a map width has the length sx/sz, a map height sy/sz, and the relief depth 1; so all distances are
+// in units of the relief's depth.
 //
-// Channel 0, the least distance between any point of this voxel and any point of a solid one: with sides h
-// and k voxels between two on each axis, sqrt(sum (h max(|k| - 1, 0))^2). Every point of the surface lies in
-// a solid voxel, so no point of this voxel is nearer to the surface than that: a technique looks up the
-// nearest voxel and subtracts nothing. Where a ray is outside the grid it takes the nearest voxel, and the
-// distance still holds:
-//   above the top (d < 0)      everything solid has d >= 0, so the point is no nearer to it than its place on
-//   the top is beside a clamped border    the relief goes on as the border's texels, and the border's voxel
-//   is solid wherever a voxel
-//                              beyond it is (its footprint holds that profile), in reach of every voxel on
-//                              the map
-//   below the last slice       solid, as the last slice is: the distance is 0
+// Channel 0 is the minimum distance between any point of this voxel and any point of a solid one: with voxel
+// sides h and index differences k along each axis, sqrt(sum (h max(|k| - 1, 0))^2). Every point of the
+// surface lies in a solid voxel, so this is a lower bound of the distance to the surface for all points of
+// the voxel, and a technique can use the nearest voxel's value without a correction. A ray outside the grid
+// uses the nearest voxel, and the bound still holds:
+//   above the top (d < 0)      everything solid has d >= 0, so the distance isn't smaller than from the
+//                              projection to the top
+//   beside a clamped border    the relief continues the border's texels, and the border's voxel is solid
+//                              wherever a voxel beyond it is (its footprint contains that profile) and is
+//                              nearer to every voxel of the map
+//   below the last slice       solid, like the last slice: the distance is 0
 //
-// Channel 1, the field of the documents: from center to center, 0 in solid voxels, which here are those whose
-// center is on or below the texel's depth. What is below the last slice counts as solid, so that a floor of
-// depth 1 is a floor. It is no bound: the surface may be nearer by half a voxel's diagonal at either end, and
-// anywhere between two texels.
+// Channel 1 is the published field, the distance between voxel centers. It is 0 in solid voxels, which for
+// this channel are those whose center is on or below the texel's depth. Everything below the last slice is
+// solid, so that a floor at depth 1 is found. It is no bound: the surface may be nearer by half a voxel's
+// diagonal at either end, and anywhere between two texels.
 //
-// Both are exact, axis by axis (Felzenszwalb, Huttenlocher, Distance transforms of sampled functions, 2012):
-// in a column the nearest solid voxel is known, then squares are minimized along s and along t. A sum is
-// always (depth + s) + t; rounding is monotonic, so the minimum over s may be taken before t is added, and
-// the result has the bits of the minimum over all solid voxels, however the work is cut.
+// Both are exact and computed axis by axis (Felzenszwalb, Huttenlocher, Distance transforms of sampled
+// functions, 2012): the nearest solid voxel of a column is known, then squared distances are minimized along
+// s and along t. A sum is always (depth + s) + t. Rounding is monotonic, so the minimum over s may be taken
+// before t is added, and the result is bit-identical to the minimum over all solid voxels, for any division
+// of the work.
 #include "realtime/bake/bake_kinds.h"
 #include "realtime/bake/scale_ratios.h"
 #include "scenes/core/free_memory.h"
@@ -42,10 +43,9 @@ namespace plumbline {
 namespace {
 
 constexpr size_t kChannels = 2;
-constexpr int kLanes =
-    32; // neighbors in a row that are worked on together; a vector register holds some of them
+constexpr int kLanes = 32; // adjacent columns processed together, for vectorization
 
-/// Squares of the distances between voxels 0, 1, 2 … apart on one axis.
+/// Squared distances between voxels 0, 1, 2 … apart on one axis.
 std::vector<double> squaredGaps(int count, double side, int touching) {
     std::vector<double> squares(static_cast<size_t>(count));
     for (int steps = 0; steps < count; ++steps) {
@@ -55,9 +55,9 @@ std::vector<double> squaredGaps(int count, double side, int touching) {
     return squares;
 }
 
-/// Least depth of the bilinear relief over the box around texel (i, j): at a corner of one of its four
-/// pieces, each a quarter of a patch.
-double leastDepthAround(const HeightMap& map, int i, int j) {
+/// Minimum depth of the bilinear relief over the box around texel (i, j). It is at a corner of one of the
+/// box's four pieces, each a quarter of a patch.
+double minDepthAround(const HeightMap& map, int i, int j) {
     const auto depth = [&](int column, int row) { return static_cast<double>(map.texel(column, row)); };
     double least = depth(i, j);
     for (const int across : {-1, 1}) {
@@ -71,23 +71,23 @@ double leastDepthAround(const HeightMap& map, int i, int j) {
     return least;
 }
 
-/// What tells the two channels apart.
+/// The differences between the two channels.
 struct Measure {
     size_t channel;
-    int touching;                                                      // voxels that close are at distance 0
-    int (*firstSolid)(const HeightMap& map, int i, int j, int slices); // slice; all below it are solid
+    int touching;                                                      // voxels this close have distance 0
+    int (*firstSolid)(const HeightMap& map, int i, int j, int slices); // slice; all below are solid
     float (*toFloat)(double distance);
 };
 
 int firstSolidBox(const HeightMap& map, int i, int j, int slices) {
-    return std::max(0, static_cast<int>(std::ceil(leastDepthAround(map, i, j) * slices)) - 1);
+    return std::max(0, static_cast<int>(std::ceil(minDepthAround(map, i, j) * slices)) - 1);
 }
 
 int firstSolidCenter(const HeightMap& map, int i, int j, int slices) {
     return static_cast<int>(std::ceil(std::max(0.0, static_cast<double>(map.texel(i, j)) * slices - 0.5)));
 }
 
-/// The bound stays one when it becomes a float.
+/// Rounds down to float, so that a lower bound stays one.
 float roundedDown(double distance) {
     const auto nearest = static_cast<float>(distance);
     return nearest > distance ? std::nextafter(nearest, 0.0f) : nearest;
@@ -97,17 +97,19 @@ constexpr std::array<Measure, kChannels> kMeasures{
     {{0, 1, firstSolidBox, roundedDown},
      {1, 0, firstSolidCenter, [](double distance) { return static_cast<float>(distance); }}}};
 
-/// One axis of the grid: how far a search goes until it meets itself or the last voxel.
+/// One axis of the grid.
 struct Axis {
     int size;
     Wrap wrap;
+    /// How far a search can go before it wraps around or reaches the last voxel.
     int reach() const { return wrap == Wrap::Repeat ? size / 2 : size - 1; }
-    /// Beyond a clamped border the border's voxel again: farther off than it is, so it changes nothing.
+    /// Beyond a clamped border, the border's voxel is used again; it is farther away than the voxel itself,
+    /// so it has no effect.
     int index(int i) const { return wrap == Wrap::Repeat ? (i + size) % size : std::clamp(i, 0, size - 1); }
 };
 
-/// best[x] = min(best[x], the values at `steps` on both sides + gap), while a gap can still win over the
-/// worst of them. `at(steps)`: the first of `lanes` values there. `least`: no value is smaller.
+/// best[x] = min(best[x], the values at `steps` on both sides + gap), while a gap can still improve the
+/// largest of them. `at(steps)`: the first of `lanes` values there. `least`: a lower bound of all values.
 template <class At>
 void searchOutward(double* best, int lanes, int reach, const std::vector<double>& gaps, double least,
                    const At& at) {
@@ -157,11 +159,10 @@ class DistanceField {
         return static_cast<size_t>(j) * static_cast<size_t>(s_.size) + static_cast<size_t>(i);
     }
 
-    /// rows_: squares along depth and s.
+    /// Fills a row of rows_: squared distances along depth and s.
     void minimizeRow(int j, int k) {
         const int reach = s_.reach();
-        std::vector<double> column(
-            static_cast<size_t>(s_.size + 2 * reach)); // with what lies beyond the ends
+        std::vector<double> column(static_cast<size_t>(s_.size + 2 * reach)); // extended beyond both ends
         double* const inside = column.data() + reach;
         for (int i = -reach; i < s_.size + reach; ++i)
             inside[i] = gapsDepth_[static_cast<size_t>(std::max(0, firstSolid_[at(s_.index(i), j)] - k))];
@@ -173,7 +174,7 @@ class DistanceField {
                           [&](int steps) { return inside + i + steps; });
     }
 
-    /// Columns i to i + kLanes: adds t and writes the roots.
+    /// Columns i to i + kLanes: minimizes along t and writes the square roots.
     void minimizeColumns(int i, float* values) const {
         const int lanes = std::min(kLanes, s_.size - i);
         double least = rows_[at(i, 0)];
@@ -193,9 +194,9 @@ class DistanceField {
     Axis s_, t_;
     int slices_;
     Measure measure_;
-    std::vector<double> gapsS_, gapsT_, gapsDepth_; // squares, by voxels apart
+    std::vector<double> gapsS_, gapsT_, gapsDepth_; // squared, indexed by the distance in voxels
     std::vector<int> firstSolid_;                   // width x height
-    std::vector<double> rows_;                      // width x height, of the slice in work
+    std::vector<double> rows_;                      // width x height, of the current slice
 };
 
 } // namespace

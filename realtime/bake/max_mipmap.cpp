@@ -1,8 +1,7 @@
-// Least and most relief depth of blocks of the bilinear surface, as a pyramid.
+// Bakes a pyramid of the minimum and maximum relief depth of blocks of the bilinear surface.
 //
 // Level 0 has a cell for each bilinear patch: (i, j) lies between the centers of texels (i, j) and (i + 1, j
-// + 1). A patch takes its extremes at its corners, so the bounds are values of the map itself: nothing is
-// rounded.
+// + 1). The extrema of a bilinear patch are at its corners, so the bounds are values of the map and exact.
 #include "realtime/bake/bake_kinds.h"
 #include "scenes/core/free_memory.h"
 
@@ -28,7 +27,7 @@ struct DepthBounds {
     }
 };
 
-/// Fills a level of that size with bounds(i, j).
+/// Creates a level with the values bounds(i, j).
 template <class Bounds>
 Level makeLevel(int width, int height, const Bounds& bounds) {
     Level level{width, height, {}};
@@ -58,7 +57,8 @@ Level boundsOfPatches(const HeightMap& map) {
     });
 }
 
-/// Where block `index` of `count` ends among the cells below it: the last one takes what is left over.
+/// The end of block `index` of `count` among the finer level's cells; the last block includes a remaining
+/// cell.
 int blockEnd(int index, int count, int cells) {
     return index + 1 == count ? cells : 2 * (index + 1);
 }
@@ -82,7 +82,7 @@ Level boundsOfBlocks(const Level& finer) {
 } // namespace
 
 BakedMap bakeMaxMipmap(const HeightMap& map, const BakeRequest&) {
-    constexpr double kAllLevels = 2; // all together have fewer cells than two of the finest, however narrow
+    constexpr double kAllLevels = 2; // all levels together have fewer cells than two of the finest
     requireMemory(fmt::format("the pyramid of {}", map.name()),
                   kAllLevels * map.width() * map.height() * kBoundsACell * sizeof(float));
     BakedMap baked;

@@ -1,9 +1,9 @@
-// Unit normals of the relief at the centers of texels, and its depth beside them.
+// Bakes unit normals of the relief at texel centers, together with its depth.
 //
 // Frame: (along s, along t, out of the surface). The relief z = -depth(s, t) has the normal (D_s sz/sx, D_t
 // sz/sy, 1) / length, D_s and D_t per map width and height (notation of realtime/README.md). They are central
-// differences of the neighboring texels, which is the mean of the slopes of the bilinear patches on both
-// sides; beyond a clamped border the relief goes on flat, so that the slope there is half of the one within.
+// differences of the neighboring texels, that is, the mean of the slopes of the bilinear patches on both
+// sides. Beyond a clamped border the relief is flat, so the slope at the border is half of the inner slope.
 #include "realtime/bake/bake_kinds.h"
 #include "realtime/bake/scale_ratios.h"
 #include "scenes/core/free_memory.h"

@@ -7,7 +7,8 @@
 namespace plumbline {
 namespace {
 
-// Depths nearer than this are one: above the rounding of a root, far below what any check counts.
+// Depths closer than this count as equal: above the rounding error of a root, far below any tolerance of a
+// check.
 constexpr double kSameDepth = 1e-13;
 
 /// (a x + b) x + c.
@@ -20,7 +21,7 @@ struct Quadratic {
 int rootsWithin(const Quadratic& q, double length, std::array<double, 2>& roots) {
     const double discriminant = q.b * q.b - 4 * q.a * q.c;
     if (!(discriminant >= 0)) return 0;
-    // The root whose terms add up, then the other from their product c / a (Vieta).
+    // First the root without cancellation, then the other one from the product c / a (Vieta).
     const double sum = -0.5 * (q.b + std::copysign(std::sqrt(discriminant), q.b));
     int count = 0;
     const auto take = [&](double root) {
@@ -48,7 +49,7 @@ void addInside(std::vector<InsideInterval>& intervals, double begin, double end,
     }
 }
 
-/// d - D over the depth from `from` on, in one cell.
+/// d - D as a function of the depth from `from` on, in one cell.
 Quadratic belowSurface(const HeightMap& map, const Vec2i& cell, const Vec2& texel, const Vec2& step,
                        double from) {
     const HeightMap::Cell c = map.cell(cell.x, cell.y);
@@ -61,7 +62,7 @@ Quadratic belowSurface(const HeightMap& map, const Vec2i& cell, const Vec2& texe
 
 } // namespace
 
-/// Borders between cells are computed from their index, so nothing adds up.
+/// Crossings of cell borders are computed from the border's index, so rounding errors don't accumulate.
 void walkRelief(const HeightMap& map, const DescendingRay& ray, double begin, double end,
                 std::vector<InsideInterval>& intervals) {
     intervals.clear();

@@ -1,5 +1,5 @@
-// A scale as the ratios that matter: distances and slopes of a relief don't change when the whole of it
-// grows.
+// The ratios of a BakeScale, on which bakers depend: uniform scaling doesn't change slopes or distances
+// relative to the relief's depth.
 #pragma once
 
 #include "realtime/bake/bake.h"
@@ -9,14 +9,14 @@
 
 namespace plumbline {
 
-/// Relief depth 1 over one map width, and over one map height; a slope D_s of depth per width is D_s *
-/// perWidth in space.
+/// Relief depth 1 over one map width, and over one map height; a slope D_s of depth per map width is D_s *
+/// perWidth in world space.
 struct ScaleRatios {
     double perWidth, perHeight;
 };
 
-/// Throws InputError for ratios outside [1e-9, 1e9], where slopes and distances would leave what a float
-/// holds.
+/// Throws InputError for ratios outside [1e-9, 1e9], for which slopes and distances would exceed the range of
+/// a float.
 inline ScaleRatios scaleRatios(const BakeScale& scale) {
     constexpr double kLargest = 1e9;
     const ScaleRatios ratios{scale.depth / scale.s, scale.depth / scale.t};

@@ -88,7 +88,7 @@ GlTexture makeBakedTexture(const BakedMap& map) {
     const auto channels = static_cast<size_t>(map.channels);
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, kInternal[channels], sent.width, sent.height, map.slices, 0,
                  kFormat[channels], GL_FLOAT, sent.values.data());
-    // Shaders fetch texels: nothing is filtered or wrapped by the sampler.
+    // Shaders fetch texels, so the sampler's filtering and wrapping are irrelevant.
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);

@@ -1,4 +1,4 @@
-// Baked maps on the GPU: the scale an object's relief is baked at, and its texture.
+// Baked maps on the GPU: the scale for which an object's relief is baked, and the texture.
 #pragma once
 
 #include "realtime/bake/bake.h"
@@ -11,23 +11,24 @@ namespace plumbline {
 
 /// Mapping scales over an object's proxy, world units per unit of s and t.
 struct ReliefExtents {
-    Vec2 mean{0}; // 0 where the texture coordinates have no extent anywhere
-    /// No way on the proxy is shorter than with these as orthogonal scales; 0 where the coordinates have no
-    /// extent somewhere.
+    Vec2 mean{0}; // 0 if the texture coordinates are singular everywhere
+    /// Lower bound: no path on the proxy is shorter than with these as orthogonal scales; 0 if the
+    /// coordinates are singular somewhere.
     Vec2 least{0};
 };
 ReliefExtents reliefExtents(const ProxyMesh& proxy);
 
-/// The metric an object's relief is baked in. Normals are turned from scale to scale in the shader: any will
-/// do, the mean one is taken. Distances must not be longer than they are anywhere: the least. Throws
-/// InputError where the texture coordinates have no extent.
+/// The scale for which an object's relief is baked. Normals are converted to the local scale in the shader,
+/// so any scale would do; the mean is used. Distances must be lower bounds everywhere, so the minimum is
+/// used. Throws InputError if the texture coordinates are singular.
 BakeScale bakeScale(const ReliefExtents& extents, const SceneObject& object, const std::string& kind);
 
-/// Levels of a map of one slice in one picture: level 0 at the lower left, level k > 0 right of it at
-/// height h0 - floor(h0 / 2^(k-1)) + k - 1, which is never less than the levels below it take.
+/// Packs the levels of a map with one slice into one image: level 0 at the lower left, level k > 0 to the
+/// right of it at the height h0 - floor(h0 / 2^(k-1)) + k - 1, which is at least the total height of the
+/// levels below it.
 BakedMap::Level packLevels(const BakedMap& map);
 
-/// Throws MachineError if the map doesn't fit this OpenGL.
+/// Throws MachineError if the map exceeds the limits of this OpenGL.
 GlTexture makeBakedTexture(const BakedMap& map);
 
 } // namespace plumbline

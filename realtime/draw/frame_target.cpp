@@ -11,7 +11,7 @@
 namespace plumbline {
 namespace {
 
-/// The draw buffers, as shaders/shading.glsl writes them. 8 is what every driver offers.
+/// The draw buffers, as shaders/shading.glsl writes them. Every driver supports at least 8.
 enum Target { kColor, kPosition, kNormal, kTexture, kSurface, kTargets };
 constexpr double kBytesPerPixelOfTarget = 16; // RGBA32F
 
@@ -30,17 +30,17 @@ GlTexture makeTarget(GLenum format, int width, int height) {
     glBindTexture(GL_TEXTURE_2D, texture.get());
     const GLenum layout = format == GL_RGBA32F ? GL_RGBA : GL_DEPTH_COMPONENT;
     glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, layout, GL_FLOAT, nullptr);
-    // No mip levels: without this the texture isn't complete on some drivers.
+    // The texture has no mip levels; without this setting it is incomplete on some drivers.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     return texture;
 }
 
-/// Takes the targets apart into the channels of a frame.
+/// Splits the targets into the channels of a frame.
 class ChannelSplitter {
   public:
-    /// `channels`: rows of the channel table to keep, all if empty. `texture`: the target that says what is
-    /// covered.
+    /// `channels`: rows of the channel table to keep, all if empty. `texture`: the target that determines
+    /// coverage.
     ChannelSplitter(int width, int height, const std::vector<std::string>& channels,
                     const std::vector<float>& texture)
         : frame_(width, height), channels_(channels), unwanted_(frame_.pixelCount()),
@@ -75,7 +75,7 @@ class ChannelSplitter {
         });
     }
 
-    /// After addNormal, which knows the look-ups of the height map.
+    /// Must be called after addNormal, which reads the number of height-map lookups.
     void addTexture(const std::vector<float>& target, const std::vector<Vec2>& stOrigins) {
         const auto s = plane("st.S"), t = plane("st.T"), id = plane("id"),
                    baked = plane("cost.fetches.baked"), all = plane("cost.fetches");
@@ -110,11 +110,11 @@ class ChannelSplitter {
     bool wanted(std::string_view row) const {
         return channels_.empty() || std::find(channels_.begin(), channels_.end(), row) != channels_.end();
     }
-    /// Unwanted channels share one that is in no frame.
+    /// Channels that aren't kept share a scratch plane.
     std::span<float> plane(const char* name) {
         return wanted(name) ? frame_.add(name) : std::span<float>(unwanted_);
     }
-    /// The four components of each pixel, upside down: GL's row 0 is the bottom row.
+    /// Visits the four components of each pixel with rows flipped, because GL's row 0 is the bottom row.
     template <class Store>
     void forEachPixel(const std::vector<float>& target, const Store& store) const {
         const auto columns = static_cast<size_t>(frame_.width()), rows = static_cast<size_t>(frame_.height());
@@ -188,7 +188,7 @@ std::vector<float> FrameTarget::readTarget(int target) const {
 }
 
 Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-                        const std::vector<std::string>& channels, bool bentBase) const {
+                        const std::vector<std::string>& channels, bool curvedBase) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
     const std::vector<float> texture = readTarget(kTexture);
     ChannelSplitter splitter(width_, height_, channels, texture);
@@ -197,7 +197,7 @@ Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrig
     splitter.addNormal(readTarget(kNormal));
     splitter.addTexture(texture, stOrigins);
     const std::vector<float> surface = readTarget(kSurface);
-    if (bentBase) splitter.addCurvature(surface);
+    if (curvedBase) splitter.addCurvature(surface);
     splitter.addShadows(surface, scene_.lights);
     return splitter.takeFrame();
 }

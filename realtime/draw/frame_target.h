@@ -1,4 +1,4 @@
-// The float targets a frame is drawn into, and the way from there to a Frame.
+// The float render targets of a frame, and their readback into a Frame.
 #pragma once
 
 #include "realtime/gl/gl_context.h"
@@ -11,22 +11,21 @@
 
 namespace plumbline {
 
-/// As many as a scene file may have. Shadows share one float, a bit a light: whole numbers up to 2^24 are
-/// exact.
+/// The limit of scene files. Shadows share one float with one bit per light; integers up to 2^24 are exact.
 inline constexpr int kMaxLights = 16;
 
 class FrameTarget {
   public:
-    /// Throws InputError for more than kMaxLights lights, MachineError if the GL can't hold the picture.
+    /// Throws InputError for more than kMaxLights lights, MachineError if the image exceeds GL's limits.
     FrameTarget(const Scene& scene, const GlContext& context);
 
-    /// Binds the targets and clears them to a miss everywhere.
+    /// Binds the targets and clears all pixels to a miss.
     void begin() const;
-    /// Reads every channel back. `origin` is added to positions and, by object, `stOrigins` to st; `channels`
-    /// (rows of the channel table) says which to keep, all if empty; those of the curvature are there for a
-    /// base that bends.
+    /// Reads the channels back. `originWorld` is added to positions and, per object, `stOrigins` to st.
+    /// `channels` selects rows of the channel table, all if empty. Curvature channels are only present for a
+    /// curved base.
     Frame read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-               const std::vector<std::string>& channels, bool bentBase) const;
+               const std::vector<std::string>& channels, bool curvedBase) const;
 
   private:
     std::vector<float> readTarget(int target) const;

@@ -13,16 +13,16 @@
 namespace plumbline {
 namespace {
 
-// A relief shallower than this fraction of its object's diagonal is far below float's resolution of the
-// positions (6e-8), and its rays' slopes would leave float's range.
+// A relief shallower than this fraction of its object's diagonal is far below the single-precision resolution
+// of positions (6e-8), and its rays' slopes would overflow.
 constexpr double kShallowestRelief = 1e-9;
 // Texture units.
 constexpr GLint kHeightMapUnit = 0, kColorMapUnit = 1;
 
 constexpr GLuint kCurvatureAttribute = 5;
 
-/// As the vertex shaders' attributes 0 to 7 have it, the curvature as one of three. Triangles share no
-/// vertices: each knows the st of its own corners.
+/// Attributes 0 to 7 of the vertex shaders; the curvature is one of three. Triangles don't share vertices,
+/// because each vertex stores the st of its triangle's corners.
 struct VertexData {
     Vec3f position, normal, positionS, positionT;
     Vec2f st;
@@ -50,7 +50,7 @@ std::vector<VertexData> vertexData(const ProxyMesh& proxy, const Vec3& originWor
     return data;
 }
 
-/// Whole tiles to take off st. Clamped maps keep theirs: there st isn't periodic.
+/// Whole tiles to subtract from st; 0 for clamped maps, where st isn't periodic.
 Vec2 wholeTiles(const ProxyMesh& proxy, const SceneObject& object) {
     if (!object.relief || proxy.vertices.empty()) return Vec2(0);
     Vec2 lowest(kInfinity);
@@ -211,7 +211,7 @@ void GpuScene::useCurvature(CurvatureSet set) const {
     for (const GpuObject& gpu : objects_) {
         glBindVertexArray(gpu.vertexArray.get());
         glBindBuffer(GL_ARRAY_BUFFER, gpu.vertices.get());
-        switch (set) { // a third component that isn't there reads as 0
+        switch (set) { // a missing third component reads as 0
         case CurvatureSet::RingTwoTerms:
             describeAttribute(kCurvatureAttribute, 2, offsetof(VertexData, ringTwoTerms));
             break;

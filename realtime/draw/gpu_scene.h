@@ -1,4 +1,4 @@
-// The scene's objects on the GPU: proxy meshes, height maps, color maps. Shared by all techniques.
+// The scene's objects on the GPU: proxy meshes, height maps and color maps. Shared by all techniques.
 #pragma once
 
 #include "realtime/draw/baked_input.h"
@@ -16,47 +16,47 @@
 
 namespace plumbline {
 
-/// One object's geometry and what its shader needs to know.
+/// One object's geometry and shader inputs.
 struct GpuObject {
     const SceneObject* object = nullptr;
     GlVertexArray vertexArray;
     GlBuffer vertices;
     GLsizei vertexCount = 0;
-    Vec2 stOrigin{0, 0};    // whole tiles taken off st, so that float keeps its digits
-    bool hasRelief = false; // a relief too shallow for float counts as none
+    Vec2 stOrigin{0, 0};    // whole tiles subtracted from st to preserve precision
+    bool hasRelief = false; // false also for a relief too shallow for floats
     GLuint heightMap = 0, colorMap = 0;
     ReliefExtents extents;
 };
 
-/// What the baked maps of a technique cost.
+/// Cost of the baked maps of a technique.
 struct BakeCost {
-    double ms = 0;      // of making them, now or when they came into the cache
+    double ms = 0;      // of baking them, now or when they were cached
     uint64_t bytes = 0; // on the GPU
     std::vector<std::string> warnings;
 };
 
 class GpuScene {
   public:
-    /// Builds the proxies and sends everything. Throws InputError for a scene that has none, MachineError if
-    /// it doesn't fit. A context must be current.
+    /// Builds the proxies and uploads all data. Throws InputError if a proxy can't be built, MachineError if
+    /// the data exceeds GL's limits. A context must be current.
     GpuScene(const Scene& scene, const GlContext& context);
 
-    /// Gives every relief its map of each kind, from this renderer, the cache or by baking; draw() binds
-    /// these until the next call. Throws InputError for an object that can't have one, MachineError for one
-    /// that doesn't fit.
+    /// Provides each relief's baked map of each kind, from this renderer, from the cache or by baking; draw()
+    /// binds these until the next call. Throws InputError for an object whose map can't be baked,
+    /// MachineError for a map that exceeds GL's limits.
     BakeCost prepareBaked(const std::vector<std::string>& kinds);
     const Bounds& boundsWorld() const { return bounds_; }
     const std::vector<GpuObject>& objects() const { return objects_; }
     /// Sets the uniforms of one object and draws its proxy with the program in use.
     void draw(size_t index, const GlProgram& program) const;
-    /// Those with a relief, or those without.
+    /// Draws the objects with a relief, or those without.
     void drawObjects(bool withRelief, const GlProgram& program) const;
     /// Sets color, id and textures of one object.
     void setUniforms(size_t index, const GlProgram& program) const;
     std::vector<Vec2> stOrigins() const;
-    /// Sends the vertices, relative to the origin a view chose.
+    /// Uploads the vertices relative to the view's origin.
     void upload(const Vec3& originWorld);
-    /// For the draws to come; RingTwoTerms until then.
+    /// Selects the curvature of subsequent draws; initially RingTwoTerms.
     void useCurvature(CurvatureSet set) const;
 
   private:
@@ -79,7 +79,7 @@ class GpuScene {
     };
     const BakedTexture& bakedTexture(const HeightMap& map, const BakeRequest& request, BakeCost& cost);
     std::vector<std::unique_ptr<BakedTexture>> baked_;
-    /// By object: what draw() binds.
+    /// Per object, what draw() binds.
     struct Binding {
         const BakedFamily* family;
         const BakedTexture* texture;

@@ -6,7 +6,7 @@
 namespace plumbline {
 namespace {
 
-// Vertices sent at once: 8 MiB.
+// Vertices per upload: 8 MiB.
 constexpr size_t kChunkVertices = size_t(1) << 18;
 
 GLsizei indexCount(int columns, int rows) {

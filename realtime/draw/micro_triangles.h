@@ -1,4 +1,4 @@
-// Draws the reference's micro-meshes: the control technique's geometry.
+// Draws the reference's micro-meshes, the geometry of the control technique.
 #pragma once
 
 #include "realtime/gl/gl_objects.h"
@@ -11,8 +11,8 @@
 
 namespace plumbline {
 
-/// Sends the grids in chunks through one buffer, so that any number of micro-triangles takes the same GPU
-/// memory.
+/// Uploads the grids in chunks through one buffer, so that GPU memory doesn't depend on the number of
+/// micro-triangles.
 class MicroTriangleDrawer {
   public:
     MicroTriangleDrawer();
@@ -24,7 +24,7 @@ class MicroTriangleDrawer {
         Vec3f position, normal;
         Vec2f st;
     };
-    /// Grids of equal size share their triangles.
+    /// Grids of equal size share an index buffer.
     using Shape = std::pair<int, int>; // columns, rows
 
     void add(const MicroMesh& mesh, const MicroGrid& grid, const Vec3& originWorld);

@@ -52,7 +52,7 @@ void ShadowMaps::allocate(const GlContext& context) {
     glBindTexture(GL_TEXTURE_2D_ARRAY, layers_.get());
     glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size_, size_, layers, 0, GL_DEPTH_COMPONENT,
                  GL_FLOAT, nullptr);
-    // Distances are looked up one by one; no mip levels.
+    // Distances are fetched unfiltered; there are no mip levels.
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     framebuffer_ = GlFramebuffer::make();
@@ -76,11 +76,11 @@ void ShadowMaps::draw(const GpuScene& objects) const {
             glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, layers_.get(), 0,
                                       light.firstLayer + static_cast<GLint>(i));
             glClearBufferfv(GL_DEPTH, 0, &farthest);
-            glDisable(GL_CULL_FACE); // a light sees both sides, as the reference's rays do
+            glDisable(GL_CULL_FACE); // both sides cast shadows, as in the reference
             plainProgram_->use();
             light.layers[i].set(*plainProgram_);
             objects.drawObjects(false, *plainProgram_);
-            glEnable(GL_CULL_FACE); // a relief lies behind the front of its proxy
+            glEnable(GL_CULL_FACE); // a relief is behind the front faces of its proxy
             reliefProgram_->use();
             light.layers[i].set(*reliefProgram_);
             objects.drawObjects(true, *reliefProgram_);
@@ -105,7 +105,7 @@ void ShadowMaps::setUniforms(const GlProgram& receiver) const {
     glUniform1fv(receiver.uniform("uShadowRounding"), count, roundings.data());
     glUniform1f(receiver.uniform("uShadowMapBias"), bias_);
     glActiveTexture(GL_TEXTURE0 +
-                    static_cast<GLenum>(unitBehindBaked())); // where receivers look (technique_program)
+                    static_cast<GLenum>(unitBehindBaked())); // the unit used by receivers (technique_program)
     glBindTexture(GL_TEXTURE_2D_ARRAY, layers_.get());
 }
 

@@ -1,7 +1,7 @@
-// The shadow maps of one technique: the scene drawn from every light by the technique itself, and read by
-// what the camera sees.
+// The shadow maps of one technique: the scene drawn from every light with the technique itself, for lookup
+// when drawing the camera's view.
 //
-// shadow_projection.h says where texels lie, shaders/shadow_map.glsl how they are read.
+// shadow_projection.h defines the positions of texels, shaders/shadow_map.glsl the lookup.
 #pragma once
 
 #include "realtime/draw/gpu_scene.h"
@@ -16,21 +16,21 @@ namespace plumbline {
 
 class ShadowMaps {
   public:
-    /// Sizes and bias are the technique's `shadow_map_size` and `shadow_map_bias`. Throws InputError for a
-    /// shader, MachineError if the maps don't fit.
+    /// Size and bias are the technique's `shadow_map_size` and `shadow_map_bias`. Throws InputError for
+    /// shader errors, MachineError if the maps exceed GL's limits.
     ShadowMaps(const Technique& technique, const Scene& scene, const Bounds& boundsWorld,
                const Vec3& originWorld, const GlContext& context);
 
-    /// The light passes: reliefs by the technique's own hits, their back faces culled; other objects as they
-    /// are, both sides. Leaves a framebuffer of its own bound.
+    /// Draws the light passes: reliefs with the technique's hits and back-face culling, other objects with
+    /// both sides. Leaves its own framebuffer bound.
     void draw(const GpuScene& objects) const;
-    /// What a receiver reads, in the program in use.
+    /// Sets the uniforms of a receiver; its program must be in use.
     void setUniforms(const GlProgram& receiver) const;
 
   private:
     void allocate(const GlContext& context);
 
-    int size_; // texels a side
+    int size_; // texels per side
     float bias_;
     std::vector<ShadowProjection> lights_;
     std::unique_ptr<GlProgram> reliefProgram_, plainProgram_;

@@ -7,15 +7,15 @@
 namespace plumbline {
 namespace {
 
-// Extents below this fraction of the scene's diagonal are widened to it: a flat scene seen along its plane
-// has none.
+// Extents are at least this fraction of the scene's diagonal: a flat scene seen along its plane has no
+// extent.
 constexpr double kSmallestExtent = 1e-6;
-// Room in front of and behind the scene when polygons are clipped. What is stored doesn't see it.
+// Margin of the clip planes in front of and behind the scene. It doesn't affect the stored distances.
 constexpr double kClipMargin = 1e-3;
-// Near plane of a cube's faces as a fraction of the far one, as for the camera (view.cpp).
+// Near plane of a cube face as a fraction of the far plane, as for the camera (view.cpp).
 constexpr double kNearFraction = 1e-6;
-// A dozen float operations lie between a vertex and a distance, each right to 2^-24 of the coordinates it has
-// to do with.
+// Relative rounding error: about a dozen float operations from a vertex to a distance, each accurate to 2^-24
+// of its operands.
 constexpr double kRounding = 0x1p-20;
 
 std::array<Vec3, 8> corners(const Bounds& bounds) {
@@ -31,7 +31,7 @@ struct Interval {
     double extent() const { return high - low; }
 };
 
-/// Of the bounds along a direction, at least `least` wide.
+/// The extent of the bounds along a direction, at least `least` wide.
 Interval intervalAlong(const Vec3& direction, const Bounds& bounds, double least) {
     Interval interval;
     for (const Vec3& corner : corners(bounds)) {
@@ -42,19 +42,19 @@ Interval intervalAlong(const Vec3& direction, const Bounds& bounds, double least
     return {interval.low - missing, interval.high + missing};
 }
 
-/// Row-by-row: matrix * (p, 1) = (dot(row.xyz, p) + row.w, …).
+/// Builds a matrix from rows: matrix * (p, 1) = (dot(row.xyz, p) + row.w, …).
 glm::mat4 matrixOfRows(const Vec4& x, const Vec4& y, const Vec4& z, const Vec4& w) {
     return glm::mat4(glm::transpose(Mat4(x, y, z, w)));
 }
 
-/// The row that takes p - origin to (dot(direction, p) - interval.low) * scale + offset.
+/// The row that maps p - origin to (dot(direction, p) - low) * scale + offset.
 Vec4 rowAlong(const Vec3& direction, const Vec3& originWorld, double low, double scale, double offset) {
     return {direction * scale, (glm::dot(direction, originWorld) - low) * scale + offset};
 }
 
-/// The picture's right and top, of the smallest area: the box's outline is a hexagon whose sides are axes of
-/// the world seen along the light, and the smallest rectangle around a polygon has a side along one of its
-/// own.
+/// The image axes for which the bounding rectangle is smallest. The box's outline is a hexagon whose sides
+/// are projections of the world axes, and the smallest rectangle around a convex polygon has a side collinear
+/// with one of the polygon's.
 struct PictureAxes {
     Vec3 right, up;
 };
@@ -66,7 +66,7 @@ PictureAxes smallestPicture(const Vec3& toLight, const Bounds& bounds) {
         along[axis] = 1;
         const Vec3 across = along - toLight * toLight[axis];
         if (glm::length(across) < 1e-3)
-            continue; // the light runs along this axis: it has no direction on the picture
+            continue; // the light is parallel to this axis, whose projection is a point
         const Vec3 right = glm::normalize(across), up = glm::cross(toLight, right);
         const double area = intervalAlong(right, bounds, 0).extent() * intervalAlong(up, bounds, 0).extent();
         if (area < smallest) {
@@ -136,7 +136,7 @@ ShadowProjection pointProjection(const Vec3& position, const Bounds& bounds, con
         light.farthest = std::max(light.farthest, glm::length(corner - position));
     light.nearest = std::max(light.nearest - kDepthMargin * bounds.diagonal(), 0.0);
     light.farthest += kDepthMargin * bounds.diagonal();
-    if (!(light.farthest > light.nearest)) light.farthest = light.nearest + 1; // all the scene is one point
+    if (!(light.farthest > light.nearest)) light.farthest = light.nearest + 1; // the scene is a single point
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0})
             light.layers.push_back(faceCamera(position - originWorld, axis, sign, light.farthest));

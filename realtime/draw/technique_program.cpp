@@ -14,8 +14,8 @@
 namespace plumbline {
 namespace {
 
-/// A program that may declare the shadow maps' sampler, with its unit set: two kinds of sampler at unit 0,
-/// where all begin, are an error of the draw even if neither is read.
+/// Builds a program that may declare the shadow maps' sampler and sets its unit. All samplers start at unit
+/// 0, and samplers of different types on the same unit make a draw fail even if they aren't used.
 std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
     auto program = std::make_unique<GlProgram>(sources.vertex, sources.fragment);
     program->use();
@@ -53,7 +53,7 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
     for (const std::string& kind : technique.bakedKinds())
         if (!usesDeclarationOf(technique.search.shaderFile(), harnessShader(bakedFamily(kind).shader)))
             throw InputError(technique.search.file.string(),
-                             fmt::format("asks for input '{}', which the shader never reads", kind),
+                             fmt::format("declares input '{}', which the shader never reads", kind),
                              fmt::format("a shader that calls a function of {}", bakedFamily(kind).shader));
     return program;
 }

@@ -1,4 +1,4 @@
-// Shader programs of the harness with a technique put in (technique/stage_sources.h), compiled and linked.
+// Compiles and links the harness's shader programs for a technique (technique/stage_sources.h).
 #pragma once
 
 #include "realtime/gl/gl_program.h"
@@ -9,8 +9,8 @@
 namespace plumbline {
 
 /// Compiles, links and checks that the technique declares no uniform the harness doesn't set. Throws
-/// InputError. What the camera sees has the unit of its shadow maps set, unitBehindBaked() of baked_input.h,
-/// and is left in use.
+/// InputError. Programs for the camera's view have the unit of the shadow maps set, unitBehindBaked() of
+/// baked_family.h, and are left in use.
 std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount);
 std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount, bool shadowMaps);
 std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique);

@@ -8,8 +8,8 @@
 namespace plumbline {
 namespace {
 
-// Near plane as a fraction of the far one. The depth buffer doesn't see it (gl_FragDepth is linear in the
-// planar depth): it only keeps points at the camera itself from being divided by zero.
+// Near plane as a fraction of the far plane. It doesn't affect depth precision, because gl_FragDepth is
+// linear in the planar depth; it only prevents a division by zero for points at the camera.
 constexpr double kNearFraction = 1e-6;
 
 struct DepthRange {
@@ -39,12 +39,11 @@ View::View(const Scene& scene, const Bounds& boundsWorld) : scene_(scene) {
     const bool perspective = camera.projection == Camera::Projection::Perspective;
     Bounds bounds = boundsWorld;
     if (bounds.empty()) bounds.add(camera.targetWorld);
-    // The point of the scene nearest to the camera: float is finest there.
+    // The point of the scene nearest to the camera, where single precision is then best.
     originWorld_ = glm::clamp(camera.positionWorld, bounds.low, bounds.high);
 
     DepthRange range = planarDepthRange(camera, bounds);
-    if (!(range.high > range.low))
-        range = {0, 1}; // a single point, or all behind the camera: nothing to order
+    if (!(range.high > range.low)) range = {0, 1}; // a single point, or everything behind the camera
     const Mat4 viewFromWorldMatrix = viewFromWorld(camera);
     const Mat4 viewFromRelative = viewFromWorldMatrix * glm::translate(Mat4(1.0), originWorld_);
     camera_.clipFromRelative =

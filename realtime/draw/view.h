@@ -1,5 +1,5 @@
-// The camera as the GPU needs it: everything relative to an origin near what is seen, worked out in double
-// precision.
+// The camera's uniforms, computed in double precision relative to an origin near the visible part of the
+// scene.
 #pragma once
 
 #include "realtime/gl/gl_program.h"
@@ -8,24 +8,24 @@
 
 namespace plumbline {
 
-/// Room before and behind the scene's range of depths from a camera, and of distances from a light, as a
-/// fraction of its diagonal: a hit of a technique may lie outside of the true surface's bounds. What lies
-/// further still is kept, but not put in order.
+/// Margin of the depth range of a camera, and of the distance range of a light, as a fraction of the scene's
+/// diagonal: a technique's hits may be outside the true surface's bounds. Hits beyond the margin are kept but
+/// not depth-sorted.
 constexpr double kDepthMargin = 0.5;
 
-/// What camera.glsl declares.
+/// The uniforms of camera.glsl.
 struct CameraUniforms {
     glm::mat4 clipFromRelative{1};
     glm::vec4 eye{0}, depthPlane{0};
     glm::vec2 depthRange{0}; // lowest depth, 1 / extent
 
-    /// In the program in use.
+    /// Sets them in the program in use.
     void set(const GlProgram& program) const;
 };
 
 class View {
   public:
-    /// `boundsWorld`: all that may be drawn, relief included.
+    /// `boundsWorld`: bounds of everything drawn, including relief.
     View(const Scene& scene, const Bounds& boundsWorld);
 
     /// Positions on the GPU are world positions minus this.

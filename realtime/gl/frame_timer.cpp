@@ -9,9 +9,10 @@
 namespace plumbline {
 namespace {
 
-constexpr size_t kMostRuns = 25;
-// A first frame, with what the driver compiles for it, that takes so many budgets isn't drawn again.
-constexpr double kMostBudgets = 5;
+constexpr size_t kMaxRuns = 25;
+// If the first frame, which includes the driver's compilation, takes more than this multiple of the budget,
+// it isn't repeated.
+constexpr double kMaxBudgets = 5;
 
 double wallMs(const std::function<void()>& draw) {
     using Clock = std::chrono::steady_clock;
@@ -44,10 +45,10 @@ FrameTime timeFrame(const GlContext& context, double budgetMs, const std::functi
     const bool software = context.softwareRasterizer();
     const std::string timer = software ? "wall clock around glFinish" : "gpu timer query";
     const double firstMs = wallMs(draw);
-    if (firstMs > kMostBudgets * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};
+    if (firstMs > kMaxBudgets * budgetMs) return {firstMs, 1, "wall clock around glFinish, one cold run"};
     std::vector<double> times;
-    double spentMs = 0; // by the wall: queries leave out what the driver does
-    while (times.empty() || (spentMs < budgetMs && times.size() < kMostRuns)) {
+    double spentMs = 0; // wall clock, because queries don't include the driver's work
+    while (times.empty() || (spentMs < budgetMs && times.size() < kMaxRuns)) {
         double queriedMs = 0;
         const double ms = wallMs([&] { software ? draw() : static_cast<void>(queriedMs = queryMs(draw)); });
         times.push_back(software ? ms : queriedMs);

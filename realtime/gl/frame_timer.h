@@ -1,4 +1,4 @@
-// How long one frame takes: median of warm runs.
+// Measures the time of a frame as the median of warm runs.
 #pragma once
 
 #include "realtime/gl/gl_context.h"
@@ -14,10 +14,10 @@ struct FrameTime {
     std::string timer;
 };
 
-/// Calls `draw` once to warm up, then until the budget is spent, at least once and at most 25 times. A first
-/// frame that takes five budgets isn't drawn again: its only run counts, and `timer` says it was cold. Timer
-/// queries on a GPU; wall clock around glFinish on a software rasterizer, where queries don't measure the
-/// work.
+/// Calls `draw` once to warm up, then until the budget is spent, at least once and at most 25 times. If the
+/// first frame takes more than five times the budget, it isn't repeated: its time is returned and `timer`
+/// states that it was cold. Uses timer queries on a GPU and the wall clock around glFinish on a software
+/// rasterizer, where queries don't measure the work.
 FrameTime timeFrame(const GlContext& context, double budgetMs, const std::function<void()>& draw);
 
 } // namespace plumbline

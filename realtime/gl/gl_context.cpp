@@ -11,23 +11,24 @@
 #include <vector>
 
 #ifdef __SANITIZE_ADDRESS__
-// What OSMesa itself keeps at exit: the buffers of its contexts, 1.3 KB after 60 tests.
+// Suppresses OSMesa's own leaks at exit: the buffers of its contexts, 1.3 KB after 60 tests.
 extern "C" const char* __lsan_default_suppressions();
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libOSMesa\n";
 }
 extern "C" const char* __lsan_default_options();
 extern "C" const char* __lsan_default_options() {
-    return "print_suppressions=0"; // stderr is the program's
+    return "print_suppressions=0"; // keep stderr for the program's messages
 }
 #endif
 
 namespace plumbline {
 namespace {
 
-// Whose functions glad holds. One set for the process, as glad has one set of pointers.
+// The context whose functions are loaded. Global, because glad has one set of function pointers per process.
 GlContext* g_loadedFor = nullptr;
-// The context that is loading: glad's callback carries no user pointer for every generator option.
+// The context that is being loaded. Global, because glad's callback has no user pointer with every generator
+// option.
 GlContext* g_loading = nullptr;
 
 std::string glString(GLenum name) {
@@ -45,7 +46,7 @@ std::unique_ptr<GlContext> openOsmesa(int) {
     return createOsmesaContext();
 }
 
-/// What to try, in order.
+/// The contexts to try, in order.
 std::vector<Attempt> attempts(const GlOptions& options) {
     std::vector<Attempt> list;
     if (options.backend != GlBackend::Osmesa) {
@@ -57,7 +58,7 @@ std::vector<Attempt> attempts(const GlOptions& options) {
                 list.push_back({fmt::format("EGL device {}", device), createEglContext, device});
         }
     }
-    // A device was asked for by number: OSMesa isn't it.
+    // OSMesa has no devices, so it is no alternative to a requested device number.
     if (options.backend == GlBackend::Osmesa || (options.backend == GlBackend::Auto && options.device < 0))
         list.push_back({"OSMesa", openOsmesa, -1});
     return list;

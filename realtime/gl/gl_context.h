@@ -1,8 +1,8 @@
-// An OpenGL core context without a window: one interface, two backends (EGL, OSMesa).
+// An off-screen OpenGL core context: one interface with two backends (EGL, OSMesa).
 //
-// OpenGL's functions (glad) are global and belong to one context at a time: makeCurrent() loads them anew
-// whenever another context had them. Contexts of both backends may live in one process; use them from one
-// thread, one after the other, never nested.
+// OpenGL's functions (glad) are global and valid for one context at a time; makeCurrent() reloads them if
+// another context was current before. Contexts of both backends may coexist in one process. They must be used
+// from one thread, one at a time, never nested.
 #pragma once
 
 #include "realtime/gl/gl_options.h"
@@ -18,7 +18,8 @@ class GlContext {
     GlContext(const GlContext&) = delete;
     GlContext& operator=(const GlContext&) = delete;
 
-    /// Binds the context to this thread and points glad at it. Throws MachineError if the driver refuses.
+    /// Binds the context to this thread and loads glad's functions for it. Throws MachineError if the driver
+    /// refuses.
     void makeCurrent();
     /// Unbinds it. A context must not be current when another is bound or when it is destroyed.
     void release();
@@ -26,19 +27,20 @@ class GlContext {
     const std::string& backend() const { return backend_; }   // "egl", "egl device 0", "osmesa"
     const std::string& renderer() const { return renderer_; } // GL_RENDERER
     const std::string& version() const { return version_; }   // GL_VERSION
-    /// Drawn by the processor (llvmpipe, softpipe): timer queries mean nothing there.
+    /// Whether rendering runs on the CPU (llvmpipe, softpipe), where timer queries are meaningless.
     bool softwareRasterizer() const;
 
   protected:
     explicit GlContext(std::string backend) : backend_(std::move(backend)) {}
-    /// For the constructors of backends: binds, loads, reads the names, checks for 4.1 core, unbinds.
+    /// Called by the constructors of backends: binds the context, loads the functions, reads the names,
+    /// checks for 4.1 core and unbinds it.
     void describe();
 
     using Function = void (*)();
     virtual void bind() = 0;
     virtual void unbind() = 0;
     virtual Function functionAddress(const char* name) const = 0;
-    /// Destructors of backends call this: glad's pointers must not outlive the context.
+    /// Called by the destructors of backends, because glad's pointers must not outlive the context.
     void forget();
 
   private:
@@ -60,14 +62,14 @@ class CurrentContext {
     GlContext& context_;
 };
 
-/// Opens what the options ask for. Throws MachineError that lists what was tried and why it failed.
+/// Opens a context according to the options. Throws MachineError that lists what was tried and why it failed.
 std::unique_ptr<GlContext> createGlContext(const GlOptions& options);
 
-/// Context versions asked for, best first: 4.5 down to 4.1, all core.
+/// Context versions requested, best first: 4.5 down to 4.1, all core.
 inline constexpr int kNewestMinorVersion = 5, kOldestMinorVersion = 1;
 
-// The backends. Each throws MachineError saying what is missing.
-/// `device` -1: the surfaceless platform; else the EGL device of that number.
+// The backends. Each throws MachineError that names what is missing.
+/// `device` -1: the surfaceless platform; otherwise the EGL device of that number.
 std::unique_ptr<GlContext> createEglContext(int device);
 /// Number of EGL devices; 0 if EGL can't list them.
 int eglDeviceCount();

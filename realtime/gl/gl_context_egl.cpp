@@ -1,5 +1,5 @@
-// EGL without a window: Mesa's surfaceless platform, or one device of EGL_EXT_device_enumeration. libEGL is
-// this machine's, opened at run time: it brings the driver of the GPU there.
+// Off-screen EGL: Mesa's surfaceless platform, or a device of EGL_EXT_device_enumeration. libEGL is loaded at
+// run time from the machine's installation, because it belongs to the GPU's driver.
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_library.h"
 #include "scenes/core/error.h"
@@ -112,8 +112,9 @@ std::vector<EGLDeviceEXT> eglDevices() {
     return devices;
 }
 
-/// EGL hands out one display per platform and device to the whole process. It stays initialized: eglTerminate
-/// would end it for every other context, and unload the driver with threads and statics of its own.
+/// EGL has one display per platform and device for the whole process. It stays initialized, because
+/// eglTerminate would terminate it for all other contexts and unload the driver, including its threads and
+/// statics.
 EGLDisplay openDisplay(int device, const std::string& backend) {
     const auto getPlatformDisplay = eglFunction<PFNEGLGETPLATFORMDISPLAYEXTPROC>("eglGetPlatformDisplayEXT");
     const char* clientExtensions = egl().queryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -127,7 +128,8 @@ EGLDisplay openDisplay(int device, const std::string& backend) {
     } else {
         const std::vector<EGLDeviceEXT> devices = eglDevices();
         if (static_cast<size_t>(device) >= devices.size())
-            throw MachineError(backend, fmt::format("is none of the {} devices EGL lists", devices.size()),
+            throw MachineError(backend,
+                               fmt::format("is not one of the {} devices that EGL lists", devices.size()),
                                devices.empty() ? "" : fmt::format("at most {}", devices.size() - 1));
         display = getPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, devices[static_cast<size_t>(device)], nullptr);
     }
@@ -216,7 +218,7 @@ class EglContext final : public GlContext {
 int eglDeviceCount() {
     try {
         return static_cast<int>(eglDevices().size());
-    } catch (const MachineError&) { // no libEGL: createEglContext() says so
+    } catch (const MachineError&) { // no libEGL, which createEglContext() reports
         return 0;
     }
 }

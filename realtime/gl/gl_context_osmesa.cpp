@@ -1,5 +1,5 @@
-// OSMesa, Mesa's off-screen library. Opened at run time and privately: it exports every gl* symbol, and Mesa
-// dropped it in version 25.1, so that it must stay optional.
+// OSMesa, Mesa's off-screen library. It is loaded at run time with local symbols, because it exports every
+// gl* symbol; and it must be optional, because Mesa removed it in version 25.1.
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_library.h"
 #include "scenes/core/error.h"
@@ -11,8 +11,8 @@
 namespace plumbline {
 namespace {
 
-// The part of OSMesa's interface used here (Mesa 22.3, GL/osmesa.h). Declared anew because that header pulls
-// in GL/gl.h, which can't be mixed with glad, and so that the build doesn't need the library.
+// The part of OSMesa's interface used here (Mesa 22.3, GL/osmesa.h). Declared here because that header
+// includes GL/gl.h, which conflicts with glad, and so that the build doesn't require the library.
 using OsMesaContext = struct osmesa_context*;
 constexpr int kOsMesaFormat = 0x22, kOsMesaRgba = 0x1908, kOsMesaProfile = 0x33, kOsMesaCoreProfile = 0x34,
               kOsMesaMajorVersion = 0x36, kOsMesaMinorVersion = 0x37;
@@ -81,7 +81,8 @@ class OsmesaContext final : public GlContext {
 
     const OsMesa& mesa_;
     OsMesaContext context_ = nullptr;
-    std::array<unsigned char, 4> buffer_{}; // OSMesa wants a picture of its own; ours are framebuffer objects
+    std::array<unsigned char, 4>
+        buffer_{}; // OSMesa requires an image buffer; we render to framebuffer objects
 };
 
 } // namespace

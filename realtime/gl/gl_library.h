@@ -1,5 +1,5 @@
-// A library of the GL stack, opened when a context is asked for: the program starts, and does all that needs
-// no OpenGL, on machines without it.
+// A library of the GL stack, loaded when a context is requested, so that the program also runs on machines
+// without OpenGL for everything that doesn't need it.
 #pragma once
 
 #include <span>
@@ -7,14 +7,14 @@
 
 namespace plumbline {
 
-/// A shared library that stays open to the end of the program: drivers' threads and statics don't survive
-/// unloading.
+/// A shared library that is never unloaded, because drivers' threads and statics don't survive unloading.
 class GlLibrary {
   public:
-    /// Opens the first of `names` there is, privately. Throws MachineError that begins with `backend`.
+    /// Loads the first available library of `names` with local symbols. Throws MachineError that begins with
+    /// `backend`.
     GlLibrary(std::string backend, std::span<const char* const> names, std::string_view hint);
 
-    /// Points `function` at the function of that name. Throws MachineError where the library lacks it.
+    /// Sets `function` to the function of that name. Throws MachineError if the library lacks it.
     template <class Function>
     void find(const char* name, Function*& function) const {
         function = reinterpret_cast<Function*>(address(name));

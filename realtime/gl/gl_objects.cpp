@@ -34,7 +34,7 @@ void checkGl(const std::string& doing) {
 }
 
 void clearGlErrors() {
-    // A lost context reports errors for ever: no more than there are kinds of error.
+    // A lost context reports errors forever, so at most as many are read as there are kinds of errors.
     for (int i = 0; i < 8 && glGetError() != GL_NO_ERROR; ++i) {
     }
 }

@@ -1,4 +1,4 @@
-// Owners of OpenGL objects. Made and destroyed while their context is current.
+// RAII owners of OpenGL objects. Their context must be current when they are created and destroyed.
 #pragma once
 
 #include <glad/gl.h>
@@ -8,7 +8,7 @@
 
 namespace plumbline {
 
-/// Move-only name of one GL object; `Kind` says how to make and delete it.
+/// Move-only owner of a GL object; `Kind` creates and deletes it.
 template <class Kind>
 class GlObject {
   public:
@@ -54,10 +54,9 @@ PLUMBLINE_GL_KIND(GlFramebuffer, glGenFramebuffers, glDeleteFramebuffers);
 PLUMBLINE_GL_KIND(GlQuery, glGenQueries, glDeleteQueries);
 #undef PLUMBLINE_GL_KIND
 
-/// Throws MachineError naming `doing` ("the frame of 800 x 600") if GL reports an error, out of memory in
-/// plain words.
+/// Throws MachineError naming `doing` ("the frame of 800 x 600") if GL reports an error.
 void checkGl(const std::string& doing);
-/// Drops errors left over from before.
+/// Discards earlier errors.
 void clearGlErrors();
 
 } // namespace plumbline

@@ -1,4 +1,4 @@
-// What OpenGL a user asks for.
+// The user's OpenGL options.
 #pragma once
 
 namespace plumbline {
@@ -6,9 +6,9 @@ namespace plumbline {
 enum class GlBackend { Auto, Egl, Osmesa };
 
 struct GlOptions {
-    GlBackend backend = GlBackend::Auto; // Auto: EGL, else OSMesa
+    GlBackend backend = GlBackend::Auto; // Auto: EGL, otherwise OSMesa
     int device = -1;                     // EGL device to open; -1 = surfaceless, or the first that works
-    double timingBudgetMs = 1000;        // spent on timing each technique; 0: it is drawn once, cold
+    double timingBudgetMs = 1000;        // for timing each technique; 0: drawn once, cold
 };
 
 } // namespace plumbline

@@ -1,5 +1,5 @@
-// Which OpenGL contexts can be opened here, for `plumbline doctor`; and whether this program was built with
-// OpenGL at all.
+// Tests which OpenGL contexts can be opened, for `plumbline doctor`, and whether this program was built
+// with OpenGL at all.
 #pragma once
 
 #include <string>
@@ -8,13 +8,13 @@
 
 namespace plumbline {
 
-/// One way to a context.
+/// The result for one kind of context.
 struct GlProbe {
     std::string backend; // "egl", "egl device 0", "osmesa"
     bool works = false;
     std::string detail; // renderer and version, or why it doesn't work
 };
-/// Tries them all. Empty: this program was built without OpenGL.
+/// Tries all kinds of contexts. Empty: this program was built without OpenGL.
 std::vector<GlProbe> probeGl();
 
 /// Before any work whose end is to be drawn: throws MachineError if this program was built without OpenGL.

@@ -10,7 +10,7 @@
 namespace plumbline {
 namespace {
 
-/// Owns a shader object while the program is put together.
+/// Owns a shader object until the program is linked.
 class Shader {
   public:
     Shader(GLenum stage, const ShaderSource& source) : name_(glCreateShader(stage)) {

@@ -1,4 +1,4 @@
-// Shader programs, with compiler errors reported in the author's file and line.
+// Shader programs, with compiler errors reported at the original file and line.
 #pragma once
 
 #include "realtime/gl/gl_objects.h"
@@ -11,11 +11,12 @@ namespace plumbline {
 
 class GlProgram {
   public:
-    /// Compiles and links. Throws InputError: "file:line: message" if the log says where, else the log.
+    /// Compiles and links. Throws InputError: "file:line: message" if the log contains a location, otherwise
+    /// the log.
     GlProgram(const ShaderSource& vertex, const ShaderSource& fragment);
 
     void use() const { glUseProgram(program_); }
-    /// Location, -1 (which GL ignores) for a uniform the shader doesn't use.
+    /// The location; -1, which GL ignores, for a uniform that the shader doesn't use.
     GLint uniform(const char* name) const { return glGetUniformLocation(program_, name); }
     /// Names of the uniforms in use, without "[0]".
     std::set<std::string> activeUniforms() const;

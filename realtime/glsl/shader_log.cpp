@@ -9,12 +9,11 @@
 namespace plumbline {
 namespace {
 
-// A log line longer than this is cut.
+// Longer lines of a log are truncated.
 constexpr size_t kLongestLine = 2000;
 constexpr size_t kLongestFlatLog = 600;
 
-/// Line number and the text behind the place, if the line begins with a place of this form. `form` ends in
-/// %n.
+/// The line number and the message, if the line begins with a location of this form. `form` ends in %n.
 std::optional<ShaderMessage> parsePlace(const std::string& line, const char* form) {
     int number = 0, end = 0;
     if (std::sscanf(line.c_str(), form, &number, &end) != 1 || end == 0 || number < 0) return std::nullopt;
@@ -22,7 +21,7 @@ std::optional<ShaderMessage> parsePlace(const std::string& line, const char* for
                          line.substr(static_cast<size_t>(end))};
 }
 
-/// Takes "error: " or "warning: " off the front of the text, with NVIDIA's code behind the word.
+/// Removes "error: " or "warning: " from the start of the text, including NVIDIA's error code.
 bool takeSeverity(ShaderMessage& message) {
     constexpr std::string_view kPreprocessor = "preprocessor "; // Mesa's, before the word
     if (message.text.starts_with(kPreprocessor)) message.text.erase(0, kPreprocessor.size());

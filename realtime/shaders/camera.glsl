@@ -1,9 +1,11 @@
-// Camera and lights, the same for every object.
+// Uniforms of the camera, shared by all objects.
 //
-// Positions are relative to the renderer's origin, a point near the scene and the camera: float holds them well whether
-// the scene is measured in millimeters or kilometers. The harness adds the origin back in double precision.
+// Positions are relative to the renderer's origin, a point near the scene and the camera, so that single
+// precision is sufficient at any scale and distance from the world origin. The harness adds the origin in
+// double precision.
 
-uniform vec4 uEye;        // perspective: position, w = 1; orthographic: unit direction toward the camera, w = 0
+// Perspective: position, w = 1; orthographic: unit direction toward the camera, w = 0.
+uniform vec4 uEye;
 uniform vec4 uDepthPlane; // planar depth Z = dot(xyz, position) + w, world units
 uniform vec2 uDepthRange; // lowest Z of the scene, 1 / (highest - lowest)
 
@@ -17,8 +19,9 @@ vec3 directionToCamera(vec3 position) {
     return uEye.w > 0.5 ? directionOr(uEye.xyz - position, uDepthPlane.xyz * -1.0) : uEye.xyz;
 }
 
-// The largest float below 1, the depth of the background: a hit beyond the scene's depth, as grazing rays on a flat base can
-// have, is a hit.
+// The largest float below 1, which is the background's depth. Hits beyond the scene's depth range, which
+// grazing rays on a flat base can have, are clamped to it so that they remain distinguishable from the
+// background.
 const float kFarthestHit = 0.99999994;
 
 // Linear over the scene's range.

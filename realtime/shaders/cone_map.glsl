@@ -1,26 +1,29 @@
-// Cone ratios: st distance per unit of relief depth in which nothing of the relief stands in the cone above a point
-// (realtime/bake/cone_map.h). Each function is counted by the texels it reads.
+// Cone ratios: st distance per unit of relief depth of a cone above a point of the relief that a ray may
+// cross in one step (realtime/bake/cone_map.h). Each function counts the texels it reads as lookups; bilinear
+// counts as one.
 //
-// Slice 0 holds the ratio of each texel's center, slice 1 one that holds everywhere between four texels. One channel, or
-// four of them: toward +s, -s, +t, -t.
+// Slice 0 has the ratio at each texel center; slice 1 has a ratio valid in the whole cell between four texel
+// centers. There is one channel, or one for each of the directions +s, -s, +t, -t.
 
 uniform sampler2DArray uConeMap;
 
 const int kTexelSlice = 0, kCellSlice = 1;
 
-// The ratio of the cell st lies in: conservative for the bilinear relief.
+// The ratio of the cell that contains st, which is conservative for the bilinear relief.
 vec4 coneOfCell(vec2 st) {
     ++gBakedLookups;
     return texelFetch(uConeMap, ivec3(cellOf(st), kCellSlice), 0);
 }
 
-// The texel nearest to st. Half of a cliff's foot is nearest to its top.
+// The ratio of the texel nearest to st. Not conservative: at a cliff, half of the cell at its foot is nearest
+// to the texel on its top.
 vec4 coneOfNearestTexel(vec2 st) {
     ++gBakedLookups;
     return texelFetch(uConeMap, ivec3(cellOf(st + 0.5 / vec2(reliefMapSize())), kTexelSlice), 0);
 }
 
-// Bilinear between texels, as a sampler would: wider than the cones around it allow (TECHNIQUES E20).
+// Bilinear interpolation between texels, as with hardware filtering. Not conservative: the result can be
+// wider than a valid cone (TECHNIQUES E20).
 vec4 coneBilinear(vec2 st) {
     ++gBakedLookups;
     TexelCorners c = texelCorners(st);
@@ -31,7 +34,7 @@ vec4 coneBilinear(vec2 st) {
     return mix(lower, upper, c.weight.y);
 }
 
-// The narrowest of the four texels around st.
+// The smallest ratio of the four texels around st.
 vec4 coneMinOfFour(vec2 st) {
     gBakedLookups += 4;
     TexelCorners c = texelCorners(st);

@@ -1,10 +1,11 @@
-// Least and most depth over blocks of cells: level k has blocks of 2^k x 2^k cells, the last one of an odd row also its left-over
-// (realtime/bake/README.md, kind max_mipmap).
+// Minimum and maximum depth over blocks of cells. Level k has blocks of 2^k x 2^k cells; if a row's length is
+// odd, its last block includes the remaining cell (realtime/bake/README.md, kind max_mipmap).
 //
-// All levels lie in one picture, level 0 on the left and the others above each other on its right (baked_input.cpp), because
-// llvmpipe reads one level for all four pixels of a quad, also where a shader asks for a level by number.
+// All levels are packed into one image, level 0 on the left and the others stacked to its right
+// (baked_input.cpp), because llvmpipe reads the same mip level for all four pixels of a quad, even with an
+// explicit level.
 
-uniform sampler2DArray uDepthBounds; // r: least depth, g: most
+uniform sampler2DArray uDepthBounds; // r: minimum depth, g: maximum depth
 
 int depthBoundsLevels() {
     ivec2 size = reliefMapSize();
@@ -19,10 +20,10 @@ ivec2 depthBoundsSize(int level) {
     return max(ivec2(size.x >> level, size.y >> level), ivec2(1));
 }
 
-// The block of `level` that holds a cell, which must be inside of the map.
+// The block of `level` that contains a cell, which must be inside the map.
 ivec2 blockOf(ivec2 cell, int level) { return min(ivec2(cell.x >> level, cell.y >> level), depthBoundsSize(level) - 1); }
 
-// (least, most) depth of a block.
+// (minimum, maximum) depth of a block.
 vec2 depthBounds(ivec2 block, int level) {
     ++gBakedLookups;
     ivec2 size = reliefMapSize();

@@ -1,10 +1,12 @@
-// Distances to the relief on a grid of voxels, in units of the relief's depth (realtime/bake/README.md, kind distance_field).
+// Distance field of the relief on a voxel grid, in units of the relief's depth (realtime/bake/README.md, kind
+// distance_field).
 
-uniform sampler2DArray uDistanceField; // layers: slices of equal depth; r: from anywhere in the voxel, g: between centers
+// Layers: slices of equal depth; r: from anywhere in the voxel, g: between centers.
+uniform sampler2DArray uDistanceField;
 
 ivec3 distanceFieldSize() { return textureSize(uDistanceField, 0); }
 
-// Distance no point of st's voxel is nearer to the relief than, world units. `position`: (s, t, d).
+// Lower bound on the distance to the relief, valid in the whole voxel of `position` (s, t, d); world units.
 float distanceOfVoxel(ReliefRay ray, vec3 position) {
     ++gBakedLookups;
     int slices = textureSize(uDistanceField, 0).z;
@@ -13,7 +15,8 @@ float distanceOfVoxel(ReliefRay ray, vec3 position) {
     return texelFetch(uDistanceField, ivec3(texel, slice), 0).r * ray.depthWorld;
 }
 
-// Trilinear between voxel centers, as a sampler reads the field: near the relief it can say more than is free (TECHNIQUES E11).
+// Trilinear interpolation between voxel centers, as with hardware filtering. Near the relief it can
+// overestimate the distance (TECHNIQUES E11).
 float distanceTrilinear(ReliefRay ray, vec3 position) {
     ++gBakedLookups;
     int slices = textureSize(uDistanceField, 0).z;

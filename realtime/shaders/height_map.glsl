@@ -1,17 +1,18 @@
-// The relief depth d(s,t) in GLSL (C++ twin and conventions: scenes/maps/height_map.h). A test holds the two together.
+// The relief depth d(s,t) in GLSL (C++ version and conventions: scenes/maps/height_map.h). A test checks that
+// the two agree.
 
 uniform sampler2D uHeightMap;   // R32F depths, row 0 = bottom
 uniform ivec2 uHeightMapClamps; // along s, t: 1 clamp, 0 repeat
 
-// Spent on this pixel: look-ups of the height map and of baked maps, view ray and shadow rays together; the gradient for the
-// normal isn't one of them. Iterations of the view ray's search.
+// Cost counters of this pixel: lookups of the height map and of baked maps by view and shadow rays, without
+// the lookup for the normal's gradient; iterations of the view ray's search.
 int gHeightLookups = 0;
 int gBakedLookups = 0;
 int gIterations = 0;
 
 void countIteration() { ++gIterations; }
 
-// Texel position of a coordinate: integers at texel centers.
+// Converts a coordinate to texels, with integers at texel centers.
 float texelCoordinate(float s, int size, int clamps) {
     float unit = clamps != 0 ? clamp(s, -1.0, 2.0) : s - floor(s);
     return unit * float(size) - 0.5;
@@ -19,12 +20,12 @@ float texelCoordinate(float s, int size, int clamps) {
 
 int wrapTexel(int i, int size, int clamps) {
     if (clamps == 0) i += i < 0 ? size : (i >= size ? -size : 0);
-    return clamp(i, 0, size - 1); // under repeat only for coordinates that aren't numbers
+    return clamp(i, 0, size - 1); // under repeat, only affects NaN coordinates
 }
 
 ivec2 reliefMapSize() { return textureSize(uHeightMap, 0); }
 
-// The two texels around st along each axis, wrapped, and the weights of the second ones.
+// The two texels around st along each axis, wrapped, and the weights of the second texels.
 struct TexelCorners {
     ivec2 low, high;
     vec2 weight;
@@ -43,10 +44,11 @@ TexelCorners texelCorners(vec2 st) {
     return corners;
 }
 
-// The cell st lies in, wrapped: cell (i, j) is the bilinear patch between texels (i, j) and (i + 1, j + 1).
+// The cell that contains st, wrapped: cell (i, j) is the bilinear patch between texels (i, j) and (i + 1, j +
+// 1).
 ivec2 cellOf(vec2 st) { return texelCorners(st).low; }
 
-// Depths of the texels around st (00, 10, 01, 11) and the weights of the second ones.
+// Depths of the texels around st (00, 10, 01, 11) and the weights of the second texels.
 struct TexelPatch {
     vec4 depths;
     vec2 weight;
@@ -61,7 +63,7 @@ TexelPatch texelPatch(vec2 st) {
                       c.weight);
 }
 
-// Relief depth at st, counted.
+// Relief depth at st; counts one lookup.
 float reliefDepth(vec2 st) {
     ++gHeightLookups;
     if (kHardwareFilter) return textureLod(uHeightMap, st, 0.0).r;
@@ -71,8 +73,8 @@ float reliefDepth(vec2 st) {
     return lower + (upper - lower) * p.weight.y;
 }
 
-// Change of the depth per unit of s and t, of the exact bilinear patch whatever the filter; on a crease between patches,
-// of the one to the right and above.
+// Gradient of the depth per unit of s and t, of the exact bilinear patch whatever the filter. On the border
+// between patches it is that of the patch to the right and above.
 vec2 reliefDepthGradient(vec2 st) {
     TexelPatch p = texelPatch(st);
     float slopeLower = p.depths.y - p.depths.x, slopeUpper = p.depths.w - p.depths.z;
@@ -82,21 +84,21 @@ vec2 reliefDepthGradient(vec2 st) {
            vec2(textureSize(uHeightMap, 0));
 }
 
-// --- the map cell by cell, for searches that follow its patches ----------------------------------------------------
-// Texel coordinates are those of texelPatch: st times the size, minus 1/2, so that whole numbers are texel centers. Cell
-// (i, j) is the square between the centers of texels (i, j) and (i+1, j+1); in it the exact depth is bilinear.
+// --- access by cells, for searches that traverse the map's bilinear patches ----------------------
+// Texel coordinates are st times the size minus 1/2, so that integers are texel centers. Cell (i, j) is the
+// square between the centers of texels (i, j) and (i+1, j+1), in which the exact depth is bilinear.
 
-// 1 where the map continues its border texels along s, t; 0 where it repeats.
+// Along s, t: 1 if the map clamps, 0 if it repeats.
 ivec2 reliefMapClamps() { return uHeightMapClamps; }
 
-// Any whole number. % of negative numbers isn't defined in GLSL.
+// Wraps any integer. In GLSL, % is undefined for negative operands.
 int wrapAnyTexel(int i, int size, int clamps) {
     if (clamps != 0) return clamp(i, 0, size - 1);
     return i >= 0 ? i % size : size - 1 - (-1 - i) % size;
 }
 
-// Depths of texels (i, j), (i+1, j), (i, j+1), (i+1, j+1) for any whole i, j, whatever the filter. Counted as one look-up: a
-// bilinear one reads the same four.
+// Depths of texels (i, j), (i+1, j), (i, j+1), (i+1, j+1) for any integers i, j, whatever the filter. Counts
+// as one lookup, because a bilinear lookup reads the same four texels.
 vec4 reliefCell(ivec2 cell) {
     ++gHeightLookups;
     ivec2 size = reliefMapSize();

@@ -1,10 +1,10 @@
-// An object drawn as it is.
+// Fragment shader of an object without relief.
 
 in vec3 vPosition;
 in vec3 vNormal;
 in vec2 vSt;
 
-// Both sides are seen, as by the reference: shadow and light are those of the facet's side toward the camera.
+// Both sides are visible, as in the reference: shading and shadows use the side that faces the camera.
 uniform bool uTwoSided;
 
 void main() {

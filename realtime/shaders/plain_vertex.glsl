@@ -1,4 +1,4 @@
-// Vertices of an object drawn as it is: a proxy without relief, or micro-triangles.
+// Vertex shader of an object drawn without relief: a proxy or micro-triangles.
 
 layout(location = 0) in vec3 inPosition; // relative
 layout(location = 1) in vec3 inNormal;   // world, unit

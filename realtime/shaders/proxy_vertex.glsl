@@ -1,4 +1,4 @@
-// Vertices of the polygon proxy.
+// Vertex shader of the polygon proxy.
 
 layout(location = 0) in vec3 inPosition; // relative
 layout(location = 1) in vec3 inNormal;   // world, unit

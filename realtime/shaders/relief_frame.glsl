@@ -1,4 +1,4 @@
-// The base under the fragment and rays in its relief space.
+// The base under the fragment, and the transformation of rays to its relief space.
 
 in vec3 vPosition;
 in vec3 vNormal;
@@ -20,9 +20,9 @@ ReliefFrame fragmentFrame() {
     return frame;
 }
 
-// (v_s, v_t, v_d): a world direction in relief space, per world unit. Tangents at any angle: the Gram inverse (Premecz,
-// section 1.1), of unit vectors so that no product leaves float's range. Where the texture coordinates have no extent (a
-// pole) the ray goes straight down.
+// (v_s, v_t, v_d): a world direction in relief space, per world unit. The inverse Gram matrix handles
+// tangents that aren't orthogonal (Premecz, section 1.1); it is applied to unit vectors so that no product
+// overflows. Where the texture coordinates are singular (a pole), the ray goes straight down.
 vec3 reliefDirection(ReliefFrame frame, vec3 direction) {
     float descent = -dot(direction, frame.normal) / frame.depthWorld;
     float scaleS = length(frame.positionS), scaleT = length(frame.positionT);

@@ -1,4 +1,4 @@
-// The hit of the ray through a fragment: what a camera sees of a relief, and what a light does in the light pass of shadow maps.
+// The hit of the ray through a fragment, from the camera or, in the light pass of shadow maps, from a light.
 
 flat in vec4 vTriangleStAB;
 flat in vec2 vTriangleStC;
@@ -12,7 +12,8 @@ struct FragmentHit {
 
 float doubledArea(vec2 a, vec2 b, vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-// Whether st belongs to the triangle drawn (Premecz 2006, section 1.1). One without area holds everything.
+// Whether st is inside the drawn triangle (Premecz 2006, section 1.1). Always true for a triangle without
+// area in st.
 bool insideTriangle(vec2 st) {
     vec2 a = vTriangleStAB.xy, b = vTriangleStAB.zw, c = vTriangleStC;
     float whole = doubledArea(a, b, c);
@@ -20,7 +21,7 @@ bool insideTriangle(vec2 st) {
            doubledArea(c, a, st) * whole >= 0.0;
 }
 
-// False where the fragment is to be discarded.
+// Returns false if the fragment must be discarded.
 bool traceFragment(out FragmentHit found) {
     vec3 toCamera = directionToCamera(vPosition);
     found.frame = fragmentFrame();

@@ -1,8 +1,10 @@
-// The harness of a relief technique: builds the rays, calls the search, turns its hits into channels.
+// Fragment shader of a relief technique: traces the view ray and shadow rays with the search and writes the
+// channels.
 
 uniform float uShadowBias; // relief depth
 
-// Normal of P = S - depthWorld * d * normal from its derivatives along s and t; `frame`: of the base at the hit.
+// Normal of P = S - depthWorld * d * normal from its derivatives along s and t; `frame` is that of the base
+// at the hit.
 vec3 reliefNormal(ReliefFrame frame, vec2 st) {
     vec2 fall = frame.depthWorld * reliefDepthGradient(st);
     vec3 positionS = frame.positionS - frame.normal * fall.x;
@@ -12,7 +14,8 @@ vec3 reliefNormal(ReliefFrame frame, vec2 st) {
     return directionOr(across, frame.normal);
 }
 
-// 1 where a second search along the light is stopped above the point (Watt and Policarpo 2005, chapter 5, listing 5.3).
+// 1 if a second search along the light's ray hits the relief above the point (Watt and Policarpo 2005,
+// chapter 5, listing 5.3).
 float reliefShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
     vec3 direction = reliefDirection(frame, -toLight);
     if (direction.z * frame.depthWorld <= kGrazingCosine) return 1.0; // the light is below the tangent plane
@@ -23,7 +26,7 @@ float reliefShadow(ReliefFrame frame, vec3 positionRelief, vec3 toLight) {
     return hit.hit && reliefPosition(ray, hit.t).z < positionRelief.z - uShadowBias ? 1.0 : 0.0;
 }
 
-// uShadowBias along the light's ray, world units.
+// uShadowBias converted to a distance along the light's ray, world units.
 float searchMargin(ReliefFrame frame, vec3 toLight) {
     return uShadowBias * frame.depthWorld / max(dot(frame.normal, toLight), kSteepestCosine);
 }

@@ -1,10 +1,11 @@
-// What the harness writes for a surface point, and the one shading formula (C++ twin: kAmbient in scenes/scene/scene.h).
+// Writes the channels of a surface point, with the shading formula (C++ version: kAmbient in
+// scenes/scene/scene.h).
 
 layout(location = 0) out vec4 outColor;    // linear R G B; iterations
 layout(location = 1) out vec4 outPosition; // position (relative), planar depth Z
-layout(location = 2) out vec4 outNormal;   // unit normal, world; look-ups of the height map
-layout(location = 3) out vec4 outTexture;  // s, t; id, 0 where nothing is drawn; look-ups of baked maps
-layout(location = 4) out vec4 outSurface;  // shadows, bit i of the number for light i; curvature
+layout(location = 2) out vec4 outNormal;   // unit normal, world; lookups of the height map
+layout(location = 3) out vec4 outTexture;  // s, t; id, 0 where nothing is drawn; lookups of baked maps
+layout(location = 4) out vec4 outSurface;  // shadows as an integer with bit i for light i; curvature
 
 uniform vec3 uColor;
 uniform bool uHasColorMap;
@@ -15,17 +16,17 @@ const float kAmbient = 0.05;
 
 struct SurfacePoint {
     vec3 position; // relative
-    vec3 normal;   // world, unit; the side toward the camera where both sides are seen
+    vec3 normal;   // world, unit; facing the camera if both sides are visible
     vec2 st;
 };
 
-// Unit vector from a point toward light `i`. xyz w: direction and 0, or position and 1.
+// Unit vector from a point toward light `i`, which is given as (direction, 0) or (position, 1).
 vec3 directionToLight(int i, vec3 position) {
     vec4 light = uLights[i];
     return light.w > 0.5 ? directionOr(light.xyz - position, vec3(0.0)) : light.xyz;
 }
 
-// Exact bilinear with repeat, as ColorMap::sample.
+// Exact bilinear lookup with repeat, like ColorMap::sample.
 vec3 colorAt(vec2 st) {
     if (!uHasColorMap) return uColor;
     ivec2 size = textureSize(uColorMap, 0);
@@ -42,8 +43,8 @@ vec3 colorAt(vec2 st) {
     return mix(lower, upper, weight.y);
 }
 
-// `depth`: planar depth Z. `shadow`: 1 in shadow, 0 lit, one per light. `cost`: look-ups of the height map, of baked maps;
-// iterations. `curvature`: of the base, A, B and the cross term.
+// `depth`: planar depth Z. `shadow`: 1 in shadow, 0 lit, one per light. `cost`: lookups of the height map,
+// lookups of baked maps, iterations. `curvature`: of the base, A, B and the cross term.
 void writePoint(SurfacePoint point, vec3 normal, float depth, float shadow[kLightSlots], vec3 cost, vec3 curvature) {
     float light = kAmbient, shadowBits = 0.0, bit = 1.0;
     for (int i = 0; i < kLightCount; ++i) {

@@ -1,4 +1,5 @@
-// Light pass of the shadow maps: the camera is a light, and all that is kept of a fragment is how far along its rays it lies.
+// Light pass of the shadow maps: the camera is a light, and only the distance along the light's ray is
+// written.
 
 void writeLightDistance(vec3 position) {
     float distanceWorld = uEye.w > 0.5 ? length(uEye.xyz - position) : planarDepth(position);

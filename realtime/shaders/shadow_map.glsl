@@ -1,20 +1,24 @@
-// Shadow maps as receivers read them. shadow_projection.h says what a light's map is and where its texels lie.
+// Shadow map lookup by receivers. shadow_projection.h defines the maps and the positions of their texels.
 
-uniform sampler2DArray uShadowMaps;                   // distances along the light's rays, 0 to 1 over its range
-uniform mat4 uShadowPlaceFromRelative[kLightSlots];   // directional: (u, v) on the map in [0,1], distance in world units
-uniform vec4 uShadowMap[kLightSlots]; // first layer; nearest distance; 1 / (farthest - nearest); half a texel's diagonal, world
-                                      // units (point: at distance 1 along the axis of the cube's face)
-uniform float uShadowRounding[kLightSlots]; // what float may lose of a distance, world units
-uniform float uShadowMapBias;               // times the bias derived
+// Distances along the light's rays, mapped to [0, 1] over its range.
+uniform sampler2DArray uShadowMaps;
+// Directional lights: (u, v) on the map in [0,1], distance in world units.
+uniform mat4 uShadowPlaceFromRelative[kLightSlots];
+// First layer; minimum distance; 1 / (maximum - minimum); half a texel's diagonal, world units (for a point
+// light, at distance 1 along the axis of the cube's face).
+uniform vec4 uShadowMap[kLightSlots];
+uniform float uShadowRounding[kLightSlots]; // bound on the rounding error of a distance, world units
+uniform float uShadowMapBias;               // factor of the derived bias
 
-// N.L below which the bias grows no more: what such a light adds to a point is less than the ambient light's share, kAmbient.
+// N.L below which the bias doesn't grow further: such a light contributes less to a point than the ambient
+// light, kAmbient.
 const float kSteepestCosine = 0.05;
 
 struct ShadowPlace {
-    vec2 place;         // on the map, [0,1] inside
+    vec2 place;         // on the map, in [0,1] if inside
     float layer;
     float distanceWorld; // along the light's rays
-    float halfDiagonal; // of a texel, across the light's rays, world units
+    float halfDiagonal; // of a texel, perpendicular to the light's rays, world units
 };
 
 ShadowPlace directionalPlace(int i, vec3 position) {
@@ -22,18 +26,21 @@ ShadowPlace directionalPlace(int i, vec3 position) {
     return ShadowPlace(place.xy, uShadowMap[i].x, place.z, uShadowMap[i].w);
 }
 
-// The face of the light's cube, +x -x +y -y +z -z, on which a direction ends: the axis it is longest along.
+// The position on the light's cube map. The face (+x, -x, +y, -y, +z, -z) is that of the direction's largest
+// component.
 ShadowPlace pointPlace(int i, vec3 position) {
     vec3 d = position - uLights[i].xyz, size = abs(d);
-    vec4 face = vec4(-d.y / d.x, d.z / size.x, 0.0, d.x); // place in [-1,1], face of the positive side, along the axis
+    // Position in [-1,1], positive face of the axis, component along the axis.
+    vec4 face = vec4(-d.y / d.x, d.z / size.x, 0.0, d.x);
     if (size.y > size.x && size.y >= size.z) face = vec4(-d.z / d.y, d.x / size.y, 2.0, d.y);
     if (size.z > size.x && size.z > size.y) face = vec4(-d.x / d.z, d.y / size.z, 4.0, d.z);
     float layer = uShadowMap[i].x + face.z + (face.w < 0.0 ? 1.0 : 0.0);
     return ShadowPlace(clamp(0.5 * face.xy + 0.5, 0.0, 1.0), layer, length(d), abs(face.w) * uShadowMap[i].w);
 }
 
-// 1 where the map of light `i` has something nearer to the light than the point; 0 outside of the map. One look-up, compared
-// as it is. README.md derives the bias. `marginWorld`: what the technique itself may be off, along the light's ray.
+// 1 if the map of light `i` has an occluder nearer to the light than the point; 0 outside the map. Uses a
+// single unfiltered lookup. README.md derives the bias. `marginWorld`: error bound of the technique's hits
+// along the light's ray.
 float mapShadow(int i, vec3 position, vec3 normal, vec3 toLight, float marginWorld) {
     ShadowPlace at = directionalPlace(i, position);
     if (uLights[i].w > 0.5) at = pointPlace(i, position);
@@ -44,7 +51,8 @@ float mapShadow(int i, vec3 position, vec3 normal, vec3 toLight, float marginWor
     float cosine = clamp(dot(normal, toLight), kSteepestCosine, 1.0);
     float tangent = sqrt(1.0 - cosine * cosine) / cosine;
     float bias = uShadowMapBias * (at.halfDiagonal * (1.0 + tangent) + uShadowRounding[i]) + marginWorld;
-    // An empty texel holds 1, a hit beyond the range kFarthestHit (bufferDepth): neither is known to be nearer than anything.
+    // An empty texel stores 1, and a hit beyond the range stores kFarthestHit (bufferDepth). Neither may cast
+    // a shadow, because its distance is unknown.
     float reach = min((at.distanceWorld - bias - uShadowMap[i].y) * uShadowMap[i].z, kFarthestHit);
     return stored < reach ? 1.0 : 0.0;
 }

@@ -1,4 +1,4 @@
-// An object drawn as it is, in the light pass.
+// Fragment shader of the light pass for an object without relief.
 
 in vec3 vPosition;
 

@@ -1,4 +1,4 @@
-// A relief in the light pass: the technique's own hit of the light's ray.
+// Fragment shader of the light pass for a relief, which traces the light's ray with the technique.
 
 void main() {
     FragmentHit found;

@@ -9,7 +9,7 @@
 namespace plumbline {
 
 const std::vector<BakedFamily>& bakedFamilies() {
-    // Units 0 and 1 are the height map's and the color map's.
+    // Units 0 and 1 are used by the height map and the color map.
     static const std::vector<BakedFamily> families{
         {"cone_map.glsl",
          "uConeMap",
@@ -34,7 +34,7 @@ int unitBehindBaked() {
 const BakedFamily& bakedFamily(const std::string& kind) {
     for (const BakedFamily& family : bakedFamilies())
         if (std::find(family.kinds.begin(), family.kinds.end(), kind) != family.kinds.end()) return family;
-    throw InputError("input", fmt::format("'{}' is no kind of baked map", kind));
+    throw InputError("input", fmt::format("'{}' is not a kind of baked map", kind));
 }
 
 } // namespace plumbline

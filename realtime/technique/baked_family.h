@@ -1,4 +1,4 @@
-// Baked maps as a shader sees them: the GLSL that reads a kind, its sampler and texture unit.
+// How shaders access baked maps: the GLSL file, sampler and texture unit of each kind.
 #pragma once
 
 #include <string>
@@ -6,19 +6,19 @@
 
 namespace plumbline {
 
-/// What the kinds that are read in one way have in common. A technique takes one kind of a family at most.
+/// Kinds that are read by the same GLSL code. A technique can use at most one kind of a family.
 struct BakedFamily {
     const char* shader;       // in shaders/
     const char* sampler;      // sampler2DArray; slices are the array's layers
-    const char* scaleUniform; // vec3, the BakeScale it was baked at; null: it has none
+    const char* scaleUniform; // vec3, the BakeScale of the map; null: none
     int unit;                 // texture unit
-    bool packsLevels;         // all levels in one picture (draw/baked_input.h); else level 0 alone is sent
+    bool packsLevels; // all levels in one image (draw/baked_input.h); otherwise only level 0 is uploaded
     std::vector<const char*> kinds;
 };
 const std::vector<BakedFamily>& bakedFamilies();
-/// The first texture unit behind the height map's, the color map's and those of the families.
+/// The first texture unit after those of the height map, the color map and the families.
 int unitBehindBaked();
-/// Throws InputError for a name that is no kind of baked map.
+/// Throws InputError for an unknown kind.
 const BakedFamily& bakedFamily(const std::string& kind);
 
 } // namespace plumbline

@@ -12,7 +12,7 @@ const std::vector<SurfaceProperty>& surfaceProperties() {
         {"polynomial_depth", "a depth that is a polynomial of degree 2 along the ray", "hitInCell"},
         {"linear_depth", "a depth that is linear along the ray, 1 at its end", nullptr},
         {"bounded_descent", "a bound on the ray's descent", "steepestDescent"},
-        {"flat_base", "a flat base, as a relief on a bent one has other distances", nullptr},
+        {"flat_base", "a flat base, because distances differ on a curved one", nullptr},
     };
     return properties;
 }

@@ -33,7 +33,8 @@ Parameter numberParameter(std::string name, Type type, double low, double high, 
     return parameter;
 }
 
-/// What search and surface both allow, the default first; last the map, which asks nothing of either.
+/// The shadows that both search and surface allow, the default first; the shadow map, which has no
+/// requirements, is last.
 std::vector<std::string> allowedShadows(const Manifest& search, const Manifest& surface) {
     std::vector<std::string> allowed;
     for (const char* shadow : {"relief", "none"})
@@ -67,45 +68,42 @@ std::vector<std::string> offeredShadows(const Manifest& manifest) {
 std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface) {
     std::vector<Parameter> parameters;
     parameters.push_back(choiceParameter("filter", {"exact", "hardware"},
-                                         "look-ups: exact bilinear in float, or the sampler's own filter"));
+                                         "lookups: exact bilinear in float, or the sampler's own filter"));
     const std::vector<std::string> shadows = allowedShadows(search, surface);
     parameters.push_back(
         choiceParameter("shadow", shadows,
                         "cast shadows: a second search along the light; none (attached shadow only); or "
                         "a map drawn from the light (RP-351, section 3.5)"));
-    // The margin of Watt and Policarpo (2005), chapter 5, listing 5.3. Without one (as in their Fig. 5.11)
-    // lit points shadow themselves: the searches from the camera and from the light stop at slightly
+    // The bias of Watt and Policarpo (2005), chapter 5, listing 5.3. Without a bias (as in their Fig. 5.11)
+    // lit points shadow themselves, because the searches from the camera and from the light end at slightly
     // different depths.
     parameters.push_back(
         numberParameter("shadow_bias", Type::Float, 0, 1, 0.02, "relief depth",
-                        "what stops the light must be this much above a point of a relief to shadow it"));
+                        "minimum distance of an occluder above a point of a relief that it shadows"));
     parameters.push_back(numberParameter("shadow_map_size", Type::Int, 16, 8192, 1024, "texels",
-                                         "side of a shadow map, for a point light of each of its six"));
-    parameters.push_back(
-        numberParameter("shadow_map_bias", Type::Float, 0, 1000, 1, "",
-                        "what is in the map must be this many times the bias derived from its texels "
-                        "above a point to shadow it"));
+                                         "side of a shadow map; a point light has six of them"));
+    parameters.push_back(numberParameter("shadow_map_bias", Type::Float, 0, 1000, 1, "",
+                                         "factor of the bias derived from the map's texels"));
     parameters.push_back(boolParameter(
         "triangle_bounds", false,
         "a hit beyond the texture coordinates of its triangle is discarded (Premecz 2006, section 1.1)"));
     parameters.push_back(
         boolParameter("depth_correction", true,
                       "the depth buffer holds the hit's depth (RP-351, section 3.5); false: the "
-                      "polygon's, as do Z and what hides what"));
-    if (surface.isBent())
-        parameters.push_back(
-            choiceParameter("coefficients", {"ring", "limit"},
-                            "the base's quadric: fitted to the vertices around, as in RP-351, or "
-                            "with the curvature of the limit surface"));
+                      "polygon's, as for Z and occlusion"));
+    if (surface.hasQuadricBase())
+        parameters.push_back(choiceParameter("coefficients", {"ring", "limit"},
+                                             "the base's quadric: fitted to the one-ring, as in RP-351, or "
+                                             "with the curvature of the limit surface"));
     return parameters;
 }
 
 std::vector<std::string> harnessParameterNames() {
-    Manifest search, bentSurface; // a pair to which all of them apply
-    search.shadows = bentSurface.shadows = {"relief", "none"};
-    bentSurface.inputs = {"quadric"};
+    Manifest search, curvedSurface; // a pair to which all of them apply
+    search.shadows = curvedSurface.shadows = {"relief", "none"};
+    curvedSurface.inputs = {"quadric"};
     std::vector<std::string> names;
-    for (Parameter& parameter : harnessParameters(search, bentSurface))
+    for (Parameter& parameter : harnessParameters(search, curvedSurface))
         names.push_back(std::move(parameter.name));
     return names;
 }

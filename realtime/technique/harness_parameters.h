@@ -1,4 +1,4 @@
-// The settings every technique takes from the harness, beside its own and its surface's.
+// The harness's settings of a technique, in addition to its own and its surface's parameters.
 #pragma once
 
 #include "realtime/technique/manifest.h"
@@ -7,15 +7,15 @@
 
 namespace plumbline {
 
-/// `shadow` offers what both manifests allow, the first of them its default, and a map. Throws InputError
-/// where they have nothing in common.
+/// The choices of `shadow` are those allowed by both manifests, with the first as the default, and a shadow
+/// map. Throws InputError if the manifests have none in common.
 std::vector<Parameter> harnessParameters(const Manifest& search, const Manifest& surface);
 
 /// The names of all of them.
 std::vector<std::string> harnessParameterNames();
 
-/// What a search or a surface can be drawn with: the manifest's, and a map, which asks nothing of either.
-/// Empty for micro-triangles.
+/// The shadows available for a search or a surface: those of the manifest and a shadow map, which has no
+/// requirements. Empty for micro-triangles.
 std::vector<std::string> offeredShadows(const Manifest& manifest);
 
 } // namespace plumbline

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kSurfaceInputs{"quadric", "quadric_full"}, kShadows{"relief", "none"},
     kGeometries{"proxy", "micro_triangles"};
 
-/// The parts a technique and a surface have in common but `inputs`; the caller reads the rest and calls
+/// Reads the fields common to techniques and surfaces except `inputs`; the caller reads the others and calls
 /// finish().
 void readCommon(const TomlTable& table, Manifest& manifest) {
     manifest.title = table.line("title");
@@ -83,7 +83,8 @@ void checkShader(const Manifest& manifest) {
                              "a shader that uses every parameter of the manifest");
 }
 
-/// A shader that calls what is wrong on some surfaces must say so: on those it would draw nonsense silently.
+/// A shader that calls a function valid only on some surfaces must declare it under `needs`; otherwise the
+/// results on other surfaces would be silently wrong.
 void checkNeeds(const TomlTable& table, const Manifest& manifest) {
     const std::string glsl = readWholeFile(manifest.shaderFile());
     for (const auto& [name, meaning, function] : surfaceProperties())
@@ -94,7 +95,7 @@ void checkNeeds(const TomlTable& table, const Manifest& manifest) {
                        fmt::format("\"{}\" among them", name));
 }
 
-/// Absolute, without "." and a trailing slash, so that the last part is the folder's name.
+/// An absolute path without "." or a trailing slash, so that the last component is the folder's name.
 fs::path properFolder(const fs::path& folder) {
     std::error_code error;
     fs::path proper = fs::weakly_canonical(folder, error);
@@ -106,7 +107,7 @@ Manifest emptyManifest(const fs::path& folder, const char* fileName) {
     Manifest manifest;
     manifest.folder = properFolder(folder);
     manifest.name = manifest.folder.filename().string();
-    manifest.folder = folder; // messages show the path as it was given
+    manifest.folder = folder; // messages show the path as given
     manifest.file = folder / fileName;
     if (!fs::exists(manifest.file))
         throw InputError(folder.string(), fmt::format("has no {}", fileName),
@@ -136,12 +137,12 @@ Manifest readTechniqueManifest(const fs::path& folder) {
     manifest.inputs = table.someOf("inputs", techniqueInputs(manifest));
     manifest.channels = table.someOf("channels", channelNames(), std::vector<std::string>{});
     if (table.has("channels") && !contains(manifest.channels, "A") && !contains(manifest.channels, "id"))
-        table.fail("channels", "has neither A nor id, so that no frame says what it covers",
+        table.fail("channels", "has neither A nor id, so frames have no coverage",
                    "one of them among the channels");
     if (table.choice("geometry", kGeometries, "proxy") == "micro_triangles") {
         manifest.geometry = Geometry::MicroTriangles;
         if (!manifest.parameters.empty())
-            table.fail("parameter", "is there, but micro_triangles have no shader to take parameters",
+            table.fail("parameter", "is given, but micro_triangles have no shader that could use parameters",
                        "no [[parameter]]");
     } else {
         readShaderName(table, manifest);

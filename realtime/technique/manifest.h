@@ -1,5 +1,5 @@
-// What a technique or a surface says of itself: technique.toml, surface.toml. Every field is documented in
-// README.md; missing, unknown or wrong fields are errors with the line they stand on.
+// Manifests of techniques and surfaces: technique.toml and surface.toml. Every field is documented in
+// README.md; missing, unknown or invalid fields are errors with their line.
 #pragma once
 
 #include <filesystem>
@@ -23,10 +23,10 @@ struct Parameter {
     double low = 0, high = 0;         // Int, Float: both inclusive
     std::vector<std::string> choices; // Choice
     ParameterValue defaultValue;
-    std::string unit;    // empty: a plain number
+    std::string unit;    // empty: dimensionless
     std::string meaning; // one sentence
 
-    /// Throws InputError naming `where` and the parameter: not of the type, out of range, no such choice.
+    /// Throws InputError naming `where` and the parameter: wrong type, out of range or unknown choice.
     ParameterValue parse(const std::string& where, const std::string& text) const;
     /// The shortest text that parses to the value.
     std::string format(const ParameterValue& value) const;
@@ -46,13 +46,13 @@ struct Manifest {
     std::string title, citation;
     Geometry geometry = Geometry::Proxy;
     std::vector<std::string>
-        inputs; // "height", kinds of baked maps, parameters that choose between such kinds; of a surface,
-                // "quadric" (without cross term), "quadric_full" or nothing
-    std::vector<std::string> needs;    // of a technique: properties of surfaces (composition.h) it relies on
-    std::vector<std::string> offers;   // of a surface: those it has
-    std::string variantOf;             // of a surface: the one it does otherwise; may be empty
-    std::vector<std::string> shadows;  // "none", "relief": what the harness may do with it
-    std::vector<std::string> channels; // of a technique: what its frames hold; empty = every channel
+        inputs; // of a technique: "height", kinds of baked maps, parameters that choose between such kinds;
+                // of a surface: "quadric" (without cross term), "quadric_full" or nothing
+    std::vector<std::string> needs;    // of a technique: required properties of surfaces (composition.h)
+    std::vector<std::string> offers;   // of a surface: properties it has
+    std::string variantOf;             // of a surface: the surface it modifies; may be empty
+    std::vector<std::string> shadows;  // "none", "relief": supported kinds of shadows
+    std::vector<std::string> channels; // of a technique: channels of its frames; empty = all
     std::vector<std::string> limits;
     std::vector<Parameter> parameters;
 
@@ -61,7 +61,7 @@ struct Manifest {
     bool hasNeed(const std::string& property) const;
     bool hasOffer(const std::string& property) const;
     /// Of a surface: whether its base is a quadric.
-    bool isBent() const { return hasInput("quadric") || hasInput("quadric_full"); }
+    bool hasQuadricBase() const { return hasInput("quadric") || hasInput("quadric_full"); }
     /// FOLDER/NAME.glsl, or the file that the manifest names.
     std::filesystem::path shaderFile() const { return folder / shader; }
 };

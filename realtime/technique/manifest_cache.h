@@ -1,4 +1,4 @@
-// Manifests of a run by name, each read when it is first asked for, and once.
+// Caches the manifests of a run by name; each is read once, on first use.
 #pragma once
 
 #include "realtime/technique/manifest.h"
@@ -10,9 +10,9 @@ namespace plumbline {
 
 class ManifestCache {
   public:
-    /// Of a technique by its name or folder. Throws InputError, each time it is asked for.
+    /// The manifest of a technique by its name or folder. Throws InputError on every call if it is invalid.
     const Manifest& search(const std::string& search);
-    /// Of a surface by its name in the library. Throws InputError.
+    /// The manifest of a surface by its name in the library. Throws InputError.
     const Manifest& surface(const std::string& name);
 
   private:

@@ -18,8 +18,8 @@ const std::vector<std::string> kTypes{"int", "float", "bool", "choice"}; // in t
 constexpr int kLargestInt = std::numeric_limits<int32_t>::max();
 constexpr double kLargestFloat = std::numeric_limits<float>::max();
 
-/// Throws InputError for what GLSL, GLSL ES or `--technique NAME:key=value` can't have as a name: `name` is
-/// the parameter's, or one the shader sees for its field `key`.
+/// Throws InputError if `name` isn't a valid name in GLSL, GLSL ES and `--technique NAME:key=value`. `name`
+/// is the parameter's name, or a GLSL name derived from the field `key`.
 void checkParameterName(const TomlTable& table, const char* key, const std::string& name) {
     const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
     const auto isNameCharacter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
@@ -28,8 +28,8 @@ void checkParameterName(const TomlTable& table, const char* key, const std::stri
         name.starts_with("gl_"))
         table.fail(key, fmt::format("'{}' can't be a GLSL name", name),
                    "a letter, then letters, digits and single underscores");
-    if (isGlslWord(name)) table.fail(key, fmt::format("'{}' is a word of GLSL", name), "another name");
-    if (isReserved(name)) table.fail(key, fmt::format("'{}' belongs to the harness", name), "another name");
+    if (isGlslWord(name)) table.fail(key, fmt::format("'{}' is reserved in GLSL", name), "another name");
+    if (isReserved(name)) table.fail(key, fmt::format("'{}' is used by the harness", name), "another name");
 }
 
 void readRange(const TomlTable& table, Parameter& parameter) {

@@ -1,4 +1,4 @@
-// [[parameter]] of a manifest.
+// Reads the [[parameter]] tables of a manifest.
 #pragma once
 
 #include "realtime/technique/manifest.h"
@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// Every [[parameter]], in the manifest's order. Throws InputError.
+/// All parameters in file order. Throws InputError.
 std::vector<Parameter> readParameters(const TomlTable& manifest);
 
 } // namespace plumbline

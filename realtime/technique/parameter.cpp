@@ -1,4 +1,4 @@
-// Values of parameters: text in, text out.
+// Parsing and formatting of parameter values.
 #include "realtime/technique/manifest.h"
 #include "scenes/core/error.h"
 #include "scenes/core/numbers.h"

@@ -18,20 +18,20 @@ struct HarnessUse {
     bool hardwareFilter = false, reliefShadows = false, shadowMaps = false, triangleBounds = false,
          depthCorrection = false;
     std::vector<std::string> bakedKinds;
-    bool bentBase = false;
+    bool curvedBase = false;
 };
 
 HarnessUse useBy(const Technique& technique) {
     return {technique.hardwareFilter(),  technique.castsReliefShadows(),
             technique.readsShadowMaps(), technique.discardsOutsideTriangle(),
             technique.correctsDepth(),   technique.bakedKinds(),
-            technique.hasBentBase()};
+            technique.hasCurvedBase()};
 }
 
 /// A use of every file there is.
 HarnessUse useOfAll() {
     HarnessUse use;
-    use.bentBase = true;
+    use.curvedBase = true;
     for (const BakedFamily& family : bakedFamilies())
         use.bakedKinds.emplace_back(family.kinds.front());
     return use;
@@ -81,7 +81,7 @@ ShaderSource reliefHarness(const HarnessUse& use, std::optional<size_t> lightCou
     fragment.addFile(harnessShader("relief_frame.glsl"));
     fragment.addFile(harnessShader("relief_hit.glsl"));
     fragment.addFile(harnessShader(lightCount ? "relief_main.glsl" : "shadow_relief_main.glsl"));
-    if (use.bentBase) fragment.addFile(harnessShader("quadric_base.glsl"));
+    if (use.curvedBase) fragment.addFile(harnessShader("quadric_base.glsl"));
     return fragment;
 }
 

@@ -25,7 +25,7 @@ std::vector<std::string> namesOf(const std::vector<Parameter>& parameters) {
     return names;
 }
 
-/// Own values over shared ones over those there are.
+/// Sets values; `own` takes precedence over `shared`, which takes precedence over the current values.
 void setValues(std::vector<Technique::Setting>& settings, const std::string& where, const Settings& own,
                const Settings& shared) {
     for (auto& [parameter, value] : settings) {
@@ -43,7 +43,7 @@ std::vector<Technique::Setting> withDefaults(const std::vector<Parameter>& param
     return settings;
 }
 
-/// Of search and surface, whose names the shader sees side by side.
+/// The parameters of search and surface, which share the shader's namespace.
 std::vector<Parameter> shaderParameters(const Manifest& search, const Manifest& surface) {
     std::vector<Parameter> parameters = search.parameters;
     for (const Parameter& parameter : surface.parameters) {
@@ -57,14 +57,14 @@ std::vector<Parameter> shaderParameters(const Manifest& search, const Manifest& 
     return parameters;
 }
 
-/// A shader has one sampler a family.
+/// A shader has only one sampler per family.
 void checkFamilies(const Technique& technique) {
     std::map<std::string, std::string> kinds;
     for (const std::string& kind : technique.bakedKinds())
         if (const auto [first, isNew] = kinds.emplace(bakedFamily(kind).sampler, kind); !isNew)
             throw InputError(
                 technique.search.file.string(),
-                fmt::format("takes both '{}' and '{}', which are read in the same way", first->second, kind),
+                fmt::format("takes both '{}' and '{}', which belong to the same family", first->second, kind),
                 "one of them");
 }
 

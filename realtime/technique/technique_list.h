@@ -1,5 +1,5 @@
-// The library's techniques and surfaces: the folders of realtime/techniques/ and realtime/surfaces/. Names
-// are sorted; those that begin with '_' or '.' are left out.
+// The library's techniques and surfaces: the subfolders of realtime/techniques/ and realtime/surfaces/. Names
+// are sorted; those that begin with '_' or '.' are omitted.
 #pragma once
 
 #include "realtime/technique/manifest.h"
@@ -16,16 +16,17 @@ std::filesystem::path surfacesFolder();
 std::vector<std::string> techniqueNames();
 std::vector<std::string> surfaceNames();
 
-/// A name or folder that isn't there, or a surface the technique doesn't run on: an error of who asks, not of
-/// the technique.
+/// An unknown name or folder, or a surface on which the technique doesn't run: an error in the request, not
+/// in the technique.
 class NoSuchTechnique : public InputError {
     using InputError::InputError;
 };
 
-/// Folder of a search: a name of the library, or a path. Throws NoSuchTechnique that lists the names.
+/// The folder of a search, given by its name in the library or a path. Throws NoSuchTechnique that lists the
+/// names.
 std::filesystem::path techniqueFolder(const std::string& search);
 
-/// The manifests of all of them. Throws InputError for one that can't be read.
+/// The manifests of the whole library. Throws InputError for an invalid one.
 std::vector<Manifest> listTechniques();
 std::vector<Manifest> listSurfaces();
 

@@ -28,7 +28,7 @@ void parseSettings(const std::string& text, const std::string& list, TechniqueRe
 } // namespace
 
 TechniqueRequest parseTechnique(const std::string& text) {
-    // '@' and ':' count only behind the last '/', so that folders may have them in their names.
+    // '@' and ':' are only separators after the last '/', so that folder names may contain them.
     const size_t slash = text.rfind('/');
     const size_t tail = slash == std::string::npos ? 0 : slash + 1;
     const size_t colon = text.find(':', tail);

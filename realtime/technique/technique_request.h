@@ -1,5 +1,5 @@
-// A technique as the user names it: SEARCH[@SURFACE][:key=value,…], SEARCH a name in realtime/techniques/ or
-// a folder.
+// A technique as specified by the user: SEARCH[@SURFACE][:key=value,…], where SEARCH is a name in
+// realtime/techniques/ or a folder.
 #pragma once
 
 #include <map>
@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// Parameters by name, with the text of their value.
+/// Values of parameters as text, by name.
 using Settings = std::map<std::string, std::string>;
 
 inline constexpr const char* kFlatSurface = "flat";
@@ -15,10 +15,10 @@ inline constexpr const char* kFlatSurface = "flat";
 struct TechniqueRequest {
     std::string search; // name or path
     std::string surface = kFlatSurface;
-    Settings settings; // of this technique alone
+    Settings settings; // only of this technique
 };
 
-/// Throws InputError for a text that doesn't have this form.
+/// Throws InputError for a malformed text.
 TechniqueRequest parseTechnique(const std::string& text);
 
 } // namespace plumbline

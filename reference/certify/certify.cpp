@@ -59,7 +59,7 @@ class UncertainMarker {
             if (std::isnan(shadow[pixel])) continue;
             // Another place may be seen there, and that one's shadow isn't known.
             const uint8_t by = evidence_.shadowBy[light][pixel];
-            if (evidence_.unsettled[pixel] || otherSheet_[pixel] != 0 || by == FrameEvidence::kNearRay)
+            if (evidence_.ambiguous[pixel] || otherSheet_[pixel] != 0 || by == FrameEvidence::kNearRay)
                 uncertain[pixel] = 1;
             else if (by == FrameEvidence::kRay)
                 points.push_back({static_cast<uint32_t>(pixel), positionOf(pixel),

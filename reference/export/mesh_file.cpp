@@ -22,14 +22,14 @@ bool isObj(const std::filesystem::path& file) {
     return file.extension() == ".obj";
 }
 
-/// Gathers bytes and writes them in pieces.
+/// Buffers output and writes it in pieces.
 class PieceWriter {
   public:
     explicit PieceWriter(const std::filesystem::path& file) : stream_(file, std::ios::binary) {
         piece_.reserve(kPieceBytes + 1024);
     }
     std::string& piece() { return piece_; }
-    /// To be called after every few bytes added to the piece.
+    /// Must be called after each small addition to the piece.
     void flushIfFull() {
         if (piece_.size() >= kPieceBytes) flush();
     }
@@ -47,7 +47,7 @@ class PieceWriter {
 
   private:
     void flush() {
-        if (stream_) { // the first failure's errno is told
+        if (stream_) { // report the first failure's errno
             errno = 0;
             stream_.write(piece_.data(), static_cast<std::streamsize>(piece_.size()));
         }
@@ -72,7 +72,7 @@ std::vector<MeshNumbers> numberObjects(std::span<const MeshFileObject> objects) 
     return numbers;
 }
 
-/// Calls visit(vertex) for the micro-vertex that stands for each number, in the order of the numbers.
+/// Calls visit(vertex) for the micro-vertex of each number, in the order of the numbers.
 template <class Visit>
 void forNumbers(const MeshNumbers& numbers, Visit&& visit) {
     uint32_t next = 0;
@@ -96,7 +96,7 @@ void writePly(PieceWriter& out, std::span<const MeshFileObject> objects, std::sp
     out.piece() += fmt::format("{}element face {}\nproperty list uchar int vertex_indices\n"
                                "property int object_id\nend_header\n",
                                header, size.triangles);
-    // Little-endian, as is every machine Embree runs on.
+    // Embree only runs on little-endian machines.
     for (size_t k = 0; k < objects.size(); ++k)
         forNumbers(numbers[k], [&](size_t vertex) {
             out.binary(objects[k].mesh->positionsWorld[vertex]);
@@ -148,9 +148,10 @@ void writeObj(PieceWriter& out, std::span<const MeshFileObject> objects, std::sp
 
 void requireMeshFileName(const std::filesystem::path& file) {
     if (file.extension() != ".ply" && !isObj(file))
-        throw InputError(file.string(),
-                         fmt::format("'{}' names no kind of mesh file", file.extension().string()),
-                         "a name that ends in .ply or .obj");
+        throw InputError(
+            file.string(),
+            fmt::format("'{}' is not a known extension of mesh files", file.extension().string()),
+            "a name that ends in .ply or .obj");
 }
 
 MeshFileSize writeMeshFile(const std::filesystem::path& file, std::span<const MeshFileObject> objects,

@@ -18,7 +18,7 @@ struct VertexBits {
         std::memcpy(&words[3], &mesh.normalsWorld[vertex], 12);
         std::memcpy(&words[6], &mesh.st[vertex], 8);
     }
-    /// FNV-1a over words, with its high bits folded into the low ones a table takes.
+    /// FNV-1a over words, with the high bits folded into the low ones that the table uses.
     size_t hash() const {
         uint64_t value = 14695981039346656037u;
         for (const uint32_t word : words)
@@ -27,14 +27,14 @@ struct VertexBits {
     }
 };
 
-/// A hash table of vertices by value with open addressing; holds indices into the mesh, which stays where it
-/// is.
+/// A hash table of vertices by value with open addressing; it stores indices into the mesh, which must not
+/// move.
 class VertexTable {
   public:
     VertexTable(const MicroMesh& mesh, size_t mostVertices)
         : mesh_(mesh), slots_(std::bit_ceil(2 * mostVertices + 1), kNone) {}
 
-    /// The vertex equal to this one that was asked for first: itself, if none was.
+    /// The first vertex looked up that equals this one; the vertex itself if there was none.
     uint32_t firstLike(uint32_t vertex) {
         const VertexBits bits(mesh_, vertex);
         for (size_t slot = bits.hash();; ++slot) {
@@ -49,8 +49,8 @@ class VertexTable {
     std::vector<uint32_t> slots_;
 };
 
-/// Only these can be repeated: those inside a square patch's grid are alone at their (u, v), those beyond a
-/// triangle's long side aren't.
+/// Whether a vertex may be a duplicate. In the interior of a square patch's grid each vertex has its own (u,
+/// v); beyond a triangle's hypotenuse vertices are duplicated.
 bool mayBeRepeated(const MicroMesh& mesh, const MicroGrid& grid, int column, int row) {
     return column == 0 || row == 0 || column == grid.columns - 1 || row == grid.rows - 1 ||
            mesh.lattices[grid.patch].triangular;

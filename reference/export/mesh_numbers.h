@@ -1,4 +1,4 @@
-// A micro-mesh without its repeated vertices: one number for each that differs from all others.
+// Numbers the distinct vertices of a micro-mesh.
 #pragma once
 
 #include "scenes/surface/micro_mesh.h"
@@ -8,18 +8,18 @@
 namespace plumbline {
 
 struct MeshNumbers {
-    std::vector<uint32_t> ofVertex; // per vertex of the micro-mesh, from 0 in order of first appearance
-    uint32_t vertexCount = 0;       // numbers given
-    uint64_t triangleCount = 0;     // with three corners in different places
+    std::vector<uint32_t> ofVertex; // per micro-vertex, from 0 in order of first occurrence
+    uint32_t vertexCount = 0;       // distinct vertices
+    uint64_t triangleCount = 0;     // with three different positions
 };
 
-/// Vertices are one if position, normal and st are, bit for bit: grids repeat those on their borders, a
-/// lattice those of its coarser sides. Where texture coordinates jump a place keeps a vertex for each of
-/// them. The mesh must have attributes (MicroMesh::normalsWorld, st).
+/// Vertices are merged if position, normal and st are bit-identical: grids duplicate the vertices on their
+/// borders, and a lattice those on its coarser sides. At a texture seam, a position keeps one vertex for each
+/// st. The mesh must have attributes (MicroMesh::normalsWorld, st).
 MeshNumbers numberVertices(const MicroMesh& mesh);
 
-/// Calls visit(a, b, c) with indices into the micro-mesh for every micro-triangle whose corners are in three
-/// places, grid by grid, counter-clockwise seen from outside.
+/// Calls visit(a, b, c) with indices into the micro-mesh for every micro-triangle with three different
+/// positions, grid by grid, counterclockwise seen from outside.
 template <class Visit>
 void forTriangles(const MicroMesh& mesh, Visit&& visit) {
     const auto keep = [&](uint32_t a, uint32_t b, uint32_t c) {

@@ -66,7 +66,7 @@ MeasuredError FaceErrorProbe::worstWithin(const PatchRegion& region, int face, c
     for (int row = firstBlock(region.low.y * blocks.y); row <= lastBlock(region.high.y * blocks.y); ++row)
         for (int column = firstBlock(region.low.x * blocks.x); column <= lastBlock(region.high.x * blocks.x);
              ++column) {
-            if (column >= blocksInRow(lattice, row)) continue; // beyond a triangle's long side
+            if (column >= blocksInRow(lattice, row)) continue; // beyond a triangle's hypotenuse
             const MeasuredError error = measure(region.patch, lattice, column, row, evaluator);
             if (error.world > worst.world) worst = error;
         }

@@ -1,5 +1,5 @@
-// The error a face would have at a rate, without tessellating it: measured in some of the grids it would be
-// cut into.
+// Estimates the error of a face at a given rate without tessellating it, by measuring some of the grids into
+// which it would be divided.
 #pragma once
 
 #include "reference/tessellate/lattice.h"
@@ -17,25 +17,25 @@ struct PatchRegion {
 };
 
 struct MeasuredError {
-    double world = 0;   // bound of tileError()
-    PatchRegion region; // the grid that has it
+    double world = 0;   // the bound of tileError()
+    PatchRegion region; // the grid with this error
 };
 
-/// Of one object; only for faces that have a limit. Safe to use from many threads.
+/// For the faces of one object that have a limit surface. Safe for concurrent use.
 class FaceErrorProbe {
   public:
     FaceErrorProbe(const BaseSurface& surface, const Relief* relief);
 
-    /// One square patch, which may have other rates along u than along v.
+    /// Whether the face is a single square patch, which may have different rates along u and v.
     bool isSquare(int face) const { return !first(face).triangular && !first(face).subFace; }
     int smallestRate(int face) const { return first(face).subFace ? 2 : 1; }
-    /// Texels of the relief that the face's edges cross: 0 and 2, and 1 and 3; of a face that isn't square,
-    /// all of them twice.
+    /// Texels of the relief along the face's edges: the maximum for edges 0 and 2, and for edges 1 and 3. For
+    /// a face that isn't square, both are the maximum for all edges.
     Vec2 texelsAcross(int face) const;
 
-    /// Of all its grids, the one whose error all but 2 % don't exceed.
+    /// The 98th percentile of the errors of all of its grids.
     MeasuredError typicalWorst(int face, const Vec2i& rate, BaseSurface::Evaluator& evaluator) const;
-    /// The largest of the grids in a region.
+    /// The largest error of the grids in a region.
     MeasuredError worstWithin(const PatchRegion& region, int face, const Vec2i& rate,
                               BaseSurface::Evaluator& evaluator) const;
 

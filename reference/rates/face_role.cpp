@@ -15,20 +15,20 @@ namespace plumbline {
 
 namespace {
 
-// Segments of a face's edge that are looked at.
-constexpr int kLooks = 4;
-// Between the places looked at the surface bulges; a sphere around them is made that much larger.
+// Segments per edge at whose ends a face is sampled.
+constexpr int kSegments = 4;
+// Factor by which the bounding sphere of the samples is enlarged, because the surface bulges between them.
 constexpr double kBulge = 1.25;
-// Cosine between normal and view from which a face of a closed object is hidden, whatever its relief: slopes
-// of a relief are seldom steeper than that, and where they are the certificate tells.
-constexpr double kTurnedAway = -0.35;
+// Cosine between normal and view direction below which a face of a closed object counts as hidden despite its
+// relief. Slopes of a relief are rarely steeper, and the certificate reports it if they are.
+constexpr double kBackFacingCosine = -0.35;
 
 struct Ball {
     Vec3 center{0};
     double radius = 0;
 };
 
-/// Half spaces that the picture's lines of sight lie in: inside is normal . p >= offset.
+/// Half-spaces of the view volume: inside is normal . p >= offset.
 struct Halfspace {
     Vec3 normal;
     double offset;
@@ -58,14 +58,14 @@ bool isOutside(const Ball& ball, const std::vector<Halfspace>& volume) {
                                [&](const Halfspace& half) { return half.above(ball.center) < -ball.radius; });
 }
 
-/// Whether a ball's shadow can reach the volume: it doesn't if the ball is beyond a plane and its shadow goes
-/// on away from it.
+/// Whether a ball's shadow can reach the volume. It can't if the ball is outside a plane and its shadow
+/// extends away from it.
 bool shadowReaches(const Ball& ball, const Light& light, const std::vector<Halfspace>& volume) {
     return std::ranges::none_of(volume, [&](const Halfspace& half) {
         if (half.above(ball.center) >= -ball.radius) return false;
         if (light.kind == Light::Kind::Directional) return glm::dot(half.normal, light.toLightWorld) >= 0;
         return half.above(light.positionWorld) - half.above(ball.center) >=
-               ball.radius; // the light is on the near side of the ball
+               ball.radius; // the light isn't farther outside than the ball
     });
 }
 
@@ -74,30 +74,30 @@ class Placer {
     Placer(const Scene& scene, const BaseSurface& surface, const Relief* relief)
         : scene_(scene), surface_(surface), relief_(relief), rays_(scene.camera),
           screen_(Screen::ofCamera(scene.camera)), volume_(viewVolume(scene.camera)),
-          hidesBacks_(isClosed(surface) && !(relief && relief->axisWorld)) {
+          hidesBackFaces_(isClosed(surface) && !(relief && relief->axisWorld)) {
         if (!relief) return;
-        low_ = relief->offset - relief->depth * relief->map->mostDepth();
-        high_ = relief->offset - relief->depth * relief->map->leastDepth();
+        low_ = relief->offset - relief->depth * relief->map->maxDepth();
+        high_ = relief->offset - relief->depth * relief->map->minDepth();
     }
 
     FacePlace place(int face, BaseSurface::Evaluator& evaluator) const {
         FacePlace result;
         Bounds bounds;
         std::vector<Vec3> points;
-        bool turnedAway = hidesBacks_;
-        for (const auto& at : surface_.tessellateFace(face, kLooks).samples) {
+        bool backFacing = hidesBackFaces_;
+        for (const auto& at : surface_.tessellateFace(face, kSegments).samples) {
             evaluator.setPatch(at.patch);
             const BasePoint base = evaluator.point(at.u, at.v);
             for (const double height : {low_, high_}) {
                 points.push_back(base.position + reliefDirection(base, relief_) * height);
                 bounds.add(points.back());
             }
-            turnedAway &= glm::dot(base.normal, rays_.towardCamera(base.position)) < kTurnedAway;
+            backFacing &= glm::dot(base.normal, rays_.towardCamera(base.position)) < kBackFacingCosine;
         }
         Ball ball{bounds.center(), 0};
         for (const Vec3& point : points)
             ball.radius = std::max(ball.radius, kBulge * glm::length(point - ball.center));
-        if (!turnedAway && !isOutside(ball, volume_)) {
+        if (!backFacing && !isOutside(ball, volume_)) {
             result.role = FaceRole::Seen;
             result.pixelsPerWorld = nearestScale(points, ball.radius);
         } else if (std::ranges::any_of(scene_.lights, [&](const Light& light) {
@@ -118,18 +118,18 @@ class Placer {
         return !contains(uses, 1);
     }
 
-    /// The largest scale among places, none taken nearer to the camera than a fraction of the face's own
-    /// size.
+    /// The largest scale of the points, with distances to the camera bounded below by a fraction of the
+    /// face's size.
     double nearestScale(const std::vector<Vec3>& points, double radius) const {
         constexpr double kNearestOfRadius = 0.1;
         double largest = 0;
         for (const Vec3& point : points) {
             Vec3 at = screen_.project(point);
             at.z = std::max(at.z, kNearestOfRadius * radius);
-            // Off the axis lengths are stretched; within the picture by no more than at its corner.
+            // Perspective stretches lengths off the axis, at most as much as at the image's corner.
             const Vec2 half(scene_.camera.width, scene_.camera.height);
-            const Vec2 held = glm::clamp(Vec2(at), Vec2(0), half);
-            largest = std::max(largest, screen_.pixelsPerWorld({held.x, held.y, at.z}));
+            const Vec2 clamped = glm::clamp(Vec2(at), Vec2(0), half);
+            largest = std::max(largest, screen_.pixelsPerWorld({clamped.x, clamped.y, at.z}));
         }
         return largest;
     }
@@ -140,7 +140,7 @@ class Placer {
     CameraRays rays_;
     Screen screen_;
     std::vector<Halfspace> volume_;
-    bool hidesBacks_; // closed, and P faces about where its base does: along an axis it may face anywhere
+    bool hidesBackFaces_; // closed, and P is oriented roughly like its base: not along an axis
     double low_ = 0, high_ = 0;
 };
 

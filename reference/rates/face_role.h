@@ -1,4 +1,4 @@
-// What the picture needs a face for: to be seen, to cast shadows into it, or nothing.
+// Classifies faces by their contribution to the image: visible, casting shadows, or none.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -9,19 +9,19 @@
 namespace plumbline {
 
 enum class FaceRole {
-    Seen,  // may be in the picture, on the side the camera sees
-    Casts, // not seen, but its shadow may be
+    Seen,  // may be visible
+    Casts, // not visible, but its shadow may be
     Idle,  // neither
 };
 
 struct FacePlace {
     FaceRole role = FaceRole::Idle;
-    double pixelsPerWorld = 0; // at its nearest place to the camera that is in the picture; 0 unless seen
+    double pixelsPerWorld = 0; // at its point nearest to the camera in the image; 0 unless seen
 };
 
-/// Per face of one object. Judged from spheres around the faces with all their relief can reach. A closed
-/// object's faces that turn away from the camera everywhere, by more than kTurnedAway, count as not seen,
-/// unless its relief goes along an axis.
+/// Classifies each face of one object by its bounding sphere, including the relief. Faces of a closed object
+/// that are back-facing everywhere, by more than kBackFacingCosine, count as not seen, unless the relief is
+/// displaced along an axis.
 std::vector<FacePlace> placeFaces(const Scene& scene, const BaseSurface& surface, const Relief* relief);
 
 } // namespace plumbline

@@ -16,43 +16,43 @@ namespace plumbline {
 
 namespace {
 
-// Shadows of what isn't seen itself may be that many times less exact: the certificate marks them all the
-// same.
+// Error factor allowed for faces that only cast shadows; the certificate marks uncertain shadow pixels in any
+// case.
 constexpr double kCasterSlack = 4;
-// An error falls to between a half and a quarter when a rate is doubled; a face found too coarse goes up by
-// as many rungs as the geometric mean of both asks for.
+// Doubling a rate reduces the error by a factor between 2 and 4. A face that is too coarse is refined by the
+// number of doublings computed with the geometric mean of both factors.
 constexpr double kFallPerRung = 2.8;
-// Texels a cell has at first: coarse enough for maps finer than the picture, fine enough that few of them are
-// in a cell whose error is not measured.
+// Texels per cell at the initial rate: coarse enough for maps finer than the image, fine enough that few
+// texels are in cells whose error isn't measured.
 constexpr double kFirstTexels = 2;
-// Two doublings below half a texel must leave less than this share of the error, or the face isn't made
-// finer.
+// Once cells are smaller than half a texel, two doublings must reduce the error below this fraction, or the
+// face isn't refined further.
 constexpr double kFalling = 0.7;
-// Doubling one axis must leave less than this share of the error to be worth more than doubling both.
+// Doubling the rate along one axis only is preferred if it reduces the error below this fraction.
 constexpr double kWorthAlone = 0.6;
 
-/// `value` >= 0; at most kMostRate.
+/// `value` >= 0; at most kMaxRate.
 int powerOfTwoAtLeast(double value) {
     return static_cast<int>(
-        std::bit_ceil(static_cast<unsigned>(std::ceil(std::min<double>(value, kMostRate)))));
+        std::bit_ceil(static_cast<unsigned>(std::ceil(std::min<double>(value, kMaxRate)))));
 }
 
 double bytesOf(uint64_t microTriangles) {
     return kBytesPerMicroTriangle * static_cast<double>(microTriangles);
 }
 
-/// The rates a face may have, from coarse to fine, with the error of each.
+/// The possible rates of a face, from coarse to fine, with their errors.
 struct Ladder {
     struct Rung {
         Vec2i rate;
         double errorPx;
-        PatchRegion region; // where the error was measured
+        PatchRegion region; // region in which the error was measured
     };
     std::vector<Rung> rungs;
-    bool ended = false; // no finer rate, or none that is better
-    size_t lowest = 0;  // a run found the rungs below not to be fine enough
+    bool ended = false; // no finer rate reduces the error
+    size_t lowest = 0;  // lower rungs were too coarse in a run
 
-    /// Of the coarsest rung that meets the aim, or the finest.
+    /// Index of the coarsest rung that meets the target error, or of the finest rung.
     size_t indexFor(double aimPx) const {
         for (size_t i = lowest; i < rungs.size(); ++i)
             if (rungs[i].errorPx <= aimPx) return i;
@@ -62,14 +62,14 @@ struct Ladder {
     bool reaches(double aimPx) const { return lowest < rungs.size() && rungFor(aimPx).errorPx <= aimPx; }
 };
 
-/// Ladders of one object's faces.
+/// Builds the ladders of one object's faces.
 class LadderBuilder {
   public:
     LadderBuilder(const PlannedObject& object, std::vector<FacePlace> places, double casterPixelsPerWorld)
         : surface_(*object.surface), relief_(object.relief), probe_(*object.surface, object.relief),
           places_(std::move(places)), casterPixelsPerWorld_(casterPixelsPerWorld) {}
 
-    /// Adds finer rates until the error is at most the aim.
+    /// Adds finer rates until the error is at most the target.
     void extend(std::vector<Ladder>& ladders, double errorPx) const {
         ladders.resize(places_.size());
         tbb::parallel_for(tbb::blocked_range<int>(0, countOf(places_)), [&](const auto& faces) {
@@ -104,7 +104,7 @@ class LadderBuilder {
             const bool gainsLittle = count >= 2 && isWithinTexels(ladder.rungs[count - 2].rate, face) &&
                                      next.errorPx > kFalling * ladder.rungs[count - 2].errorPx;
             if (next.rate == ladder.rungs.back().rate || gainsLittle)
-                ladder.ended = true; // the finest there is; or a pole or a tear
+                ladder.ended = true; // the finest rate, a pole or a tear
             else
                 ladder.rungs.push_back(next);
         }
@@ -115,7 +115,7 @@ class LadderBuilder {
         Vec2i rate(probe_.smallestRate(face));
         if (scale == 0) return {rate, 0, {}};
         if (relief_ &&
-            scale * relief_->depth * (relief_->map->mostDepth() - relief_->map->leastDepth()) > errorPx) {
+            scale * relief_->depth * (relief_->map->maxDepth() - relief_->map->minDepth()) > errorPx) {
             const Vec2 cells = probe_.texelsAcross(face) / kFirstTexels;
             rate = glm::max(rate, Vec2i(powerOfTwoAtLeast(cells.x), powerOfTwoAtLeast(cells.y)));
         }
@@ -123,17 +123,17 @@ class LadderBuilder {
         return {rate, scale * error.world, error.region};
     }
 
-    /// Whether a cell is no larger than half a texel: from there on errors fall.
+    /// Whether a cell is at most half a texel large; from there on errors decrease with the rate.
     bool isWithinTexels(const Vec2i& rate, int face) const {
         const Vec2 texels = probe_.texelsAcross(face);
         return rate.x >= 2 * texels.x && rate.y >= 2 * texels.y;
     }
 
-    /// The next rate: one axis doubled if that gains nearly as much as both, the one with more texels a cell
-    /// first.
+    /// The next rate: doubles one axis if that gains nearly as much as doubling both, trying the axis with
+    /// more texels per cell first.
     template <typename RungAt>
     Ladder::Rung finer(const Ladder::Rung& here, int face, RungAt rungAt) const {
-        const Vec2i doubled = glm::min(here.rate * 2, Vec2i(kMostRate));
+        const Vec2i doubled = glm::min(here.rate * 2, Vec2i(kMaxRate));
         if (doubled == here.rate) return here;
         const Ladder::Rung both = rungAt(doubled);
         if (!probe_.isSquare(face)) return both;
@@ -199,9 +199,9 @@ struct RatePlanner::Impl {
         return bytesOf(plan.microTriangles) <= static_cast<double>(memoryBytes);
     }
 
-    /// Halves every rate above a limit that goes down until all fits.
+    /// Limits all rates and halves the limit until the plan fits into memory.
     void giveUpTexels(RatePlan& plan) const {
-        for (int most = kMostRate / 2; most >= 1 && !fits(plan); most /= 2) {
+        for (int most = kMaxRate / 2; most >= 1 && !fits(plan); most /= 2) {
             for (size_t i = 0; i < objects.size(); ++i) {
                 std::vector<Vec2i> faces = plan.rates[i].faces;
                 for (const BaseSurface::Patch& patch : objects[i].surface->patches()) {
@@ -288,13 +288,13 @@ RatePlan RatePlanner::plan() const {
 RatePlan planUniformRate(const std::vector<PlannedObject>& objects, int rate, uint64_t memoryBytes) {
     if (!isRate(rate))
         throw InputError("--rate", fmt::format("found {}", rate),
-                         fmt::format("a power of two from 1 to {}", kMostRate));
+                         fmt::format("a power of two from 1 to {}", kMaxRate));
     RatePlan plan;
     for (const PlannedObject& object : objects) {
         plan.rates.push_back(uniformRates(*object.surface, rate));
         plan.microTriangles += microMeshSize(*object.surface, plan.rates.back()).microTriangles;
     }
-    // A rate asked for is taken as it is, or refused: never quietly another.
+    // A requested rate is used exactly or rejected, never silently changed.
     if (bytesOf(plan.microTriangles) > static_cast<double>(memoryBytes))
         throw MachineError("--rate", fmt::format("rate {} doesn't fit {}", rate, nameOf(memoryBytes)),
                            "a smaller rate or more memory");

@@ -1,5 +1,4 @@
-// How finely each object is tessellated: by face, as finely as the error aimed at asks for, as coarsely as
-// memory allows.
+// Chooses the subdivision rate of each face, such that the target error is met if memory allows.
 #pragma once
 
 #include "reference/tessellate/lattice.h"
@@ -12,14 +11,14 @@
 
 namespace plumbline {
 
-/// Bytes of memory a micro-triangle costs at the peak, acceleration structure included; measured by
-/// `plumbline bench` (Embree's grid BVH takes 8-13 bytes, vertices 12 bytes each at 17^2 per 16^2 cells).
+/// Peak memory in bytes per micro-triangle, including the acceleration structure; measured by `plumbline
+/// bench` (Embree's grid BVH takes 8-13 bytes, vertices 12 bytes each at 17^2 per 16^2 cells).
 inline constexpr double kBytesPerMicroTriangle = 20;
 
 struct RatePlan {
     std::vector<Rates> rates; // per object
-    std::vector<int> wanted;  // per object: the largest rate of a face the aim asks for
-    std::string limit;        // why the aim isn't planned for: "--memory 256 MB"; empty if it is
+    std::vector<int> wanted;  // per object: the largest rate of a face required by the target error
+    std::string limit;        // why the target error can't be met: "--memory 256 MB"; otherwise empty
     uint64_t microTriangles = 0;
 };
 
@@ -28,25 +27,26 @@ struct PlannedObject {
     const Relief* relief; // null: none
 };
 
-/// What a run measured: the error of what is seen of each face, px; 0 where nothing is. Per object, per face.
+/// Measured error of the visible part of each face, in pixels; 0 if nothing is visible. Per object, per face.
 using FaceErrorsPx = std::vector<std::vector<float>>;
 
-/// Plans rates for an error of `errorPx`, all within `memoryBytes`.
+/// Plans rates for a target error of `errorPx` within `memoryBytes`.
 ///
-/// A face begins at two texels of its relief a cell, along u and along v, or at 1 without one; then the axis
-/// that gains more is doubled until the error bound (tile.h) is at most the aim, or falls no more. It is
-/// measured in all the grids of the first rate; at finer ones within the grid that all but 2 % of those don't
-/// exceed, and its worst part. It counts in pixels at the face's nearest place, for a face that is seen. One
-/// that only casts shadows may be kCasterSlack times worse, in pixels of the nearest place of anything seen;
-/// one that does neither stays at the smallest rate. If that doesn't fit, the aim is doubled until it does;
-/// then texels are given up, the largest faces first.
+/// A face starts with cells of two texels of its relief along u and v, or at rate 1 without a relief. Then
+/// the axis that gains more is doubled until the error bound (tile.h) meets the target or stops decreasing.
+/// The bound is measured in all grids of the first rate; at finer rates only in the grid at the 98th
+/// percentile of these, and in its worst part. For a visible face, the error is in pixels at its nearest
+/// point. For a face that only casts shadows, it may be kCasterSlack times larger, in pixels at the nearest
+/// visible point of the scene. Other faces stay at the smallest rate. If the plan doesn't fit into memory,
+/// the target error is doubled until it does; if that isn't enough, the rates are limited, which affects the
+/// largest rates first.
 class RatePlanner {
   public:
     RatePlanner(const Scene& scene, std::vector<PlannedObject> objects, double errorPx, uint64_t memoryBytes);
     ~RatePlanner();
-    /// Throws MachineError when the smallest rates don't fit.
+    /// Throws MachineError if even the smallest rates don't fit.
     RatePlan plan() const;
-    /// Makes the faces finer that a run found above the aim; false if there is none that can be.
+    /// Refines the faces whose measured error exceeds the target; returns false if none can be refined.
     bool refine(const FaceErrorsPx& measured);
 
   private:
@@ -54,7 +54,7 @@ class RatePlanner {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The same rate everywhere. Throws InputError for a rate that is none, MachineError if it doesn't fit.
+/// Plans the same rate everywhere. Throws InputError for an invalid rate, MachineError if it doesn't fit.
 RatePlan planUniformRate(const std::vector<PlannedObject>& objects, int rate, uint64_t memoryBytes);
 
 } // namespace plumbline

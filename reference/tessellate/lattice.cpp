@@ -6,7 +6,7 @@ namespace plumbline {
 
 namespace {
 
-/// Which of the two rates of a face counts along its edge k.
+/// The index of the face's rate that applies along its edge k.
 int axisOfEdge(const BaseSurface::Patch& patch, int k) {
     return patch.triangular || patch.subFace ? 0 : k % 2;
 }
@@ -18,12 +18,12 @@ void forEachFace(const BaseSurface& surface, Visit visit) {
         if (patch.corner == 0) visit(patch.face, patch);
 }
 
-/// With the sides its edges have. A sub-face has half of two edges, and two spokes that only its own face
-/// sees.
+/// The lattice of a patch with the segment counts of its edges. A sub-face has halves of two edges and two
+/// interior spokes.
 PatchLattice latticeBetween(const BaseSurface& surface, const Rates& rates, const BaseSurface::Patch& patch) {
     PatchLattice lattice = latticeOf(patch, item(rates.faces, patch.face));
     const std::span<const int> edges = surface.faceEdges(patch.face);
-    const auto segments = [&](int k, int parts) { // of a part of edge k
+    const auto segments = [&](int k, int parts) { // of one part of edge k
         return static_cast<uint16_t>(item(rates.edges, item(edges, k)) / parts);
     };
     const int size = countOf(edges);
@@ -60,7 +60,7 @@ PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate) {
 }
 
 Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates) {
-    Rates rates{std::move(faceRates), std::vector<int>(lengthOf(surface.edgeCount()), kMostRate)};
+    Rates rates{std::move(faceRates), std::vector<int>(lengthOf(surface.edgeCount()), kMaxRate)};
     forEachFace(surface, [&](int face, const BaseSurface::Patch& patch) {
         const Vec2i rate = item(rates.faces, face);
         assert(isRate(rate.x) && isRate(rate.y) && (!patch.subFace || rate.x >= 2));
@@ -70,7 +70,7 @@ Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates) {
             smallest = std::min(smallest, rate[axisOfEdge(patch, k++)]);
         }
     });
-    // An edge between a whole face of rate 1 and sub-faces has a middle all the same.
+    // An edge between a face of rate 1 and sub-faces needs a midpoint, so its rate is at least 2.
     forEachFace(surface, [&](int face, const BaseSurface::Patch& patch) {
         if (!patch.subFace) return;
         for (const int edge : surface.faceEdges(face))

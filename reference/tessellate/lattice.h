@@ -1,9 +1,10 @@
-// The lattice of a patch: where its micro-vertices stand, and how it is cut into the grids of a MicroMesh.
+// The lattice of a patch: the parameter values of its micro-vertices and its division into the grids of a
+// MicroMesh.
 //
-// A patch has columns x rows cells, both powers of two. A side that it shares with a coarser neighbor has
-// fewer samples than the lattice has steps there: the lattice's vertices on that side stand on the nearest of
-// those samples, so that neighbors meet in the very same vertices. The cells along such a side are no
-// rectangles any more and some of their triangles have no area.
+// A patch has columns x rows cells, both powers of two. A side shared with a coarser neighbor has fewer
+// samples than the lattice has steps. The lattice's vertices on that side are snapped to the nearest sample,
+// so that neighbors have identical vertices. The cells along such a side aren't rectangular, and some of
+// their triangles have no area.
 #pragma once
 
 #include "scenes/surface/base_surface.h"
@@ -24,21 +25,22 @@ inline int blocksAlong(int cells) {
 inline int blockCells(int cells, int block) {
     return std::min(kGridCells, cells - block * kGridCells);
 }
-/// Grids in one row of them; a triangle has those that touch its lower left half.
+/// Grids in one row of blocks; a triangular patch has only those that intersect its lower left half.
 inline int blocksInRow(const PatchLattice& lattice, int blockRow) {
     return blocksAlong(lattice.columns) - (lattice.triangular ? blockRow : 0);
 }
 
-/// The step a lattice vertex stands on along a side of `cells` steps that has `segments` segments: the
-/// nearest multiple of cells / segments.
+/// Snaps a step along a side of `cells` steps with `segments` segments to the nearest multiple of cells /
+/// segments.
 inline int snappedStep(int step, int cells, int segments) {
     assert(segments > 0 && cells % segments == 0);
     const int stride = cells / segments;
     return (step + stride / 2) / stride * stride;
 }
 
-/// Where vertex (column, row) stands, in steps of the lattice: (u, v) is that over (columns, rows). Beyond a
-/// triangle's long side it is the point on it in the same column, which leaves no area there.
+/// The snapped position of vertex (column, row) in steps of the lattice; (u, v) is the position divided by
+/// (columns, rows). Beyond a triangle's hypotenuse it is the point on the hypotenuse in the same column, so
+/// that triangles there have no area.
 inline Vec2i latticePlace(const PatchLattice& lattice, int column, int row) {
     const int columns = lattice.columns, rows = lattice.rows;
     if (lattice.triangular && column + row >= columns) {
@@ -52,7 +54,7 @@ inline Vec2i latticePlace(const PatchLattice& lattice, int column, int row) {
     return {column, row};
 }
 
-/// (u, v) of the patch at a place, in steps.
+/// (u, v) of the patch at a position in steps.
 inline Vec2 uvOf(const PatchLattice& lattice, const Vec2i& place) {
     return Vec2(place) / Vec2(lattice.columns, lattice.rows);
 }
@@ -61,20 +63,20 @@ inline Vec2 latticeUv(const PatchLattice& lattice, int column, int row) {
     return uvOf(lattice, latticePlace(lattice, column, row));
 }
 
-/// Micro-triangles, vertices and grids of a lattice, without making them. Micro-triangles are those with area
-/// in parameter space were no side snapped.
+/// Counts of a lattice's micro-triangles, vertices and grids. Micro-triangles are counted as if no side were
+/// snapped.
 struct MicroMeshSize {
     uint64_t microTriangles = 0;
     uint64_t vertices = 0;
     uint64_t grids = 0;
 };
 
-/// Segments per control edge an object is cut into: powers of two, kMostRate at most.
+/// Segments per control edge: powers of two, at most kMaxRate.
 struct Rates {
-    /// Of each face: along its edges 0 and 2, and along 1 and 3, for a face that is one square patch; else
-    /// two equal numbers for all its edges, at least 2 where the face is cut into sub-faces.
+    /// Per face. For a face that is a single square patch: along its edges 0 and 2, and along 1 and 3.
+    /// Otherwise two equal numbers for all edges, at least 2 if the face is divided into sub-faces.
     std::vector<Vec2i> faces;
-    /// Of each edge: the smallest its faces have along it, but at least 2 beside a face that is cut into
+    /// Per edge: the minimum of its faces' rates along it, but at least 2 next to a face that is divided into
     /// sub-faces.
     std::vector<int> edges;
 };
@@ -86,19 +88,19 @@ inline int largestRate(const Rates& rates) {
     return largest;
 }
 
-/// Samples are at multiples of 1 / rate: rates are powers of two so that they lie on OpenSubdiv's exact limit
-/// points, and not above 2^10, beyond which its approximation of the limit ends.
-inline constexpr int kMostRate = 1024;
+/// Samples are at multiples of 1 / rate. Rates are powers of two so that OpenSubdiv's limit points are exact
+/// there, and at most 2^10, the finest level of its approximation.
+inline constexpr int kMaxRate = 1024;
 inline bool isRate(int rate) {
-    return rate >= 1 && rate <= kMostRate && std::has_single_bit(static_cast<unsigned>(rate));
+    return rate >= 1 && rate <= kMaxRate && std::has_single_bit(static_cast<unsigned>(rate));
 }
 
-/// `faceRates` as Rates::faces; fills in the edges.
+/// Derives the edge rates. `faceRates` is Rates::faces.
 Rates ratesFromFaces(const BaseSurface& surface, std::vector<Vec2i> faceRates);
-/// The lattice of a patch at its face's rates (Rates::faces), no side of it coarser.
+/// The lattice of a patch at its face's rates (Rates::faces), without coarser sides.
 PatchLattice latticeOf(const BaseSurface::Patch& patch, const Vec2i& faceRate);
 
-/// The same rate everywhere, but for faces that need more.
+/// The same rate everywhere, except for faces that need a larger one.
 Rates uniformRates(const BaseSurface& surface, int rate);
 
 /// The lattice of each patch, in the order of surface.patches().

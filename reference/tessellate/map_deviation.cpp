@@ -7,12 +7,12 @@ namespace plumbline {
 
 namespace {
 
-// Coordinates this close to a crease count as on it: far above the rounding of st * width (2^-52 of some
-// 1e4), far below anything seen.
+// Coordinates within this distance of a crease count as on it: far above the rounding error of st * width
+// (2^-52 of about 1e4) and far below anything visible.
 constexpr double kOnCrease = 1e-9;
-// A triangle over more texels than that along an axis gets the map's whole range for a bound: the walk over
-// its texels would cost more than cells of that size are worth.
-constexpr double kMostTexels = 64;
+// For a triangle over more texels along an axis, the bound is the map's whole range, because traversing its
+// texels would be too slow for such coarse cells.
+constexpr double kMaxTexels = 64;
 
 double lookUp(const HeightMap& map, const Vec2& texel) {
     const double i = std::floor(texel.x), j = std::floor(texel.y);
@@ -23,7 +23,7 @@ double lookUp(const HeightMap& map, const Vec2& texel) {
     return lower + (upper - lower) * y;
 }
 
-/// Of the bilinear patch that holds a point: how much steeper it is along x at the top than at the bottom.
+/// The mixed derivative of the bilinear patch that contains a point.
 double twistAt(const HeightMap& map, const Vec2& texel) {
     const HeightMap::Cell cell =
         map.cell(static_cast<int>(std::floor(texel.x)), static_cast<int>(std::floor(texel.y)));
@@ -36,21 +36,22 @@ bool withinPatch(const Vec2& low, const Vec2& high) {
     return high.x <= patch.x + 1 + kOnCrease && high.y <= patch.y + 1 + kOnCrease;
 }
 
-/// Whether a walk over its texels is worth while, and their numbers fit an int.
+/// Whether the box has few enough texels to traverse, with indices that fit an int.
 bool isSmall(const Vec2& low, const Vec2& high) {
     constexpr double kLargestNumber = 1e9;
     const Vec2 size = high - low, farthest = glm::max(glm::abs(low), glm::abs(high));
-    return size.x <= kMostTexels && size.y <= kMostTexels && farthest.x < kLargestNumber &&
+    return size.x <= kMaxTexels && size.y <= kMaxTexels && farthest.x < kLargestNumber &&
            farthest.y < kLargestNumber;
 }
 
-/// Bow of a bilinear patch along (x, y) texels, per unit of its twist.
+/// Largest deviation of a bilinear patch from its chord along (x, y) texels, per unit of its mixed
+/// derivative.
 double bow(const Vec2& along) {
     return std::abs(along.x * along.y) / 4;
 }
 
 /// A bound on the deviation over any triangle within a box of few texels; infinite for more. With g0 the
-/// middle of the box of gradients, f less its plane is sum w_k (integral of (g - g0) . (x - x_k)), and sum
+/// center of the range of gradients, f minus the plane is sum w_k (integral of (g - g0) . (x - x_k)), and sum
 /// w_k |x - x_k| is at most half the box's side.
 double deviationAtMost(const HeightMap& map, const Vec2& low, const Vec2& high) {
     constexpr double kFew = 3;
@@ -71,7 +72,7 @@ double deviationAtMost(const HeightMap& map, const Vec2& low, const Vec2& high) 
     return bound.x + bound.y;
 }
 
-/// The triangle with the plane over it.
+/// A triangle and the plane through its corners' depths.
 struct LinearTriangle {
     const std::array<MapPoint, 3>& p;
     Vec2 ab, ac;
@@ -98,11 +99,11 @@ double largestOfParabola(double first, double last, double square) {
     return largest;
 }
 
-/// Along one edge: at every crease, and the bow between two of them.
+/// Largest deviation along one edge: at the creases and between them.
 double edgeDeviation(const HeightMap& map, const MapPoint& from, const MapPoint& to) {
     const Vec2 along = to.texel - from.texel;
     double worst = 0;
-    // Crossings of both kinds of creases, in order: each list is sorted by itself.
+    // Merges the crossings with creases along both axes, each of which is already sorted.
     const auto nextCrossing = [&](int axis, double t) {
         if (along[axis] == 0) return 2.0;
         const double at = from.texel[axis] + t * along[axis];
@@ -125,7 +126,7 @@ double edgeDeviation(const HeightMap& map, const MapPoint& from, const MapPoint&
     return worst;
 }
 
-/// At the texel centers inside.
+/// Largest deviation at the texel centers inside.
 double centerDeviation(const HeightMap& map, const LinearTriangle& triangle, const Vec2& low,
                        const Vec2& high) {
     double worst = 0;
@@ -150,7 +151,7 @@ double triangleDeviation(const HeightMap& map, const std::array<MapPoint, 3>& co
     if (!isSmall(low, high)) {
         const double least = std::min({a.depth, b.depth, c.depth});
         const double most = std::max({a.depth, b.depth, c.depth});
-        return std::max(most - map.leastDepth(), map.mostDepth() - least);
+        return std::max(most - map.minDepth(), map.maxDepth() - least);
     }
     if (withinPatch(low, high))
         return std::abs(twistAt(map, 0.5 * (low + high))) *

@@ -12,34 +12,33 @@ namespace plumbline {
 
 namespace {
 
-// Under Seams::Open faces agree about a place when they put it less than this apart, as a fraction of its
-// coordinates: far above the rounding of two evaluations (2^-50) and below what a float tells apart.
+// Under Seams::Open, faces agree about a vertex if their positions differ by less than this fraction of its
+// coordinates: far above the rounding errors of two evaluations (2^-50) and below the resolution of a float.
 constexpr double kSamePlace = 0x1p-30;
 
-/// What one face says of a shared place.
-struct Opinion {
+/// One face's evaluation of a shared vertex.
+struct FaceSample {
     Vec3 position;       // of the base
-    Vec3 direction;      // of the relief, unit
+    Vec3 direction;      // of the displacement, unit
     double displacement; // along it
     Vec2 st;
     Vec3 displaced() const { return position + direction * displacement; }
 };
 
-/// Position of the first; displacement and its direction the mean of all.
-Vec3 meanPosition(const std::vector<Opinion>& opinions) {
+/// The first face's base position, displaced by the mean displacement along the mean direction.
+Vec3 meanPosition(const std::vector<FaceSample>& samples) {
     Vec3 direction(0);
     double displacement = 0;
-    for (const Opinion& opinion : opinions) {
-        direction += opinion.direction;
-        displacement += opinion.displacement;
+    for (const FaceSample& sample : samples) {
+        direction += sample.direction;
+        displacement += sample.displacement;
     }
     const double length = glm::length(direction);
-    if (!(length > 0)) return opinions[0].position;
-    return opinions[0].position +
-           direction * (displacement / (static_cast<double>(opinions.size()) * length));
+    if (!(length > 0)) return samples[0].position;
+    return samples[0].position + direction * (displacement / (static_cast<double>(samples.size()) * length));
 }
 
-bool agree(const Opinion& a, const Opinion& b) {
+bool agree(const FaceSample& a, const FaceSample& b) {
     const Vec3 p = a.displaced(), q = b.displaced();
     return glm::length(p - q) <= kSamePlace * (glm::length(p) + glm::length(q));
 }
@@ -89,7 +88,7 @@ class SharedVertexBuilder {
 
     bool isCut(const Face& face) const { return surface_.patch(surface_.firstPatch(face.face)).subFace; }
 
-    /// Numbers the vertices of all spokes after those of the mesh; returns how many there are.
+    /// Numbers the vertices of all spokes after those of the mesh; returns the total count.
     size_t placeSpokes() {
         const size_t faceCount = surface_.mesh().faceSizes.size();
         shared_.faceRates_.assign(faceCount, 0);
@@ -125,7 +124,7 @@ class SharedVertexBuilder {
         return result;
     }
 
-    /// Every vertex and every place on an edge, from all the faces around it.
+    /// Evaluates every vertex and every sample on an edge from all incident faces.
     void sampleMesh() {
         const Incidence edges =
             incidence(surface_.edgeCount(), [&](int face) { return surface_.faceEdges(face); });
@@ -148,7 +147,7 @@ class SharedVertexBuilder {
                 });
             }
         };
-        if (open_) { // own vertices are appended, in an order that mustn't depend on threads
+        if (open_) { // separate vertices are appended in an order that must not depend on the threads
             for (int vertex = 0; vertex < surface_.vertexCount(); ++vertex)
                 sampleVertex(vertex);
             for (int edge = 0; edge < surface_.edgeCount(); ++edge)
@@ -161,17 +160,17 @@ class SharedVertexBuilder {
 
     template <typename StepOf>
     void samplePlace(size_t number, std::span<const FaceEdge> faces, StepOf stepOf) {
-        std::vector<Opinion> opinions;
-        opinions.reserve(faces.size());
+        std::vector<FaceSample> samples;
+        samples.reserve(faces.size());
         MicroVertex vertex;
         for (const FaceEdge& side : faces) {
             const PatchPlace at = pointOf(side, stepOf(side));
-            opinions.push_back(opinionAt(at));
-            if (opinions.size() == 1) vertex = makeVertex(at, opinions[0]);
+            samples.push_back(sampleAt(at));
+            if (samples.size() == 1) vertex = makeVertex(at, samples[0]);
         }
-        vertex.position = Vec3f(meanPosition(opinions));
+        vertex.position = Vec3f(meanPosition(samples));
         shared_.vertices_[number] = vertex;
-        if (open_) openPlace(number, faces, opinions, stepOf);
+        if (open_) openPlace(number, faces, samples, stepOf);
     }
 
     PatchPlace pointOf(const FaceEdge& side, int step) const {
@@ -181,7 +180,7 @@ class SharedVertexBuilder {
         return placeOnEdge(surface_, face.face, side.k, double(step) / rate);
     }
 
-    Opinion opinionAt(const PatchPlace& at) {
+    FaceSample sampleAt(const PatchPlace& at) {
         BaseSurface::Evaluator& evaluator = *evaluators_.local();
         evaluator.setPatch(at.patch);
         const BasePoint base = evaluator.point(at.uv.x, at.uv.y);
@@ -189,35 +188,35 @@ class SharedVertexBuilder {
         return {base.position, reliefDirection(base, relief_), displacement(st, relief_), st};
     }
 
-    /// `at` was the last patch set.
-    MicroVertex makeVertex(const PatchPlace& at, const Opinion& opinion) {
+    /// The evaluator must be set to the patch of `at`.
+    MicroVertex makeVertex(const PatchPlace& at, const FaceSample& sample) {
         MicroVertex vertex;
         if (!attributes_) return vertex;
         vertex.normal = displace(evaluators_.local()->sample(at.uv.x, at.uv.y), relief_).normal;
-        vertex.st = opinion.st;
+        vertex.st = sample.st;
         return vertex;
     }
 
-    /// Faces that agree with the first keep the place, as their mean; groups of others get vertices of their
-    /// own.
+    /// Faces that agree with the first one share the vertex, at their mean; each other group of agreeing
+    /// faces gets a separate vertex.
     template <typename StepOf>
-    void openPlace(size_t number, std::span<const FaceEdge> faces, const std::vector<Opinion>& opinions,
+    void openPlace(size_t number, std::span<const FaceEdge> faces, const std::vector<FaceSample>& samples,
                    StepOf stepOf) {
         std::vector<size_t> vertexOf(faces.size(), 0);
         std::vector<bool> done(faces.size(), false);
         for (size_t i = 0; i < faces.size(); ++i) {
             if (done[i]) continue;
-            std::vector<Opinion> group;
+            std::vector<FaceSample> group;
             const size_t target = i == 0 ? number : shared_.vertices_.size();
             for (size_t j = i; j < faces.size(); ++j) {
-                if (done[j] || !agree(opinions[i], opinions[j])) continue;
+                if (done[j] || !agree(samples[i], samples[j])) continue;
                 done[j] = true;
-                group.push_back(opinions[j]);
+                group.push_back(samples[j]);
                 vertexOf[j] = target;
             }
             const PatchPlace at = pointOf(faces[i], stepOf(faces[i]));
             evaluators_.local()->setPatch(at.patch);
-            MicroVertex vertex = makeVertex(at, opinions[i]);
+            MicroVertex vertex = makeVertex(at, samples[i]);
             vertex.position = Vec3f(meanPosition(group));
             if (i > 0) shared_.vertices_.emplace_back();
             shared_.vertices_[target] = vertex;
@@ -229,7 +228,7 @@ class SharedVertexBuilder {
         }
     }
 
-    /// Spoke k runs from the middle of edge k, which the mesh has, to the center.
+    /// Spoke k runs from the midpoint of edge k, which is a sample of the mesh, to the center.
     void sampleSpokes(const Face& face) {
         const int cells = item(shared_.faceRates_, face.face) / 2;
         if (cells == 0) return;
@@ -243,9 +242,9 @@ class SharedVertexBuilder {
     }
 
     MicroVertex vertexInside(const PatchPlace& at) {
-        const Opinion opinion = opinionAt(at);
-        MicroVertex vertex = makeVertex(at, opinion);
-        vertex.position = Vec3f(opinion.displaced());
+        const FaceSample sample = sampleAt(at);
+        MicroVertex vertex = makeVertex(at, sample);
+        vertex.position = Vec3f(sample.displaced());
         return vertex;
     }
 

@@ -1,5 +1,6 @@
-// The micro-vertices that patches share: on the edges and corners of the control mesh, and on the spokes of
-// faces that are cut into sub-faces. Each is computed once, so that the micro-triangles close bit for bit.
+// The micro-vertices that patches share: on the edges and vertices of the control mesh, and on the spokes of
+// faces that are divided into sub-faces. Each is computed once, so that the micro-mesh is watertight to the
+// bit.
 #pragma once
 
 #include "reference/tessellate/lattice.h"
@@ -14,32 +15,31 @@ namespace plumbline {
 /// World space.
 struct MicroVertex {
     Vec3f position{0};
-    Vec3f normal{0}; // these two on request only
+    Vec3f normal{0}; // normal and st only on request
     Vec2f st{0};
 };
 
 class SharedVertices {
   public:
-    /// Displaced by the mean of what the faces around say, along the mean of their directions: where texture
-    /// coordinates tear the surface, or a crease has two normals, it is welded. Under Seams::Open faces that
-    /// disagree about a place each have their own. `attributes`: fill normals and st, the first face's.
-    /// Parallel.
+    /// Vertices are displaced by the mean displacement of the incident faces along their mean direction. This
+    /// welds the surface where texture coordinates are discontinuous or a crease has two normals. Under
+    /// Seams::Open, faces whose positions differ have separate vertices. `attributes`: also compute normals
+    /// and st, which are the first face's. Parallel.
     SharedVertices(const BaseSurface& surface, const Relief* relief, const Rates& rates, bool attributes);
 
-    /// On a side of a patch (numbered as PatchLattice::sides), `segment` of its segments from the end where u
-    /// or v is smaller (on a triangle's long side: v).
+    /// The vertex on a side of a patch (numbered like PatchLattice::sides), `segment` segments from the end
+    /// where u or v is smaller (on a triangle's hypotenuse: v).
     const MicroVertex& at(int patch, int side, int segment) const;
 
   private:
     friend class SharedVertexBuilder;
 
     struct Spokes {
-        size_t first;  // into vertices_: spoke k of the face has `cells` of them from the edge on, the center
-                       // left out
-        size_t center; // one for all spokes
+        size_t first;  // into vertices_: spoke k has `cells` vertices from the edge on, without the center
+        size_t center; // shared by all spokes
     };
 
-    /// Vertices a face has of its own on an edge, as (step, vertex), ascending.
+    /// The vertices on an edge that a face doesn't share, as (step, vertex), ascending.
     using OwnVertices = std::vector<std::pair<int, size_t>>;
 
     OwnVertices& ownVerticesAt(int face, int k);
@@ -48,12 +48,12 @@ class SharedVertices {
 
     const BaseSurface& surface_;
     SharedSamples samples_;
-    std::vector<int> faceRates_; // of faces cut into sub-faces; else 0
+    std::vector<int> faceRates_; // of faces divided into sub-faces; otherwise 0
     std::vector<Spokes> spokes_; // per face
     std::vector<MicroVertex> vertices_;
-    // Under Seams::Open: where a face's vertex isn't the shared one. Else empty.
+    // Under Seams::Open: vertices that aren't shared. Otherwise empty.
     std::vector<MeshFace> meshFaces_;
-    std::vector<OwnVertices> ownVertices_; // of the edge that starts in each corner of a face
+    std::vector<OwnVertices> ownVertices_; // per face corner: of the edge that begins there
 };
 
 } // namespace plumbline

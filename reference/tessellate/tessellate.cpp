@@ -13,7 +13,7 @@ namespace plumbline {
 
 namespace {
 
-/// Map widths, of st's size: st that are closer are the same, evaluated by two faces.
+/// Tolerance, in map widths and relative to st, within which the st of two faces count as equal.
 constexpr double kSameSt = 1e-6;
 
 class Tessellator {
@@ -33,7 +33,7 @@ class Tessellator {
 
   private:
     struct TilePlace {
-        int patch, blockColumn, blockRow, blocks; // grids side by side
+        int patch, blockColumn, blockRow, blocks; // adjacent grids
         size_t firstVertex, firstGrid;
     };
 
@@ -56,7 +56,7 @@ class Tessellator {
     }
 
     void allocate() {
-        // Embree reads 16 bytes at the last of its 12-byte items.
+        // Embree reads 16 bytes at the last 12-byte vertex.
         mesh_.positionsWorld.reserve(vertexCount_ + 1);
         mesh_.positionsWorld.resize(vertexCount_);
         mesh_.grids.resize(gridCount_);
@@ -87,7 +87,7 @@ class Tessellator {
         emit(place, worker, lattice);
     }
 
-    /// The tile's own vertices, but the shared ones on the patch's sides.
+    /// Creates the tile's vertices, using the shared ones on the patch's sides.
     void makeVertices(Worker& worker, const PatchLattice& lattice) {
         Tile& tile = worker.tile;
         worker.vertices.resize(tile.vertices.size());
@@ -107,13 +107,13 @@ class Tessellator {
             }
     }
 
-    /// A shared vertex has the first face's st; where texture coordinates jump, this patch has another.
+    /// A shared vertex has the first face's st. At a texture seam, replaces it with this patch's st.
     void separateSt(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator, const PatchLattice& lattice,
                     const Vec2i& place) const {
         const Vec2 uv = uvOf(lattice, place);
         const BasePoint base = evaluator.point(uv.x, uv.y);
         const Vec2 st = textureCoordinates(base, relief_), gap = glm::abs(st - Vec2(vertex.st));
-        // Faces that agree about an edge's uvs interpolate them to within rounding.
+        // Faces with equal uvs at an edge interpolate them to within rounding.
         if (std::max(gap.x, gap.y) > kSameSt * (1 + glm::length(st))) vertex.st = Vec2f(st);
     }
 
@@ -125,7 +125,7 @@ class Tessellator {
         vertex.st = Vec2f(sample.st);
     }
 
-    /// Null inside the patch. `place`: where the vertex stands, in steps.
+    /// The shared vertex at a position in steps; null inside the patch.
     const MicroVertex* sharedAt(int patch, const PatchLattice& lattice, const Vec2i& place) const {
         const auto segment = [&](int side, int step, int cells) {
             return step / (cells / item(lattice.sides, side));
@@ -144,7 +144,7 @@ class Tessellator {
         return nullptr;
     }
 
-    /// Cuts the tile into grids.
+    /// Divides the tile into grids.
     void emit(const TilePlace& place, const Worker& worker, const PatchLattice& lattice) {
         const Tile& tile = worker.tile;
         size_t vertex = place.firstVertex;

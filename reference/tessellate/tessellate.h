@@ -1,4 +1,5 @@
-// One object's surface at given rates, displaced: BaseSurface + Relief -> MicroMesh. World space.
+// Tessellates the displaced surface of one object at given rates: BaseSurface + Relief -> MicroMesh. World
+// space.
 #pragma once
 
 #include "reference/tessellate/lattice.h"
@@ -8,8 +9,8 @@
 
 namespace plumbline {
 
-/// What patches share is computed once (shared_vertices.h). `attributes`: fill normals and st too. Parallel
-/// (TBB); the result doesn't depend on the number of threads.
+/// Vertices shared by patches are computed once (shared_vertices.h). `attributes`: also compute normals and
+/// st. Parallel (TBB); the result doesn't depend on the number of threads.
 MicroMesh tessellate(const BaseSurface& surface, const Relief* relief, const Rates& rates, bool attributes);
 
 } // namespace plumbline

@@ -10,13 +10,13 @@ namespace plumbline {
 
 namespace {
 
-// The base is smooth within a patch and measured on a few cells of a grid, at the middles of edges: where a
-// cell is not small against the patch its largest bow is not in the middle, and between the cells measured it
-// may be larger. A cubic's largest bow is up to 1.3 times that of its middle.
+// Safety factor for the deviation of the smooth base, which is only measured at the midpoints of edges of a
+// few cells per grid. If a cell isn't small relative to the patch, the largest deviation is not at the
+// midpoint (for a cubic it is up to 1.3 times larger), and it may be larger between the measured cells.
 constexpr double kBowMargin = 1.5;
-// Cells between two that are measured.
+// Distance between measured cells, in cells.
 constexpr int kBowStride = 8;
-// The vertices are stored as floats, each rounded by 2^-24 of a coordinate.
+// The vertices are stored as floats, whose coordinates are rounded by a factor of 2^-24 each.
 constexpr double kFloatRounding = 0x1p-23;
 
 TileVertex sampleVertex(const BaseSurface::Evaluator& evaluator, const Relief* relief, const Vec2& uv) {
@@ -31,7 +31,8 @@ TileVertex sampleVertex(const BaseSurface::Evaluator& evaluator, const Relief* r
     return vertex;
 }
 
-/// Tile::bend: st is bilinear in (u, v), and u v is off by 1/4 of a cell's share in its middle.
+/// Tile::bend. st is bilinear in (u, v), and u v deviates from linear by 1/4 of its change over a cell in the
+/// cell's center.
 Vec2 bendOfCells(const PatchLattice& lattice, const Relief& relief, const BaseSurface::Evaluator& evaluator) {
     const auto st = [&](double u, double v) { return textureCoordinates(evaluator.point(u, v), &relief); };
     const Vec2 twist = st(0, 0) + st(1, 1) - st(1, 0) - st(0, 1);
@@ -39,7 +40,7 @@ Vec2 bendOfCells(const PatchLattice& lattice, const Relief& relief, const BaseSu
     return texels / (4.0 * lattice.columns * lattice.rows);
 }
 
-/// Bows of S and k along one edge of a cell.
+/// Deviations of S and k from linear along one edge of a cell.
 struct Bows {
     double base = 0, direction = 0;
     void add(const TileVertex& from, const TileVertex& to, const BasePoint& middle, const Relief* relief) {
@@ -55,8 +56,8 @@ class TileMeasure {
                 const BaseSurface::Evaluator& evaluator)
         : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator) {
         if (relief) {
-            const double low = relief->offset - relief->depth * relief->map->mostDepth();
-            const double high = relief->offset - relief->depth * relief->map->leastDepth();
+            const double low = relief->offset - relief->depth * relief->map->maxDepth();
+            const double high = relief->offset - relief->depth * relief->map->minDepth();
             largestHeight_ = std::max(std::abs(low), std::abs(high));
         }
         for (int side = 0; side < (lattice.triangular ? 3 : 4); ++side)
@@ -88,9 +89,9 @@ class TileMeasure {
         const double depth = relief_ ? relief_->depth : 0;
         if (relief_)
             map += (tile_.bend.x + tile_.bend.y) * coarsest_ *
-                   (relief_->map->mostDepth() - relief_->map->leastDepth());
-        // Along a tear the true surface is a wall between the two heights, and no point of it is farther from
-        // a welded cell than that cell is wide.
+                   (relief_->map->maxDepth() - relief_->map->minDepth());
+        // At a tear, the true surface is a wall between the two heights, and its distance from a welded cell
+        // is at most the cell's width.
         const double rounding = kFloatRounding * coordinate;
         return {bow + depth * map + covariance + std::min(tear, largestCell_) + rounding,
                 tear > 4 * rounding};
@@ -99,7 +100,7 @@ class TileMeasure {
   private:
     double tear_(int column, int row) const { return tile_.tears[tile_.index(column, row)]; }
 
-    /// Middle, in (u, v), of two lattice vertices.
+    /// The base at the midpoint, in (u, v), of two lattice vertices.
     BasePoint middle(int column, int row, int toColumn, int toRow) const {
         const Vec2 uv = 0.5 * (latticeUv(lattice_, tile_.column0 + column, tile_.row0 + row) +
                                latticeUv(lattice_, tile_.column0 + toColumn, tile_.row0 + toRow));
@@ -108,7 +109,7 @@ class TileMeasure {
 
     void addEdge(int column, int row, int toColumn, int toRow) {
         const TileVertex &from = tile_.at(column, row), &to = tile_.at(toColumn, toRow);
-        if (from.base == to.base) return; // snapped onto one another
+        if (from.base == to.base) return; // snapped to the same position
         bows_.add(from, to, middle(column, row, toColumn, toRow), relief_);
         directionRange_ = std::max(directionRange_, glm::length(from.direction - to.direction));
         largestCell_ = std::max(largestCell_, glm::length(from.base - to.base));
@@ -124,7 +125,7 @@ class TileMeasure {
                 addEdge(column, row, column, row + 1);
                 addEdge(column + 1, row, column, row + 1);
             }
-        // Cells along a side with fewer samples than steps are as wide as those samples are apart.
+        // Cells along a side with fewer samples than steps are as wide as the distance between samples.
         for (int side = 0; side < (lattice_.triangular ? 3 : 4); ++side)
             if (isCoarse(side)) measureSide(side);
     }
@@ -164,8 +165,8 @@ class TileMeasure {
     int column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
     Bows bows_;
     double directionRange_ = 0, largestCell_ = 0;
-    double largestHeight_ = 0; // the relief can reach, either way
-    double coarsest_ = 1;      // steps a cell along a coarse side is wide
+    double largestHeight_ = 0; // bound on |displacement|
+    double coarsest_ = 1;      // width of a cell along a coarse side, in steps
 };
 
 } // namespace

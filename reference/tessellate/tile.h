@@ -1,5 +1,5 @@
-// A tile: part of a patch's lattice with the true surface sampled at every vertex, from which micro-vertices
-// and the bound on their error are made.
+// A tile is a part of a patch's lattice with the true surface sampled at every vertex. Micro-vertices and
+// their error bound are computed from it.
 #pragma once
 
 #include "reference/tessellate/lattice.h"
@@ -11,7 +11,7 @@
 
 namespace plumbline {
 
-/// Grids side by side in a tile: enough that its border, sampled by its neighbors too, costs little.
+/// Adjacent grids per tile, enough that the cost of its border, which neighbors sample too, is small.
 inline constexpr int kTileGrids = 8;
 
 struct TileVertex {
@@ -26,13 +26,13 @@ struct Tile {
     int patch;
     int column0, row0; // in the lattice
     int columns, rows; // cells
-    /// Texels that st within a cell is off from linear between the cell's corners, at most: quads whose uvs
-    /// are no parallelogram.
+    /// Bound, in texels, on the deviation of st within a cell from linear interpolation; nonzero for quads
+    /// whose uvs aren't a parallelogram.
     Vec2 bend;
     std::vector<TileVertex> vertices; // (columns + 1) x (rows + 1), row by row
-    /// How far the vertex shared with the neighbors is from the one this patch would have, world units; the
-    /// largest of a grid.
-    std::vector<double> tears; // as vertices
+    /// Distance between the vertex shared with neighbors and the vertex that this patch alone would have,
+    /// world units.
+    std::vector<double> tears; // like vertices
 
     size_t index(int column, int row) const { return indexIn(columns + 1, column, row); }
     const TileVertex& at(int column, int row) const { return vertices[index(column, row)]; }
@@ -42,17 +42,18 @@ struct Tile {
 void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
                 const BaseSurface::Evaluator& evaluator);
 
-/// Bound on the distance between the surface and the place of the same (u, v) on the micro-triangles of the
+/// Bound on the distance between the surface and the point with the same (u, v) on the micro-triangles of the
 /// tile's cells [column0, column0 + columns) x [row0, row0 + rows), world units.
 ///
 /// With weights w over a micro-triangle's corners, S, k, h at them and P = S + k h,
 ///     P - sum w P = (S - sum w S) + (k - sum w k) h + (sum w k)(h - sum w h) + sum w k_i (sum w h - h_i):
-/// the bows of S and of k (an axis has none), measured at the middles of the edges of some cells, with
-/// kBowMargin on top; that of h from the texels, exactly where st is linear over a cell (map_deviation.h),
-/// with what its bend can add elsewhere; and a covariance, a quarter of the product of the ranges at most.
+/// The terms are the deviations of S and k from linear (0 for an axis), measured at the midpoints of the
+/// edges of some cells and multiplied by kBowMargin; that of h, computed from the texels exactly if st is
+/// linear over a cell (map_deviation.h), otherwise enlarged by the effect of its bend; and a covariance,
+/// which is at most a quarter of the product of the ranges.
 struct TileError {
     double world;
-    bool torn; // a vertex of it is farther from where its patch would have it than rounding explains
+    bool torn; // a vertex differs from the one its patch alone would have by more than rounding
 };
 TileError tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
                     const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows);

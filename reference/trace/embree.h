@@ -1,4 +1,4 @@
-// Embree 3 (Debian 12) and Embree 4 (Debian 13) behind one face: the few lines that differ.
+// A common interface to Embree 3 (Debian 12) and Embree 4 (Debian 13).
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
@@ -23,7 +23,7 @@ inline void embreeIntersect(RTCScene scene, RTCRayHit& rayHit) {
 #endif
 }
 
-/// Afterwards ray.tfar is -inf if anything lies between tnear and tfar.
+/// Sets ray.tfar to -inf if there is any hit between tnear and tfar.
 inline void embreeOccluded(RTCScene scene, RTCRay& ray) {
 #if RTC_VERSION_MAJOR >= 4
     rtcOccluded1(scene, &ray);
@@ -34,8 +34,8 @@ inline void embreeOccluded(RTCScene scene, RTCRay& ray) {
 #endif
 }
 
-/// Embree wants denormals flushed in every thread that traces; restored on leaving the scope, so that results
-/// don't depend on which thread did the work before.
+/// Flushes denormals in the current scope, which Embree requires in every tracing thread. The previous mode
+/// is restored afterwards, so that results don't depend on a thread's earlier work.
 class FlushDenormals {
   public:
     FlushDenormals() : saved_(_mm_getcsr()) {

@@ -25,30 +25,30 @@ void check(RTCDevice device) {
     if (code != RTC_ERROR_NONE) fail(code, "building the scene failed");
 }
 
-// Leaks. ROBUST decides on which side of an edge a ray passes by the sign of a Pluecker product, the same
-// number but for its sign in both triangles of the edge, so no ray passes between them. Around a vertex,
-// though, the products of the fan's edges are each rounded by themselves. Within rounding of the vertex their
-// signs need not fit any order, and then no triangle of the fan takes the ray.
+// Leaks at vertices. In ROBUST mode, the sign of a Pluecker product determines on which side of an edge a ray
+// passes. Both triangles of the edge compute the same number up to its sign, so no ray passes between them.
+// Around a vertex, however, the products of the fan's edges are rounded independently. For a ray within
+// rounding of the vertex, the signs may be inconsistent, and then no triangle of the fan is hit.
 //
-// So a ray with nothing in its way is traced again in parallel, on either side of itself. If both of such a
-// pair meet something, so does the ray. One of a pair isn't enough: beside the outline of a surface one of
-// them meets it, and the outline would grow by the distance between the two.
+// So a ray without a hit is retraced with pairs of parallel rays on opposite sides of it. If both rays of a
+// pair hit something, so does the original ray. A single hit isn't sufficient: next to a silhouette, one ray
+// of the pair hits the surface, and the silhouette would grow by the distance between the two.
 
-// The distance to either side, as a fraction of the largest coordinate in play. Vertices less the ray's
-// origin, and the products of them, are off by some 2^-24 of it each, half a dozen of them in a sum.
-// Measured, of 10^6 rays aimed at vertices (tests/reference/trace/leak_test.cpp) 200 still slip through at
-// 2^-24, one or two at 2^-22 and none at 2^-21.
+// The offset to each side, as a fraction of the largest coordinate involved. Differences between vertices and
+// the ray's origin, and their products, have relative errors of about 2^-24 each, about six of which are
+// summed. Of 10^6 rays aimed at vertices (tests/reference/trace/leak_test.cpp), 200 still leak with an offset
+// of 2^-24, one or two with 2^-22 and none with 2^-21 (measured).
 constexpr float kShiftFraction = 0x1p-20f;
 
-// Angle of the first pair in the plane across the ray: none that a mesh would have rows of vertices along.
+// Angle of the first pair in the plane orthogonal to the ray, chosen so that rows of vertices aren't likely
+// to have this direction.
 constexpr float kPairCosine = 0.5403023f, kPairSine = 0.8414710f; // of 1 radian
 
 float largestCoordinate(const Vec3f& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-/// Origins of the rays beside a ray. [0] and [1] are opposite each other; so are [2] and [3], at a right
-/// angle to them.
+/// Origins of the offset rays. [0] and [1] are opposite each other, as are [2] and [3], orthogonal to them.
 std::array<Vec3f, 4> originsBeside(const Vec3f& origin, const Vec3f& direction, float shift) {
     // Duff et al. 2017, Building an Orthonormal Basis, Revisited.
     const float sign = std::copysign(1.0f, direction.z);
@@ -69,7 +69,8 @@ struct EmbreeScene::Impl {
     float largestCoordinate = 0; // of all vertices
 
     Impl(const std::vector<MicroMesh>& meshes, LeakGuard guardGiven) : guard(guardGiven) {
-        // The low bits of a hit depend on the instruction set: one is pinned, so that machines agree.
+        // The low bits of a hit depend on the instruction set, so it is fixed to give the same results on all
+        // machines.
         device = rtcNewDevice("isa=avx2");
         if (!device) fail(rtcGetDeviceError(nullptr), "no device");
         scene = rtcNewScene(device);
@@ -106,7 +107,7 @@ struct EmbreeScene::Impl {
         check(device);
     }
 
-    /// What Embree says of one ray.
+    /// Embree's result for one ray.
     struct Trace {
         bool hit = false;
         bool outerSide = false; // the facet faces the ray
@@ -162,7 +163,7 @@ std::optional<EmbreeScene::Hit> EmbreeScene::intersect(const Vec3f& origin, cons
     const auto result = [](const Impl::Trace& trace) {
         return trace.hit ? std::optional<Hit>(trace.at) : std::nullopt;
     };
-    // A ray that slips into a closed surface meets the far wall from inside.
+    // A ray that leaks into a closed surface hits its far wall from inside.
     if (straight.outerSide || impl_->guard == LeakGuard::Off) return result(straight);
     const auto inTheWay = [&](const Impl::Trace& side) {
         return side.hit && (!straight.hit || (side.outerSide && side.at.distance < straight.at.distance));
@@ -171,7 +172,7 @@ std::optional<EmbreeScene::Hit> EmbreeScene::intersect(const Vec3f& origin, cons
     const Impl::Trace first = impl_->trace(origins[0], direction);
     if (!inTheWay(first)) return result(straight);
     if (inTheWay(impl_->trace(origins[1], direction))) return result(first);
-    // Beside an outline, or one of the pair has slipped through, too.
+    // Next to a silhouette, or one ray of the pair has leaked too.
     const Impl::Trace second = impl_->trace(origins[2], direction);
     return result(inTheWay(second) && inTheWay(impl_->trace(origins[3], direction)) ? second : straight);
 }

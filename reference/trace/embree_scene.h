@@ -1,10 +1,10 @@
-// Micro-meshes in Embree: nearest hit and occlusion. World space, world units; rays are float, as Embree's
-// are, and their directions unit.
+// Nearest-hit and occlusion queries on micro-meshes with Embree. World space, world units; rays are float,
+// like Embree's, with unit directions.
 //
-// Embree's ROBUST mode finds every hit inside a micro-triangle and on its edges, but a ray aimed at a vertex
-// to the last bit slips through 1 or 2 times in 100. Here such rays are traced again a little beside
-// (LeakGuard). What that can't notice: a ray that starts inside a closed surface, leaves through a vertex and
-// then meets the outer side of something else.
+// Embree's ROBUST mode finds all hits inside micro-triangles and on their edges, but 1 to 2 % of rays aimed
+// exactly at a vertex leak through the surface. Such rays are retraced with a small offset (LeakGuard). One
+// case isn't detected: a ray that starts inside a closed surface, exits exactly through a vertex and then
+// hits the outer side of another surface.
 #pragma once
 
 #include "scenes/surface/micro_mesh.h"
@@ -15,8 +15,8 @@
 
 namespace plumbline {
 
-/// Whether rays that may have slipped between micro-triangles are traced again. Off is Embree alone: for
-/// measuring.
+/// Whether rays that may have leaked between micro-triangles are retraced. Off is for measurements of Embree
+/// alone.
 enum class LeakGuard { Off, On };
 
 class EmbreeScene {
@@ -28,7 +28,7 @@ class EmbreeScene {
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
 
-    /// Largest coordinate of a vertex, either sign; world units.
+    /// Largest absolute coordinate of all vertices, world units.
     float largestCoordinate() const;
 
     struct Hit {
@@ -37,10 +37,10 @@ class EmbreeScene {
         float u, v;      // over the grid, [0,1]; not always in the right cell at a border (resolve_hit.h)
         float distance;
     };
-    /// Nearest hit with distance in [0, inf). A ray that had to be traced again reports the hit of its
-    /// neighbor: resolveHit finds its own. The calling thread must flush denormals (FlushDenormals).
+    /// Nearest hit with distance in [0, inf). A retraced ray returns the hit of an offset ray, from which
+    /// resolveHit computes the ray's own hit. The calling thread must flush denormals (FlushDenormals).
     std::optional<Hit> intersect(const Vec3f& origin, const Vec3f& direction) const;
-    /// Whether anything lies at a distance in [0, maxDistance].
+    /// Whether there is a hit with distance in [0, maxDistance].
     bool occluded(const Vec3f& origin, const Vec3f& direction, float maxDistance) const;
 
   private:

@@ -11,13 +11,12 @@ namespace plumbline {
 
 namespace {
 
-// Texels looked at along an axis; a surface that may be met anywhere over more of them isn't certain of
-// anything.
-constexpr double kMostTexels = 24;
-// Rays flatter than that to the surface are taken to run along it this steeply.
-constexpr double kFlattest = 1e-3;
+// Maximum number of texels examined along an axis; for a larger region the result is "not certain".
+constexpr double kMaxTexels = 24;
+// Lower bound of the cosine for rays nearly parallel to the surface.
+constexpr double kSmallestCosine = 1e-3;
 
-/// Of the bilinear patches in a rectangle of texels, per texel.
+/// Range of the gradients of the bilinear patches in a rectangle of texels, per texel.
 struct GradientBox {
     Vec2 low{kInfinity}, high{-kInfinity};
     void add(double s, double t) {
@@ -26,10 +25,10 @@ struct GradientBox {
     }
 };
 
-/// False if the rectangle is too large.
+/// Returns false if the rectangle is too large.
 bool gradientsWithin(const HeightMap& map, const Vec2& texel, const Vec2& radius, GradientBox& box) {
     constexpr double kLargestNumber = 1e9; // fits an int
-    if (!(radius.x <= kMostTexels / 2 && radius.y <= kMostTexels / 2) ||
+    if (!(radius.x <= kMaxTexels / 2 && radius.y <= kMaxTexels / 2) ||
         !(std::abs(texel.x) < kLargestNumber && std::abs(texel.y) < kLargestNumber))
         return false;
     const Vec2 first = glm::floor(texel - radius), last = glm::floor(texel + radius);
@@ -45,8 +44,8 @@ bool gradientsWithin(const HeightMap& map, const Vec2& texel, const Vec2& radius
 } // namespace
 
 double reachAlongSurface(double errorWorld, double cosine) {
-    const double across = std::max(std::abs(cosine), kFlattest);
-    // It enters an error above the surface and leaves an error below.
+    const double across = std::max(std::abs(cosine), kSmallestCosine);
+    // The ray enters the error slab above the surface and leaves it below.
     return errorWorld * (1 + 2 * std::sqrt(std::max(1 - cosine * cosine, 0.0)) / across);
 }
 
@@ -58,7 +57,7 @@ bool facesThroughout(const BaseSample& base, const Relief* relief, double radius
     const double area = glm::length(glm::cross(across.byU, across.byV));
     const double lengthU = glm::length(across.byU), lengthV = glm::length(across.byV);
     if (!(area > 0)) return false;
-    // How far u and v go within the radius.
+    // Extent of u and v within the radius.
     const double reachU = radiusWorld * lengthV / area, reachV = radiusWorld * lengthU / area;
     const double turn = glm::length(base.normalU) * reachU + glm::length(base.normalV) * reachV;
     const Vec2 st = textureCoordinates(base, relief);
@@ -66,7 +65,7 @@ bool facesThroughout(const BaseSample& base, const Relief* relief, double radius
     const Vec3 a = base.positionU + k.alongU * height, b = base.positionV + k.alongV * height;
     const double level = side * glm::dot(glm::cross(a, b), toward);
     const double margin = turn * glm::length(a) * glm::length(b);
-    if (!relief || relief->map->leastDepth() == relief->map->mostDepth()) return level > margin;
+    if (!relief || relief->map->minDepth() == relief->map->maxDepth()) return level > margin;
 
     const HeightMap& map = *relief->map;
     const Vec2 size(map.width(), map.height());

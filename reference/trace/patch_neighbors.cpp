@@ -31,7 +31,7 @@ std::optional<PatchPlace> PatchNeighbors::acrossEdge(int face, int k, double alo
 
 std::optional<PatchPlace> PatchNeighbors::beyond(int patchIndex, const Vec2& uv) const {
     const BaseSurface::Patch& patch = surface_.patch(patchIndex);
-    const Vec2 held = glm::clamp(uv, Vec2(0), Vec2(1));
+    const Vec2 clamped = glm::clamp(uv, Vec2(0), Vec2(1));
     const double over[4] = {-uv.y, patch.triangular ? uv.x + uv.y - 1 : uv.x - 1,
                             patch.triangular ? -kInfinity : uv.y - 1, -uv.x};
     const int side = static_cast<int>(std::max_element(over, over + 4) - over);
@@ -39,12 +39,12 @@ std::optional<PatchPlace> PatchNeighbors::beyond(int patchIndex, const Vec2& uv)
     if (!(inside > 0)) return std::nullopt;
     if (patch.triangular)
         return acrossEdge(patch.face, side == 3 ? 2 : side,
-                          side == 0   ? held.x
-                          : side == 1 ? held.y
-                                      : 1 - held.y,
+                          side == 0   ? clamped.x
+                          : side == 1 ? clamped.y
+                                      : 1 - clamped.y,
                           inside);
     if (!patch.subFace) {
-        const double along[4] = {held.x, held.y, 1 - held.x, 1 - held.y};
+        const double along[4] = {clamped.x, clamped.y, 1 - clamped.x, 1 - clamped.y};
         return acrossEdge(patch.face, side, along[side], inside);
     }
     const int size = countOf(surface_.faceVertices(patch.face));
@@ -52,13 +52,13 @@ std::optional<PatchPlace> PatchNeighbors::beyond(int patchIndex, const Vec2& uv)
     const int next = first + (patch.corner + 1) % size, previous = (patch.corner + size - 1) % size;
     switch (side) {
     case 0:
-        return acrossEdge(patch.face, patch.corner, held.x / 2, inside / 2);
-    case 1: // the spoke from the middle of this corner's edge, at u = 1 here and at v = 1 there
-        return PatchPlace{next, {held.y, 1 - inside}};
+        return acrossEdge(patch.face, patch.corner, clamped.x / 2, inside / 2);
+    case 1: // the spoke from the midpoint of this corner's edge, at u = 1 here and at v = 1 in the neighbor
+        return PatchPlace{next, {clamped.y, 1 - inside}};
     case 2:
-        return PatchPlace{first + previous, {1 - inside, held.x}};
+        return PatchPlace{first + previous, {1 - inside, clamped.x}};
     default:
-        return acrossEdge(patch.face, previous, 1 - held.y / 2, inside / 2);
+        return acrossEdge(patch.face, previous, 1 - clamped.y / 2, inside / 2);
     }
 }
 

@@ -1,4 +1,4 @@
-// What lies beyond the sides of a patch.
+// Maps parameter values beyond a side of a patch to the neighboring patch.
 #pragma once
 
 #include "scenes/surface/base_surface.h"
@@ -13,9 +13,9 @@ class PatchNeighbors {
   public:
     explicit PatchNeighbors(const BaseSurface& surface);
 
-    /// `uv` outside the patch: the place about as far inside the patch beyond the side that was crossed. A
-    /// guess to start a search from: the two patches' scales may differ. Nothing beyond a boundary, or an
-    /// edge of more than two faces.
+    /// For `uv` outside the patch, the point about as far inside the neighboring patch across the crossed
+    /// side. It is only an initial guess for an iteration, because the patches' parametrizations may differ.
+    /// Nothing beyond a boundary or an edge with more than two faces.
     std::optional<PatchPlace> beyond(int patch, const Vec2& uv) const;
 
   private:
@@ -26,7 +26,7 @@ class PatchNeighbors {
 
     const BaseSurface& surface_;
     std::vector<std::array<Side, 2>> sides_; // per edge
-    std::vector<bool> crowded_;              // edges of more than two faces
+    std::vector<bool> crowded_;              // edges with more than two faces
 };
 
 } // namespace plumbline

@@ -2,7 +2,7 @@
 
 #include "reference/trace/embree.h"
 #include "reference/trace/facing.h"
-#include "reference/trace/polish.h"
+#include "reference/trace/refine_hit.h"
 #include "reference/trace/resolve_hit.h"
 #include "scenes/surface/displaced_surface.h"
 
@@ -18,28 +18,31 @@ namespace plumbline {
 
 namespace {
 
-// Pixels traced before their hits are resolved: bounds memory, and still makes long runs of hits on one
-// patch.
+// Pixels traced before their hits are resolved. This bounds memory and still gives long runs of hits on the
+// same patch.
 constexpr size_t kBandPixels = size_t(1) << 18;
 
-// A shadow ray starts at least this far off the surface, as a fraction of the largest coordinate in play:
-// vertices, the ray's origin and Embree's edge tests are each rounded to 2^-24 of it, eight times over with
-// room to spare.
+// Minimum offset of a shadow ray's origin from the surface, to avoid self-intersection, as a fraction of the
+// largest coordinate involved. Vertices, the ray's origin and Embree's edge tests each have rounding errors
+// of 2^-24; this is 16 times that.
 constexpr double kShadowOffsetFraction = 0x1p-20;
 
-// The true surface is looked for this many times the grid's error bound along the normal away from the
-// micro-triangle. Along the ray that is more, up to what a ray at kGrazingCosine to the facet would need.
-constexpr double kPolishReach = 2;
+// The true surface is searched within this multiple of the grid's error bound, measured along the normal from
+// the micro-triangle. The distance along the ray is larger, up to that of a ray at kGrazingCosine to the
+// facet.
+constexpr double kRefineReach = 2;
 constexpr double kGrazingCosine = 0.02;
 
-// A blocker this many times the error's reach away can't be the surface's own stand-in any more.
+// An occluder farther away than this multiple of the error's reach can't be a self-intersection caused by the
+// tessellation error.
 constexpr double kBelowReach = 4;
 
-// Sheets behind the place seen that are looked at for another object: own ones are passed, all but the last.
+// Maximum number of surfaces behind the visible point that are examined for another object; those of the same
+// object are skipped.
 constexpr int kSheetsPassed = 4;
 
-// Cells of a torn patch's border that the wall between it and its neighbor may shadow or hide: the one it
-// stands in for and the next.
+// Border cells of a torn patch that the wall to its neighbor may shadow or hide: the welded cell and the next
+// one.
 constexpr double kTearCells = 2;
 
 struct PixelHit {
@@ -68,7 +71,7 @@ class FrameTracer {
         }
         evidence_.errorWorld.assign(frame_.pixelCount(), 0);
         evidence_.face.assign(frame_.pixelCount(), 0);
-        evidence_.unsettled.assign(frame_.pixelCount(), 0);
+        evidence_.ambiguous.assign(frame_.pixelCount(), 0);
         evidence_.otherObject.assign(frame_.pixelCount(), 0);
         evidence_.shadowBy.assign(scene.lights.size(), std::vector<uint8_t>(frame_.pixelCount(), 0));
         fillBackground();
@@ -78,7 +81,7 @@ class FrameTracer {
         for (size_t first = 0; first < frame_.pixelCount(); first += kBandPixels) {
             const size_t count = std::min(kBandPixels, frame_.pixelCount() - first);
             std::vector<PixelHit> hits = traceBand(first, count);
-            // Runs of hits on one patch share its set-up.
+            // Consecutive hits on the same patch share its setup.
             tbb::parallel_sort(hits.begin(), hits.end(), [](const PixelHit& a, const PixelHit& b) {
                 return std::tie(a.object, a.place.patch, a.pixel) <
                        std::tie(b.object, b.place.patch, b.pixel);
@@ -102,7 +105,7 @@ class FrameTracer {
         return rays_.ray(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
     }
 
-    /// Camera rays of pixels [first, first + count); hits in the order of pixels.
+    /// Traces the camera rays of pixels [first, first + count); hits are in pixel order.
     std::vector<PixelHit> traceBand(size_t first, size_t count) const {
         std::vector<PixelHit> hits(count);
         std::vector<uint8_t> covered(count, 0);
@@ -141,15 +144,15 @@ class FrameTracer {
         tbb::parallel_for(tbb::blocked_range<size_t>(0, hits.size(), 1024),
                           [&](const tbb::blocked_range<size_t>& range) {
                               const FlushDenormals flush;
-                              std::optional<Polisher> polisher;
+                              std::optional<HitRefiner> refiner;
                               const PixelHit* previous = nullptr;
                               for (size_t i = range.begin(); i < range.end(); ++i) {
                                   const PixelHit& hit = hits[i];
                                   if (!previous || previous->object != hit.object)
-                                      polisher.emplace(*objects_[hit.object].surface,
-                                                       objects_[hit.object].relief, neighbors_[hit.object]);
+                                      refiner.emplace(*objects_[hit.object].surface,
+                                                      objects_[hit.object].relief, neighbors_[hit.object]);
                                   previous = &hit;
-                                  shade(hit, *polisher);
+                                  shade(hit, *refiner);
                               }
                           });
     }
@@ -158,29 +161,29 @@ class FrameTracer {
         return objects_[hit.object].mesh->grids[hit.grid].errorWorld;
     }
 
-    /// The surface at a hit; the micro-triangle's place where it can't be moved onto the surface.
-    SurfaceSample surfaceAt(const PixelHit& hit, Polisher& polisher, double side) {
+    /// The surface at a hit; if the hit can't be refined, the surface at the micro-triangle's (u, v).
+    SurfaceSample surfaceAt(const PixelHit& hit, HitRefiner& refiner, double side) {
         const Ray ray = rayOf(hit.pixel);
         const double cosine = std::max(std::abs(glm::dot(hit.facetNormal, ray.direction)), kGrazingCosine);
-        const double reach = kPolishReach * errorOf(hit) / cosine;
-        if (const auto polished = polisher.polish(ray, hit.place, hit.distance, reach)) {
-            if (facesThroughout(hit, polished->sample, -ray.direction, side)) return polished->sample;
-            evidence_.unsettled[hit.pixel] = 1;
-            return polisher.first(ray, *polished, reach).sample;
+        const double reach = kRefineReach * errorOf(hit) / cosine;
+        if (const auto refined = refiner.refine(ray, hit.place, hit.distance, reach)) {
+            if (facesThroughout(hit, refined->sample, -ray.direction, side)) return refined->sample;
+            evidence_.ambiguous[hit.pixel] = 1;
+            return refiner.first(ray, *refined, reach).sample;
         }
-        evidence_.unsettled[hit.pixel] = 1;
-        SurfaceSample sample = polisher.sampleAt(hit.place);
+        evidence_.ambiguous[hit.pixel] = 1;
+        SurfaceSample sample = refiner.sampleAt(hit.place);
         sample.displaced.position = hit.position;
         return sample;
     }
 
-    /// How far along a ray a grid's error can move where the ray meets it.
+    /// Bound on the displacement of a hit along the ray by a grid's error.
     static double alongRay(double error, const Vec3& facetNormal, const Ray& ray) {
         return error / std::max(std::abs(glm::dot(facetNormal, ray.direction)), kGrazingCosine);
     }
 
-    /// Whether behind the micro-triangle seen another object's comes within both's errors. Own sheets in
-    /// between are passed.
+    /// Whether another object is behind the visible micro-triangle within the errors of both. Surfaces of the
+    /// same object in between are skipped.
     bool isCloseToAnother(const PixelHit& hit) const {
         const Ray ray = rayOf(hit.pixel);
         const double own = alongRay(errorOf(hit), hit.facetNormal, ray);
@@ -207,13 +210,13 @@ class FrameTracer {
         return false;
     }
 
-    /// Whether the place is in the outermost cells of a patch whose neighbor disagrees with it.
+    /// Whether the hit is in the border cells of a patch at a torn edge.
     bool isBesideTear(const PixelHit& hit) const {
         const MicroMesh& mesh = *objects_[hit.object].mesh;
         if (!mesh.grids[hit.grid].torn) return false;
         const PatchLattice& lattice = mesh.lattices[mesh.grids[hit.grid].patch];
         const Vec2 uv = hit.place.uv;
-        // Where a side is coarser than its lattice, its cells are as wide as that side's segments.
+        // Along a side coarser than the lattice, cells are as wide as the side's segments.
         const auto widest = [&](int side, int other, int cells) {
             const int segments = std::min(item(lattice.sides, side), item(lattice.sides, other));
             return std::max(kTearCells / cells, 1.0 / segments / 2);
@@ -223,8 +226,8 @@ class FrameTracer {
         return std::min(uv.x, 1 - uv.x) < nearU || std::min(uv.y, 1 - uv.y) < nearV;
     }
 
-    /// Whether within the error's reach the surface turns one side toward a direction that has this cosine
-    /// to the facet.
+    /// Whether the surface is facing `toward` with the same side throughout the error's reach, for a
+    /// direction with this cosine to the facet.
     bool facesThroughout(const PixelHit& hit, const SurfaceSample& surface, const Vec3& toward,
                          double side) const {
         if (isBesideTear(hit)) return false;
@@ -234,12 +237,12 @@ class FrameTracer {
     }
 
     /// Writes one pixel.
-    void shade(const PixelHit& hit, Polisher& polisher) {
+    void shade(const PixelHit& hit, HitRefiner& refiner) {
         const SceneObject& object = *objects_[hit.object].object;
-        // The side seen is the facet's: at a grazing edge the true normal can lean away from a camera the
-        // facet faces.
+        // The visible side is that of the facet: near a silhouette, the true normal may face away from the
+        // camera although the facet is front-facing.
         const double side = glm::dot(hit.facetNormal, rays_.towardCamera(hit.position)) < 0 ? -1 : 1;
-        const SurfaceSample sampled = surfaceAt(hit, polisher, side);
+        const SurfaceSample sampled = surfaceAt(hit, refiner, side);
         const DisplacedSample& surface = sampled.displaced;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
         evidence_.face[hit.pixel] = objects_[hit.object].surface->patch(hit.place.patch).face;
@@ -257,7 +260,7 @@ class FrameTracer {
         channels_[Id][hit.pixel] = static_cast<float>(hit.object + 1);
     }
 
-    /// What the side seen receives of all lights. Writes the pixel's shadows.
+    /// The light received by the visible side from all lights. Writes the pixel's shadow channels.
     double lightAt(const PixelHit& hit, const SurfaceSample& surface, double side) {
         const Vec3 position = surface.displaced.position, facing = side * surface.displaced.normal;
         double received = kAmbient;
@@ -278,8 +281,8 @@ class FrameTracer {
         return received;
     }
 
-    /// The ray leaves the true surface on the side where the light is, from above the micro-triangles that
-    /// stand for it there: they are within their error of it, so that none shadows the place it stands for.
+    /// The shadow ray starts at the true surface on the light's side, offset by the error bound so that it
+    /// begins above the micro-triangles. This prevents self-shadowing by the tessellation.
     Ray shadowRay(const PixelHit& hit, const Vec3& position, const Vec3& facing,
                   const LightSample& light) const {
         const double reach =
@@ -287,8 +290,8 @@ class FrameTracer {
         return {position + facing * (errorOf(hit) + kShadowOffsetFraction * reach), light.toLightWorld};
     }
 
-    /// Whether a shadow ray that is blocked is so because it begins beneath micro-triangles that stand too
-    /// high beside the place: what it meets first is their inner side, not farther than their error explains.
+    /// Whether an occluded shadow ray is occluded only because it starts below nearby micro-triangles that
+    /// are too high: its first hit is on their inner side, within the distance explained by their error.
     bool startsBelow(const PixelHit& hit, const Ray& ray, double side) const {
         const auto blocker = embree_.intersect(ray.origin, ray.direction);
         if (!blocker || blocker->object != hit.object) return false;

@@ -1,4 +1,4 @@
-// Traces the frame: camera rays, hits moved onto the true surface, its normals, shadow rays.
+// Traces the frame: camera rays, hits refined to the true surface, normals and shadow rays.
 #pragma once
 
 #include "reference/trace/embree_scene.h"
@@ -17,20 +17,20 @@ struct TracedObject {
     const MicroMesh* mesh;
 };
 
-/// What is known of a frame's pixels beyond its channels.
+/// Per-pixel data in addition to the frame's channels, for the certificate.
 struct FrameEvidence {
     std::vector<int> face;         // of the control mesh
-    std::vector<float> errorWorld; // bound of the grid seen, world units; 0 on a miss
-    /// 1: another place of the surface could be seen. The hit stayed on its micro-triangle, or the surface
-    /// turns away within reach of the error.
-    std::vector<uint8_t> unsettled;
-    /// 1: another object lies so close behind the place seen that it could be in front.
+    std::vector<float> errorWorld; // error bound of the visible grid, world units; 0 for a miss
+    /// 1: another point of the surface may be the visible one. The hit couldn't be refined, or the surface's
+    /// orientation changes within the error's reach.
+    std::vector<uint8_t> ambiguous;
+    /// 1: another object is so close behind the visible point that it may be in front.
     std::vector<uint8_t> otherObject;
-    /// Per light: how the shadow was decided.
+    /// Per light: how the shadow was determined.
     enum ShadowBy : uint8_t {
         kNormal,  // N.L <= 0
         kRay,     // by a ray
-        kNearRay, // by a ray, but within reach of the error the surface may rise into it, or it began beneath
+        kNearRay, // by a ray, but the surface may intersect it within the error's reach, or it started below
                   // micro-triangles
     };
     std::vector<std::vector<uint8_t>> shadowBy;
@@ -41,8 +41,8 @@ struct TracedFrame {
     FrameEvidence evidence;
 };
 
-/// Every channel of the table but cost and uncertain. Parallel (TBB); every pixel is computed by itself, so
-/// the bytes don't depend on the number of threads.
+/// Computes every channel of the table except cost and uncertain. Parallel (TBB); pixels are independent, so
+/// the result doesn't depend on the number of threads.
 TracedFrame traceFrame(const Scene& scene, const std::vector<TracedObject>& objects,
                        const EmbreeScene& embree);
 

@@ -9,13 +9,14 @@ namespace plumbline {
 
 namespace {
 
-/// One micro-triangle of a cell: `corner`, then the two reached along +-1 column and +-1 row.
+/// One micro-triangle of a cell: `corner` and the edges to the adjacent vertices at +-1 column and +-1 row.
 struct Triangle {
     Vec3 corner, alongColumn, alongRow; // the latter two are edges
-    int column, row, sign;              // lattice place of the corner; sign of both steps
+    int column, row, sign;              // lattice position of the corner; sign of both steps
 };
 
-// Embree's distance is off by up to 1e-5 of itself (measured); that much tells no two sheets apart.
+// Relative error of Embree's distance, up to 1e-5 (measured); smaller differences can't distinguish two
+// surfaces.
 constexpr double kDistanceError = 1e-5;
 
 /// The point of a micro-triangle nearest to a hit.
@@ -24,15 +25,15 @@ struct Candidate {
     double beta = 0, gamma = 0;
     Vec3 position{0};
     double distance = 0;
-    /// World units: how far the ray passes beside the point, and how far that is from Embree's distance,
-    /// beyond its error. 0 for a ray that meets the triangle where Embree says. A triangle the ray misses by
-    /// rounding is right before one it meets, but elsewhere.
+    /// World units: the distance of the ray from the point plus the difference to Embree's distance beyond
+    /// its error. 0 for a ray that hits the triangle at Embree's distance. So a triangle missed by rounding
+    /// is preferred to a triangle hit at another distance.
     double mismatch = kInfinity;
 };
 
-/// Moeller and Trumbore 1997, in double. Rays that graze an edge pass outside every triangle by rounding: the
-/// nearest point of the triangle is taken (clamped one coordinate after the other, which is near enough for a
-/// hair's breadth).
+/// Moeller and Trumbore 1997, in double. Rays through an edge may miss all triangles by rounding, so the
+/// nearest point of the triangle is used (clamped one coordinate after the other, which is sufficient for
+/// such small distances).
 Candidate intersect(const Triangle& triangle, const Ray& ray, double distance) {
     Candidate hit;
     hit.triangle = triangle;

@@ -1,4 +1,4 @@
-// A hit of Embree, recomputed in double from the micro-triangle it lies on.
+// Recomputes a hit of Embree in double precision on its micro-triangle.
 #pragma once
 
 #include "scenes/surface/micro_mesh.h"
@@ -8,14 +8,14 @@ namespace plumbline {
 struct ResolvedHit {
     double distance;  // along the (unit) ray, world units
     Vec3 position;    // world, on the micro-triangle
-    Vec3 facetNormal; // world, unit; of the micro-triangle, outward
+    Vec3 facetNormal; // world, unit; outward normal of the micro-triangle
     Vec2 uv;          // of the patch
 };
 
-/// `u`, `v`: Embree's coordinates over the grid. They name the cell but for about 1 hit in 10^4 on a border,
-/// and where Embree or EmbreeScene took a ray by rounding, the ray passes beside the cell named. So where the
-/// ray doesn't meet the triangle named at `distance` (Embree's), its neighbors are tried, and of them all
-/// the point nearest the ray and nearest that distance is taken.
+/// `u`, `v`: Embree's coordinates over the grid. They identify the cell, except for about 1 hit in 10^4 at a
+/// border, and for hits that Embree or EmbreeScene accepted within rounding, where the ray passes outside the
+/// cell. So if the ray doesn't hit the identified triangle at Embree's `distance`, the neighboring triangles
+/// are also tested, and the point closest to the ray and to that distance is used.
 ResolvedHit resolveHit(const MicroMesh& mesh, const MicroGrid& grid, float u, float v, float distance,
                        const Ray& rayWorld);
 

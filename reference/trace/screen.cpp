@@ -59,7 +59,7 @@ Vec3 Screen::project(const Vec3& point) const {
 
 double Screen::pixelsPerWorld(const Vec3& p) const {
     if (!perspective_) return scale_;
-    // A small ball at an angle to the axis is seen stretched by one over its cosine.
+    // The projection of a small ball off the axis is stretched by the reciprocal of the cosine of its angle.
     const Vec2 off = (Vec2(p) - center_) / scale_;
     return scale_ / p.z * std::sqrt(1 + glm::dot(off, off));
 }

@@ -14,7 +14,8 @@ namespace plumbline {
 
 struct ContentHash::State {
     XXH3_state_t xxh;
-    /// A length after each piece, so that moving bytes from one to the next changes the hash.
+    /// Each piece is followed by its length, so that moving bytes from one piece to the next changes the
+    /// hash.
     void addLength(uint64_t length) { XXH3_128bits_update(&xxh, &length, sizeof length); }
 };
 

@@ -1,5 +1,5 @@
-// A fingerprint of texts and files: XXH3, 128 bits. Tells inputs apart and names cached results; not a
-// cryptographic hash.
+// A fingerprint of texts and files: XXH3, 128 bits. Distinguishes inputs and names cached results; it is not
+// a cryptographic hash.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// Depends on the contents added, their lengths and their order, not on the names of files.
+/// The hash depends on the contents added, their lengths and their order, not on file names.
 class ContentHash {
   public:
     ContentHash();
@@ -20,7 +20,7 @@ class ContentHash {
     void add(std::string_view bytes);
     /// Throws InputError if the file can't be read.
     void addFile(const std::filesystem::path& file);
-    /// 32 digits, of everything added so far.
+    /// The hash of everything added so far, as 32 hexadecimal digits.
     std::string hexadecimal() const;
 
   private:

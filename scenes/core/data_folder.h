@@ -5,16 +5,16 @@
 
 namespace plumbline {
 
-/// The folder of the running executable, symbolic links followed; empty where /proc can't tell.
+/// The folder of the running executable with symbolic links resolved; empty if /proc can't be read.
 std::filesystem::path programFolder();
 
-/// Folder that has `scenes/`, `realtime/` and `validate/` as subfolders: chooseDataFolder() of
+/// The folder that contains `scenes/`, `realtime/` and `validate/`: chooseDataFolder() applied to
 /// $PLUMBLINE_DATA, programFolder() and the source tree the program was built from.
 std::filesystem::path dataFolder();
 
-/// `fromEnvironment` unless null or empty; else `../share/plumbline` beside `program` if there is such a
-/// folder (an installed program); else `sourceTree`. Throws MachineError if the one chosen lacks a subfolder:
-/// the next isn't tried.
+/// `fromEnvironment` unless it is null or empty; otherwise `../share/plumbline` relative to `program` if that
+/// folder exists (an installed program); otherwise `sourceTree`. Throws MachineError if the chosen folder
+/// lacks a subfolder; it does not fall back to the next candidate.
 std::filesystem::path chooseDataFolder(const char* fromEnvironment, const std::filesystem::path& program,
                                        const std::filesystem::path& sourceTree);
 

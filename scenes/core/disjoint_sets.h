@@ -1,4 +1,4 @@
-// Numbers 0 … count - 1 in groups that are joined step by step (union-find).
+// Disjoint sets (union-find) over the integers 0 … count - 1.
 #pragma once
 
 #include "scenes/core/index.h"

@@ -7,7 +7,7 @@
 namespace plumbline {
 namespace {
 
-/// One line whatever the parts hold: names from files may carry line breaks and other control characters.
+/// Keeps a message on one line: names read from files may contain line breaks and other control characters.
 std::string oneLine(std::string text) {
     for (char& c : text)
         if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
@@ -31,8 +31,8 @@ std::string lowerCase(std::string_view text) {
     return result;
 }
 
-/// Edit distance with insertions, deletions, substitutions and swaps of neighbors (optimal string
-/// alignment).
+/// Edit distance with insertions, deletions, substitutions and transpositions of adjacent characters (optimal
+/// string alignment).
 size_t editDistance(std::string_view a, std::string_view b) {
     std::vector<size_t> beforePrevious(b.size() + 1), previous(b.size() + 1), current(b.size() + 1);
     for (size_t j = 0; j <= b.size(); ++j)
@@ -62,7 +62,7 @@ MachineError::MachineError(std::string_view where, std::string_view what, std::s
     : std::runtime_error(compose(where, what, expected, hint)) {}
 
 std::string didYouMean(std::string_view name, std::span<const std::string> choices) {
-    // Longer names come from data gone wrong, not from a slip of the keyboard.
+    // Longer names come from corrupt data, not from typing errors.
     constexpr size_t kLongestName = 100;
     if (name.empty() || name.size() > kLongestName) return {};
     const std::string lowered = lowerCase(name);

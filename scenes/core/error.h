@@ -1,4 +1,4 @@
-// Errors a person can act on. Two kinds, told apart by the exit code of the program:
+// Errors a person can act on. Two kinds, distinguished by the program's exit code:
 //   InputError    what the user gave is wrong (exit 2)
 //   MachineError  this machine lacks something the command needs (exit 3)
 // A broken invariant of the program itself is an assertion, not one of these.
@@ -13,7 +13,7 @@
 
 namespace plumbline {
 
-/// Bad input or usage. `expected` and `hint` may be empty; `hint` is a whole clause ("did you mean
+/// Bad input or usage. `expected` and `hint` may be empty; `hint` is a complete clause ("did you mean
 /// 'torus'?").
 class InputError : public std::runtime_error {
   public:
@@ -28,7 +28,7 @@ class MachineError : public std::runtime_error {
                  std::string_view hint = {});
 };
 
-/// "did you mean 'x'?" for the choice nearest to `name` by edit distance, or empty when none is near.
+/// "did you mean 'x'?" for the choice closest to `name` by edit distance; empty if none is close enough.
 std::string didYouMean(std::string_view name, std::span<const std::string> choices);
 
 /// "a, b or c".

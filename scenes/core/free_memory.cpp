@@ -31,7 +31,7 @@ std::optional<uint64_t> availableBytes() {
     return std::nullopt;
 }
 
-/// What is left under a limit; nothing where there is none.
+/// Bytes left below a limit; nothing if there is no limit.
 std::optional<uint64_t> leftUnder(const char* limitFile, const char* usageFile) {
     const auto limit = readNumber(limitFile), usage = readNumber(usageFile);
     if (!limit || !usage) return std::nullopt;

@@ -1,4 +1,4 @@
-// How much memory this machine has to spare.
+// Memory available on this machine.
 #pragma once
 
 #include <cstdint>
@@ -6,12 +6,13 @@
 
 namespace plumbline {
 
-/// Bytes a process can take without others being paged out or killed: MemAvailable of /proc/meminfo, and what
-/// the control group it is in still has (cgroup v2 and v1). 1 GiB where neither can be read.
+/// Bytes this process can allocate without swapping or being killed: the smaller of MemAvailable in
+/// /proc/meminfo and what remains of its control group's limit (cgroup v2 or v1). 1 GiB if neither can be
+/// read.
 uint64_t freeMemoryBytes();
 
-/// Throws MachineError naming `what` when `bytes` exceed what is free: the system would promise them and end
-/// the program later.
+/// Throws MachineError naming `what` if `bytes` exceeds the free memory. Without this check, an
+/// overcommitting kernel would grant the allocation and kill the program later.
 void requireMemory(std::string_view what, double bytes);
 
 } // namespace plumbline

@@ -1,5 +1,5 @@
-// Arrays and ints. Faces, vertices, edges, patches and pixels are numbered by int, as OpenSubdiv and pictures
-// number them; arrays of the standard library take size_t.
+// Indexing arrays with int. Faces, vertices, edges, patches and pixels are numbered by int, as in OpenSubdiv
+// and in images, whereas the standard library's arrays take size_t.
 #pragma once
 
 #include <cassert>
@@ -24,19 +24,19 @@ int countOf(const Array& array) {
     return static_cast<int>(std::size(array));
 }
 
-/// A number of elements as the standard library counts them; not negative.
+/// A non-negative element count as size_t.
 inline size_t lengthOf(int count) {
     assert(count >= 0);
     return static_cast<size_t>(count);
 }
 
-/// Elements of a table of so many columns and rows, neither negative.
+/// Number of elements of a table with `columns` × `rows` elements, both non-negative.
 inline size_t areaOf(int columns, int rows) {
     assert(columns >= 0 && rows >= 0);
     return static_cast<size_t>(columns) * static_cast<size_t>(rows);
 }
 
-/// Where an element of a table is that is stored row by row.
+/// Index of an element of a table stored row by row.
 inline size_t indexIn(int columns, int column, int row) {
     assert(column >= 0 && column < columns && row >= 0);
     return static_cast<size_t>(row) * static_cast<size_t>(columns) + static_cast<size_t>(column);

@@ -26,7 +26,7 @@ inline constexpr float kNanF = std::numeric_limits<float>::quiet_NaN();
 using glm::degrees;
 using glm::radians;
 
-/// The direction of a vector; 0 of 0.
+/// The normalized vector; 0 for the zero vector.
 inline Vec3 unitOrZero(const Vec3& vector) {
     const double length = glm::length(vector);
     return length > 0 ? vector / length : Vec3(0);

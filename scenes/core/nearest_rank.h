@@ -1,4 +1,4 @@
-// Percentiles by nearest rank: always one of the values.
+// Percentiles by the nearest-rank method, whose result is always one of the values.
 #pragma once
 
 #include <algorithm>
@@ -9,9 +9,9 @@
 
 namespace plumbline {
 
-/// Index, in ascending order, of the smallest of `count` values that at least `percent` % of them don't
-/// exceed: rank ceil(percent/100 * count) less 1, in integers, so that it can't be off by one through
-/// rounding. count >= 1, percent in [1, 100].
+/// Index, in ascending order, of the smallest of `count` values such that at least `percent` % of the values
+/// don't exceed it: ceil(percent/100 * count) - 1, computed in integers so that rounding can't make it off by
+/// one. count >= 1, percent in [1, 100].
 inline size_t nearestRankIndex(size_t count, unsigned percent) {
     assert(count > 0 && percent >= 1 && percent <= 100);
     return (count * percent + 99) / 100 - 1;

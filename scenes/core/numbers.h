@@ -1,4 +1,4 @@
-// Texts to numbers, the one way everywhere: options, manifests, headers of frames, OBJ tags.
+// Parses numbers, in the same way for options, manifests, frame headers and OBJ tags.
 #pragma once
 
 #include <charconv>
@@ -10,9 +10,9 @@
 
 namespace plumbline {
 
-/// The number that all of `text` is, as std::from_chars reads it whatever the locale: without blanks around
-/// it and without a '+'. Nothing for a text that isn't one, for a number that `Number` can't hold, and for
-/// "inf" and "nan".
+/// Parses all of `text` as one number with std::from_chars, independently of the locale: no surrounding
+/// whitespace and no leading '+'. Returns nothing if the text isn't a number, if `Number` can't represent it,
+/// and for "inf" and "nan".
 template <class Number>
 std::optional<Number> parseNumber(std::string_view text) {
     Number number{};

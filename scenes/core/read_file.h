@@ -1,4 +1,4 @@
-// Whole files in memory.
+// Reads whole files into memory.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// Throws InputError: missing, not a regular file, not readable, empty or longer than 1 GB.
+/// Throws InputError if the file is missing, not a regular file, unreadable, empty or longer than 2^30 bytes.
 std::string readWholeFile(const std::filesystem::path& file);
 
 } // namespace plumbline

@@ -24,7 +24,7 @@ void checkTarget(const std::filesystem::path& file) {
         throw InputError(file.string(), fmt::format("the folder '{}' does not exist", folder.string()));
 }
 
-/// Unique among processes and threads, so that two writers of one name never share a temporary file.
+/// Unique among processes and threads, so that two writers of the same file never share a temporary file.
 std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
     static std::atomic<unsigned> counter{0};
     auto name = file;

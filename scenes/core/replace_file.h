@@ -1,4 +1,4 @@
-// Files appear whole or not at all: written under a temporary name in the same folder, then renamed.
+// Writes files atomically: under a temporary name in the same folder, then renamed.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ namespace plumbline {
 void replaceFile(const std::filesystem::path& file,
                  const std::function<void(const std::filesystem::path& temporary)>& write);
 
-/// The same for a text or bytes in memory.
+/// The same with contents in memory.
 void replaceFile(const std::filesystem::path& file, std::string_view contents);
 
 } // namespace plumbline

@@ -9,8 +9,8 @@
 namespace plumbline {
 namespace {
 
-/// A choice earlier in its list is kept if it is this good against the best: what is usual before what is
-/// barely better.
+/// An earlier candidate is kept if it reaches this fraction of the best score: the usual choice is preferred
+/// to one that is barely better.
 constexpr double kGoodEnough = 0.95;
 
 /// Direction from the object to a camera: from +Z toward +X by the azimuth, then up.
@@ -20,8 +20,7 @@ Vec3 viewDirection(double azimuthDegrees, double elevationDegrees) {
             std::cos(azimuth) * std::cos(elevation)};
 }
 
-/// Of a surface that looks to `direction`: its area as seen from there, of pieces that face it, as a share of
-/// the area.
+/// Projected area of the pieces that face `direction`, as a fraction of the total area.
 double shareSeen(const SurfaceSurvey& survey, const Vec3& direction) {
     double seen = 0;
     for (const SurfacePiece& piece : survey.pieces)
@@ -34,12 +33,13 @@ View viewAlong(const Vec3& toCamera) {
     return {-toCamera, right, glm::cross(toCamera, right)};
 }
 
-/// The nearest camera that looks along `view` and has all the points inside the picture's margin.
+/// Places the camera as near as possible such that it looks along `view` and all points lie inside the
+/// margin.
 ///
-/// With x, y along right and up, w along forward, c the camera's w and k the tangent of half the angle left
-/// by the margin, a point is inside if |x - cx| <= k (w - c). So with a = max(x - k w) and b = max(-x - k w):
-/// a <= cx - k c and b <= -cx - k c, which some cx fulfills as long as c <= -(a + b) / (2 k); cx = (a - b) /
-/// 2 is in the middle. Likewise y.
+/// Let x and y be coordinates along right and up, w along forward, c the camera's w, and k the tangent of
+/// half the angle inside the margin. A point is inside if |x - cx| <= k (w - c). With a = max(x - k w) and b
+/// = max(-x - k w), this means a <= cx - k c and b <= -cx - k c. Such a cx exists if c <= -(a + b) / (2 k);
+/// cx = (a - b) / 2 centers the points. The same holds for y.
 void placeCamera(Camera& camera, const View& view, const std::vector<Vec3>& points) {
     const double tangentY = std::tan(0.5 * radians(camera.fovYDegrees)) * (1 - 2 * kDraftMargin);
     const Vec2 k(tangentY * camera.width / camera.height, tangentY);
@@ -59,7 +59,7 @@ void placeCamera(Camera& camera, const View& view, const std::vector<Vec3>& poin
     camera.targetWorld = axis + view.forward * depths.center().x;
 }
 
-/// Taller than wide objects get an upright picture.
+/// Objects taller than wide get a portrait image.
 void chooseFormat(Camera& camera, const View& view, const std::vector<Vec3>& points) {
     Bounds across;
     for (const Vec3& point : points)
@@ -83,8 +83,8 @@ View chooseView(const SurfaceSurvey& survey, std::string& reason) {
     const Candidate& chosen = *std::ranges::find_if(
         candidates, [&](double share) { return share >= kGoodEnough * best; }, &Candidate::share);
     reason = fmt::format(
-        "{} degrees {} the horizon, {} degrees off +Z toward {}: of 16 views the first that shows the "
-        "broad side.",
+        "{} degrees {} the horizon, {} degrees off +Z toward {}: the first of 16 views that shows "
+        "nearly the largest area.",
         std::abs(chosen.elevation), chosen.elevation > 0 ? "above" : "below", std::abs(chosen.azimuth),
         chosen.azimuth > 0 ? "+X" : "-X");
     return viewAlong(viewDirection(chosen.azimuth, chosen.elevation));
@@ -100,7 +100,7 @@ Vec3 chooseLight(const SurfaceSurvey& survey, const View& view, std::string& rea
         const char* name;
         double right, up;
         Vec3 toLight{};
-        double lit = 0; // mean cosine over what is seen
+        double lit = 0; // mean cosine over the visible surface
     };
     std::array<Candidate, 4> candidates{
         {{"upper left", -1, 1}, {"upper right", 1, 1}, {"lower left", -1, -1}, {"lower right", 1, -1}}};
@@ -117,13 +117,13 @@ Vec3 chooseLight(const SurfaceSurvey& survey, const View& view, std::string& rea
         }
         if (seen > 0) candidate.lit /= seen;
     }
-    // cos 72.5 degrees: flatter light than that leaves most of a flat relief in shadow.
+    // cos 72.5 degrees: light at a more grazing angle leaves most of a flat relief in shadow.
     constexpr double kLitEnough = 0.3;
     auto chosen = std::ranges::find_if(
         candidates, [](double lit) { return lit >= kLitEnough; }, &Candidate::lit);
     if (chosen == candidates.end()) chosen = std::ranges::max_element(candidates, {}, &Candidate::lit);
     reason =
-        fmt::format("From the {} of the picture, aslant, so that the relief casts shadows.", chosen->name);
+        fmt::format("Oblique, from the {} of the image, so that the relief casts shadows.", chosen->name);
     return chosen->toLight;
 }
 

@@ -1,6 +1,5 @@
-// A first scene for a mesh and a height map that somebody brings: where the camera and the light stand, how
-// deep the relief is and how often the map repeats. Every choice comes with its reason, for the comments of
-// the scene file.
+// A draft scene for a given mesh and height map: camera, light, relief depth and texture repetition. Every
+// choice comes with a reason, which becomes a comment in the scene file.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -9,7 +8,7 @@
 
 namespace plumbline {
 
-/// What isn't to be chosen.
+/// Values fixed by the user.
 struct DraftWishes {
     std::optional<Scheme> scheme;
     std::optional<double> depth; // world units, 0 to kLargestLength
@@ -24,16 +23,16 @@ struct SceneDraft {
     int proxyRate = 1;
     double depth = 0; // world units
     Vec2 tile{1, 1};
-    double lengthStep = 0; // world units: places need not be written finer
-    /// A sentence or two each; empty where there is nothing to say.
+    double lengthStep = 0; // world units: resolution at which positions are written
+    /// One or two sentences each; may be empty.
     struct Reasons {
         std::string camera, light, translate, scheme, proxyRate, depth, tile;
     } reasons;
 };
 
-/// `mesh` as readObj gives it. Throws InputError: a mesh without uvs, one its scheme doesn't take
-/// (checkControlMesh, checkLimitTopology), one too small or too large for a scene file, uvs without area and
-/// no tile given.
+/// `mesh` is a mesh read by readObj. Throws InputError for a mesh without uvs, a mesh that is invalid for its
+/// scheme (checkControlMesh, checkLimitTopology), a mesh too small or too large for a scene file, and uvs
+/// without area if no tile is given.
 SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const DraftWishes& wishes);
 
 } // namespace plumbline

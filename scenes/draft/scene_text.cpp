@@ -19,7 +19,7 @@ std::string fileText(const std::filesystem::path& file) {
                      "another name");
 }
 
-/// As short as it may be when nothing finer than `step` counts.
+/// The shortest text of a value that only needs to be accurate to `step`.
 std::string numberText(double value, double step) {
     const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step))));
     std::string text = fmt::format("{:.{}f}", value, decimals);
@@ -33,7 +33,7 @@ std::string vectorText(const Vec3& vector, double step) {
                        numberText(vector.z, step));
 }
 
-/// Lines that begin with "# ", broken at blanks; none for an empty text.
+/// The text as comment lines that begin with "# ", broken at spaces; empty for an empty text.
 std::string comment(const std::string& text) {
     std::istringstream words(text);
     std::string result, line, word;
@@ -47,7 +47,7 @@ std::string comment(const std::string& text) {
     return line.empty() ? result : result + "# " + line + "\n";
 }
 
-/// A name of scene files from that of a file.
+/// A valid scene-file name derived from a file name.
 std::string nameFrom(const std::filesystem::path& file, const char* otherwise) {
     constexpr size_t kLongest = 64;
     std::string name = file.stem().string().substr(0, kLongest);

@@ -8,9 +8,9 @@
 
 namespace plumbline {
 
-/// The scene file of a draft. `meshFile`, `mapFile`: as the file is to name them, relative to its folder.
-/// `storesHeight`: what the map's values are. Throws InputError for a path that isn't UTF-8, as a TOML file
-/// must be.
+/// `meshFile` and `mapFile` are written as given; they must be relative to the scene file's folder.
+/// `storesHeight`: whether the map's values are heights rather than depths. Throws InputError for a path that
+/// isn't UTF-8, which TOML requires.
 std::string sceneText(const SceneDraft& draft, const std::filesystem::path& meshFile,
                       const std::filesystem::path& mapFile, const HeightMap& map, bool storesHeight);
 

@@ -10,11 +10,12 @@
 namespace plumbline {
 namespace {
 
-/// Pieces looked at, about: enough for medians, few enough for a tenth of a second.
+/// Approximate number of pieces: enough for stable medians, few enough to take 0.1 s.
 constexpr int kWantedPieces = 40000;
 constexpr int kFinestRate = 16;
 constexpr double kTightShare = 0.05;
-/// Normals that differ by rounding alone: their mean is shorter than 1 by half the square of their spread.
+/// Tolerance for normals that differ only by rounding: the length of their mean is 1 minus half the square of
+/// their spread.
 constexpr double kFlatness = 1e-9;
 
 /// Segments per control edge: a power of two (PLATFORM: dyadic samples lie on the limit surface).
@@ -40,7 +41,7 @@ double weightedQuantile(std::vector<Weighted> values, double share) {
     return values.back().value;
 }
 
-/// World units of a unit of u and of v at a sample; none where the texture coordinates are singular there.
+/// World units per unit of u and of v at a sample; nothing where the texture parametrization is singular.
 std::optional<Vec2> uvScaleAt(const BaseSample& sample) {
     const double determinant = sample.uvU.x * sample.uvV.y - sample.uvU.y * sample.uvV.x;
     // Inverse of [uvU uvV], column by column: the patch coordinates' change by a unit of u and of v.
@@ -51,9 +52,9 @@ std::optional<Vec2> uvScaleAt(const BaseSample& sample) {
     return scale;
 }
 
-/// Larger principal curvature: positive where the surface bends away from its normal, as a sphere does. From
-/// the first and the second fundamental form (do Carmo, Differential Geometry of Curves and Surfaces, 3-3),
-/// with n's derivatives for -II.
+/// The larger principal curvature, positive where the surface curves away from its normal, as a sphere does.
+/// It follows from the first and second fundamental forms (do Carmo, Differential Geometry of Curves and
+/// Surfaces, 3-3); the derivatives of n give -II.
 double outwardCurvature(const BaseSample& sample) {
     const double e = glm::dot(sample.positionU, sample.positionU),
                  f = glm::dot(sample.positionU, sample.positionV),
@@ -116,7 +117,7 @@ class Survey {
             scalesV_.push_back({scale->y, area});
         }
         const double curvature = outwardCurvature(sample);
-        // NaN at singular samples: nothing is known there.
+        // NaN at singular samples, which are left out.
         if (!std::isnan(curvature)) radii_.push_back({curvature > 0 ? 1 / curvature : kInfinity, area});
     }
 

@@ -1,6 +1,6 @@
-// What a scene written for an unknown mesh has to know of its surface: where it is, which way it faces, how
-// finely its texture coordinates map it, how tightly it bends. Measured on samples of the limit surface, each
-// standing for a piece of its area. Space: that of the mesh given.
+// Measurements of an unknown surface for which a scene is drafted: position, orientation, texture scale and
+// curvature. Measured on samples of the limit surface, each of which represents a piece of its area. Space:
+// that of the given mesh.
 #pragma once
 
 #include "scenes/surface/base_surface.h"
@@ -21,19 +21,19 @@ struct SurfaceSurvey {
     Bounds bounds;                    // of the samples
     double area = 0;                  // of all pieces
     int patchCount = 0;               // polygons of a proxy at rate 1 (base_surface.h)
-    bool flat = false;                // one normal for all of it
-    /// World units of one unit of u and of v: medians by area. None where the texture coordinates have no
-    /// area.
+    bool flat = false;                // the same normal everywhere
+    /// World units per unit of u and of v, as area-weighted medians. Nothing if the texture coordinates have
+    /// no area.
     std::optional<Vec2> uvScale;
-    /// A twentieth of the area bends outwards with a smaller radius: a relief carved deeper crosses itself
-    /// there. Infinite where less of it does.
+    /// On 5 % of the area, the surface is convex with a smaller radius of curvature; a relief carved deeper
+    /// self-intersects there. Infinite if less than 5 % of the area is convex.
     double tightRadius = kInfinity;
 
     /// Half the diagonal of the bounds.
     double radius() const { return 0.5 * bounds.diagonal(); }
 };
 
-/// `mesh` must have uvs and pass checkControlMesh. Throws InputError for topology OpenSubdiv refuses
+/// `mesh` must have uvs and pass checkControlMesh. Throws InputError for topology that OpenSubdiv rejects
 /// (limit_check.h).
 SurfaceSurvey surveySurface(const ControlMesh& mesh, Scheme scheme);
 

@@ -27,10 +27,11 @@
 namespace plumbline {
 namespace {
 
-/// zlib's level. Pixels of a frame are noisy floats: higher levels cost time and gain next to nothing.
+/// zlib compression level. A frame's pixels are noisy floats, so higher levels cost time and save almost
+/// nothing.
 constexpr int kZipLevel = 1;
 
-// What OpenEXR itself keeps in a header under these names.
+// Attribute names that OpenEXR itself uses.
 constexpr std::array<std::string_view, 15> kReservedAttributes{"channels",
                                                                "compression",
                                                                "dataWindow",
@@ -47,14 +48,15 @@ constexpr std::array<std::string_view, 15> kReservedAttributes{"channels",
                                                                "name",
                                                                "version"};
 
-/// Chunks are compressed by several threads and written in order, so that bytes don't depend on their number.
+/// Chunks are compressed by several threads and written in order, so the bytes don't depend on the thread
+/// count.
 void useAllThreads() {
     static std::once_flag once;
     std::call_once(once,
                    [] { Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())); });
 }
 
-/// A stream whose failures are still known after OutputFile's destructor, which swallows them.
+/// A stream that records write failures, because OutputFile's destructor swallows them.
 class CheckedStream : public Imf::OStream {
   public:
     explicit CheckedStream(const std::filesystem::path& file)
@@ -71,20 +73,21 @@ class CheckedStream : public Imf::OStream {
     std::ofstream stream_;
 };
 
-/// The frame buffer's address of pixel (0,0) of the window, given that of the window's first pixel.
+/// A frame-buffer slice. OpenEXR expects the address of pixel (0,0); `plane` begins at the data window's
+/// first pixel.
 Imf::Slice planeSlice(float* plane, const Imath::Box2i& window) {
     return Imf::Slice::Make(Imf::FLOAT, plane, window, sizeof(float), 0);
 }
 
-/// A channel of a file of one or several parts, by its unique name.
+/// A channel of a single-part or multi-part file.
 struct PartChannel {
     int part;
     std::string name; // within the part
 };
 using PartChannels = std::map<std::string, PartChannel>;
 
-/// Channels an earlier part has too get their part's name in front: layers written as parts may all be R, G
-/// and B.
+/// Lists channels by unique name. A channel whose name also occurs in an earlier part is prefixed with its
+/// part's name, because layers written as parts may all have the channels R, G and B.
 PartChannels listChannels(const Imf::MultiPartInputFile& input, const std::string& where) {
     PartChannels channels;
     for (int part = 0; part < input.parts(); ++part) {
@@ -107,7 +110,7 @@ void addStringAttributes(const Imf::Header& header, std::map<std::string, std::s
                 attributes.try_emplace(it.name(), text->value());
 }
 
-/// Adds a part's planes among `chosen` to `exr`.
+/// Adds those channels of a part that are in `chosen` to `exr`.
 void readPart(Imf::MultiPartInputFile& input, int part, const PartChannels& chosen, const std::string& where,
               ExrPlanes& exr) {
     const Imf::Header& header = input.header(part);

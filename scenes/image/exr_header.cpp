@@ -16,13 +16,13 @@ namespace {
 
 constexpr uint32_t kMagic = 20000630;
 constexpr uint32_t kFlagDeep = 0x800, kFlagMultiPart = 0x1000;
-constexpr int64_t kMostPixels = int64_t(1) << 30;
-// Tables of chunks grow with the height alone, so a picture of 1 x 2^30 is refused too.
+constexpr int64_t kMaxPixels = int64_t(1) << 30;
+// Chunk tables grow with the height alone, so an image of 1 x 2^30 pixels must be rejected too.
 constexpr int64_t kLongestSide = int64_t(1) << 20;
-/// The library holds whole headers in memory. Those of real files have kilobytes, with a preview or a list of
-/// names a few megabytes.
+/// The library keeps whole headers in memory. Real headers have kilobytes, or a few megabytes with a preview
+/// or a list of names.
 constexpr uint64_t kLargestHeader = uint64_t(16) << 20;
-constexpr size_t kMostParts = 1024;
+constexpr size_t kMaxParts = 1024;
 
 struct Window {
     int32_t left = 0, top = 0, right = -1, bottom = -1; // inclusive
@@ -36,7 +36,7 @@ struct Summary {
     bool hasData = false, hasDisplay = false;
     uint8_t compression = 0;
     uint32_t tileWidth = 0, tileHeight = 0;
-    double pixelBytes = 0; // of all channels together, those of subsampled ones by their share
+    double pixelBytes = 0; // of all channels; subsampled channels count proportionally
     std::string view;      // of a stereo picture
 };
 
@@ -64,7 +64,7 @@ class Reader {
         if (!stream_.read(reinterpret_cast<char*>(&value), sizeof value)) failTruncated();
         return value;
     }
-    /// Up to the terminating zero, which is eaten; names have at most 255 letters.
+    /// Reads a name and its terminating zero; names have at most 255 characters.
     std::string name() {
         std::string text;
         for (char c = number<char>(); c; c = number<char>()) {
@@ -106,7 +106,7 @@ double channelListBytes(Reader& reader) {
     return bytes;
 }
 
-/// Texts are as long as their attribute.
+/// A string attribute has no length field of its own: its length is the attribute's size.
 std::string readText(Reader& reader, int32_t size) {
     std::string text;
     for (int32_t k = 0; k < size && k < 255; ++k)
@@ -155,7 +155,7 @@ void readAttribute(Reader& reader, const std::string& name, const std::string& t
     }
 }
 
-/// One header; the empty name ends it.
+/// Reads one header, which ends with an empty name.
 Summary readAttributes(Reader& reader, std::string name) {
     Summary summary;
     for (; !name.empty(); name = reader.name()) {
@@ -176,13 +176,13 @@ Summary readAttributes(Reader& reader, std::string name) {
     return summary;
 }
 
-/// A file of several parts has a header for each, then an empty one.
+/// A multi-part file has a header for each part, followed by an empty header.
 std::vector<Summary> readHeaders(Reader& reader, bool multiPart) {
     if (!multiPart) return {readAttributes(reader, reader.name())};
     std::vector<Summary> parts;
     for (std::string name = reader.name(); !name.empty(); name = reader.name()) {
-        if (parts.size() == kMostParts)
-            reader.fail(fmt::format("has more than {} parts", kMostParts), "parts of one picture");
+        if (parts.size() == kMaxParts)
+            reader.fail(fmt::format("has more than {} parts", kMaxParts), "parts of one picture");
         parts.push_back(readAttributes(reader, name));
     }
     if (parts.empty()) reader.fail("has a damaged header: no part");
@@ -205,7 +205,7 @@ void checkPartsAgree(const Reader& reader, const std::vector<Summary>& parts) {
 void checkWindows(const Reader& reader, const Summary& summary) {
     const int64_t width = summary.data.width(), height = summary.data.height();
     if (width < 1 || height < 1) reader.fail(fmt::format("has an empty data window, {} x {}", width, height));
-    if (width > kLongestSide || height > kLongestSide || width * height > kMostPixels)
+    if (width > kLongestSide || height > kLongestSide || width * height > kMaxPixels)
         reader.fail(fmt::format("is {} x {} pixels large", width, height),
                     "at most 2^20 a side and 2^30 in all");
     if (!(summary.data == summary.display))
@@ -222,9 +222,9 @@ void checkWindows(const Reader& reader, const Summary& summary) {
             fmt::format("has a damaged header: tiles of {} x {}", summary.tileWidth, summary.tileHeight));
 }
 
-/// Compression n of the format can't shrink pixels by more than this: none; run lengths (127 bytes in 2); the
-/// deflate family 1032:1; PIZ's Huffman runs; B44's fixed blocks; DWA, whose cosine blocks are deflated
-/// again.
+/// The largest possible compression ratio of each of the format's methods: none; run lengths (127 bytes in
+/// 2); the deflate family (1032:1); PIZ's Huffman runs; B44's fixed blocks; DWA, whose DCT blocks are
+/// deflated again.
 int64_t largestRatio(uint8_t compression) {
     constexpr std::array<int64_t, 10> kRatios{1, 64, 1100, 1100, 1100, 1100, 32, 32, 1 << 17, 1 << 17};
     return compression < kRatios.size() ? kRatios[compression] : 1 << 17;
@@ -235,7 +235,7 @@ void checkBytes(Reader& reader, const Summary& part) {
     const auto fileBytes = static_cast<double>(reader.size());
     if (pixels * part.pixelBytes / static_cast<double>(largestRatio(part.compression)) > fileBytes)
         reader.failTruncated();
-    // The table of chunks has 8 bytes for each tile, which the library takes as it comes.
+    // The chunk table has 8 bytes per tile, which the library allocates unchecked.
     if (part.tileWidth > 0 && part.tileHeight > 0 &&
         8 * pixels / part.tileWidth / part.tileHeight > fileBytes)
         reader.failTruncated();
@@ -248,7 +248,7 @@ void checkExrHeader(const std::filesystem::path& file) {
     const bool multiPart = readVersion(reader);
     const std::vector<Summary> parts = readHeaders(reader, multiPart);
     checkPartsAgree(reader,
-                    parts); // first: a part of another size is also a crop, for all share a display window
+                    parts); // first: a part of another size is also cropped
     for (const Summary& part : parts) {
         checkWindows(reader, part);
         checkBytes(reader, part);

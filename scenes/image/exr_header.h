@@ -1,15 +1,15 @@
-// A look at the header of an EXR file before the OpenEXR library, which takes memory for whatever the header
-// claims, is let near it. Layout: OpenEXR documentation, "OpenEXR File Layout" (magic number, version field,
-// attributes).
+// Validates the header of an EXR file before the OpenEXR library opens it, because the library allocates
+// whatever sizes the header claims. Layout: OpenEXR documentation, "OpenEXR File Layout" (magic number,
+// version field, attributes).
 #pragma once
 
 #include <filesystem>
 
 namespace plumbline {
 
-/// Throws InputError for a file that is missing, not an EXR, deep, cropped, larger than 1 Gpixel, an
-/// environment map, a stereo picture, of parts of several sizes, with a header of more than 16 MB, or so
-/// short that its claimed pixels can't be in it.
+/// Throws InputError if the file is missing, not an EXR, deep, cropped, larger than 1 Gpixel, an environment
+/// map or a stereo image, if its parts differ in size, if its header exceeds 16 MB, or if it is too short to
+/// contain the pixels it claims.
 void checkExrHeader(const std::filesystem::path& file);
 
 } // namespace plumbline

@@ -25,7 +25,7 @@ struct ImageModule {
     PlumblineWritePng* writePng = nullptr;
 };
 
-/// Beside the program where it was built, in lib/plumbline where it is installed.
+/// The module is in the program's folder in a build tree, and in lib/plumbline in an installation.
 ImageModule loadModule() {
     std::string reason = "not found";
     for (const char* place : {"plumbline_images.so", "../lib/plumbline/plumbline_images.so"}) {
@@ -112,7 +112,7 @@ Image readExrImage(const std::filesystem::path& file) {
     return image;
 }
 
-/// Collects what the module reads. Memory is reserved at once but touched only as rows arrive.
+/// Collects the pixels that the module reads. Memory is reserved at once but touched only as rows arrive.
 struct ImageCollector {
     Image image;
     std::string failure;

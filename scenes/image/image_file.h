@@ -1,6 +1,6 @@
-// Pictures in files. EXR is read with OpenEXR; PNG, JPEG, TIFF, HDR and the rest through OpenImageIO, which
-// is loaded when the first such file is met (it takes 0.2 s and 130 MB), from the module plumbline_images
-// beside the program, or in ../lib/plumbline from there.
+// Reads and writes image files. EXR is read with OpenEXR; PNG, JPEG, TIFF, HDR and other formats through
+// OpenImageIO. OpenImageIO takes 0.2 s and 130 MB to load, so it is in a separate module, plumbline_images,
+// which is loaded for the first such file from the program's folder or from ../lib/plumbline relative to it.
 #pragma once
 
 #include "scenes/core/index.h"
@@ -15,7 +15,7 @@ namespace plumbline {
 /// Row 0 = top row, as in the file; channels interleaved in the order R G B A (or Y, or Y A).
 struct Image {
     int width = 0, height = 0, channels = 0;
-    std::vector<float> values; // integers divided by their type's largest value, nothing else done to them
+    std::vector<float> values; // integers are divided by their type's maximum; no other conversion
     bool integer = false;      // stored as 8 or 16-bit integers
 
     size_t texelCount() const { return areaOf(width, height); }
@@ -34,7 +34,7 @@ Image readImage(const std::filesystem::path& file);
 /// written.
 void writePng(const std::filesystem::path& file, int width, int height, const std::vector<uint8_t>& rgb);
 
-/// The module that reads and writes them, loaded. Throws MachineError where it is missing or lacks a library.
+/// Loads the module and returns its file. Throws MachineError if the module or a library it needs is missing.
 std::filesystem::path imageModuleFile();
 
 } // namespace plumbline

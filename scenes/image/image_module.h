@@ -1,6 +1,5 @@
-// The boundary between the program and the module plumbline_images, which alone is linked to OpenImageIO.
-// Plain C entry points and callbacks: nothing crosses it that depends on a C++ library, and no exception
-// does.
+// The interface between the program and the module plumbline_images, the only binary linked to OpenImageIO.
+// It consists of C entry points and callbacks; neither C++ library types nor exceptions cross it.
 #pragma once
 
 #include <cstddef>
@@ -8,16 +7,15 @@
 
 extern "C" {
 
-/// What the reader hands a picture to, row by row, the top row first. All calls come from the reader's
-/// thread.
+/// Receives an image row by row, top row first. All calls come from the reader's thread.
 struct PlumblinePictureSink {
     void* user;
     /// Called once before any row. `integer`: stored as 8 or 16-bit integers. Returns false to stop.
     bool (*begin)(void* user, int width, int height, int channels, bool integer);
     /// `count` values, interleaved in the order R G B A (or Y, or Y A). Returns false to stop.
     bool (*values)(void* user, const float* values, size_t count);
-    /// At most once, last: why the picture can't be read. A begin() or values() that returned false isn't
-    /// reported.
+    /// Called at most once, last, with the reason why the image can't be read. Not called if begin() or
+    /// values() returned false.
     void (*fail)(void* user, const char* what);
 };
 
@@ -29,6 +27,6 @@ using PlumblineWritePng = void(const char* file, int width, int height, const ui
 }
 
 namespace plumbline {
-/// Pixels a picture may have: 1 Gpixel.
-inline constexpr int64_t kMostPicturePixels = int64_t(1) << 30;
+/// Largest number of pixels in an image: 1 Gpixel.
+inline constexpr int64_t kMaxPicturePixels = int64_t(1) << 30;
 } // namespace plumbline

@@ -42,8 +42,8 @@ Wholeness checkPng(std::string_view bytes) {
     }
 }
 
-/// ITU T.81, annex B: marker segments up to the end-of-image marker. A thumbnail's own end lies within a
-/// segment.
+/// ITU T.81, annex B: marker segments up to the end-of-image marker. An embedded thumbnail's end-of-image
+/// marker is inside a segment and is skipped.
 Wholeness checkJpeg(std::string_view bytes) {
     for (size_t i = kJpegStart.size(); i + 1 < bytes.size();) {
         const uint8_t marker = byteAt(bytes, i + 1);

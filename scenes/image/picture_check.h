@@ -1,13 +1,13 @@
-// Is a PNG or JPEG file whole? libjpeg fills what a truncated file lacks with gray and calls that a warning;
-// libpng prints lines of its own to stderr. So damage is looked for before either is asked.
+// Detects truncated or damaged PNG and JPEG files before they are decoded: libjpeg fills the missing part of
+// a truncated file with gray and only warns, and libpng prints its own messages to stderr.
 #pragma once
 
 #include <filesystem>
 
 namespace plumbline {
 
-/// Throws InputError for a PNG whose chunks don't reach its end or don't fit their checksums, and for a JPEG
-/// without its end-of-image marker. Does nothing with other files.
+/// Throws InputError for a PNG file without its end chunk or with a wrong checksum, and for a JPEG file
+/// without its end-of-image marker. Ignores other files.
 void checkPictureIsWhole(const std::filesystem::path& file);
 
 } // namespace plumbline

@@ -1,4 +1,4 @@
-// A color picture on a surface, looked up like the relief's map (conventions: height_map.h).
+// A color texture, sampled like the relief's height map (conventions: height_map.h).
 #pragma once
 
 #include "scenes/core/math.h"

@@ -13,7 +13,7 @@ namespace plumbline {
 
 namespace {
 
-// What random numbers are for; two purposes never share numbers.
+// The use of a random number; different purposes have independent numbers.
 enum Purpose : uint32_t { kBrickTop = 100, kPinWidth, kFinWidth, kWavePhase };
 
 /// Tile coordinate of the center of texel i.
@@ -26,9 +26,9 @@ double fraction(double x) {
 }
 
 std::vector<float> brickTexels(int size, unsigned seed) {
-    constexpr int kColumns = 4, kRows = 8; // even rows, so that the bond closes
+    constexpr int kColumns = 4, kRows = 8; // an even number of rows, so that the running bond tiles
     constexpr double kMortar = 0.012,
-                     kBevel = 0.018;   // tile units: half a joint, and from there to the full height
+                     kBevel = 0.018;   // tile units: half the joint, and its sloped edge
     constexpr double kLowestTop = 0.3; // depth
     return fillTexels(size, [=](int i, int j) {
         const double t = center(j, size) * kRows;
@@ -50,7 +50,7 @@ std::vector<float> pyramidTexels(int size, unsigned) {
     });
 }
 
-/// Cells of about 16 texels that divide a side of any size: thin features with room between them.
+/// Divides a side of any size into cells of about 16 texels, so that thin features have space between them.
 struct TexelCells {
     int size, count;
     explicit TexelCells(int texels) : size(texels), count(std::max(1, texels / 16)) {}
@@ -130,9 +130,9 @@ HeightMap generateMap(const std::string& kind, int size, unsigned seed, Wrap wra
     if (found == kKinds.end())
         throw InputError("generate", fmt::format("kind '{}' is unknown", kind), listOf(generatedMapKinds()),
                          didYouMean(kind, generatedMapKinds()));
-    if (size < 1 || size > kMostGeneratedTexels)
+    if (size < 1 || size > kMaxGeneratedTexels)
         throw InputError(fmt::format("generate '{}'", kind), fmt::format("size = {}", size),
-                         fmt::format("a whole number from 1 to {}", kMostGeneratedTexels));
+                         fmt::format("a whole number from 1 to {}", kMaxGeneratedTexels));
     return HeightMap(fmt::format("generated {}, {} x {}, seed {}", kind, size, size, seed), size, size,
                      found->texels(size, seed), wrapS, wrapT);
 }

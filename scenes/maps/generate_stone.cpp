@@ -50,8 +50,8 @@ class GradientNoise {
     std::vector<std::array<double, 2>> gradients_;
 };
 
-/// Octaves of GradientNoise, doubling in frequency and halving in amplitude, as far as two texels hold a
-/// cell.
+/// Octaves of GradientNoise, doubling in frequency and halving in amplitude, as long as a cell spans at least
+/// two texels.
 class FractalNoise {
   public:
     FractalNoise(int firstCells, int octaves, int size, unsigned seed) {
@@ -73,14 +73,14 @@ class FractalNoise {
 };
 
 /// Cellular texture (Worley, A Cellular Texture Basis Function, 1996): a site in each cell of a periodic
-/// lattice, and how far a place is from the border of its site's region.
+/// lattice, and the distance of a point to the border of its site's region.
 class Stones {
   public:
     static constexpr int kCells = 6;
 
     explicit Stones(unsigned seed) {
-        // A site keeps this far from the border of its cell, so that the stones are of similar size and the
-        // nearest sites are among the 5 x 5 cells around a place.
+        // Minimum distance of a site to the border of its cell. It keeps the stones similar in size and the
+        // nearest sites within the 5 x 5 cells around a point.
         constexpr double kMargin = 0.14;
         for (int j = 0; j < kCells; ++j)
             for (int i = 0; i < kCells; ++i) {
@@ -92,7 +92,7 @@ class Stones {
     }
 
     struct Place {
-        double toBorder; // cells; rounds the corners of the region off
+        double toBorder; // cells; rounded off at the region's corners
         double top;      // of the stone, [0,1), random
     };
     Place at(double s, double t) const {
@@ -118,12 +118,12 @@ class Stones {
         double x, y, top; // x, y within the cell
     };
     struct Neighbor {
-        double x, y, top, squared; // squared distance to the place
+        double x, y, top, squared; // squared distance to the point
     };
     static size_t index(int i, int j) { return indexIn(kCells, wrapped(i, kCells), wrapped(j, kCells)); }
 
     /// Distances e to the bisectors of the nearest site with each other one, (r^2 - r0^2) / (2 |p - p0|),
-    /// joined to (sum 1/e^4)^(-1/4): their least, rounded off where two are nearly equal.
+    /// combined as (sum 1/e^4)^(-1/4): a smooth minimum, rounded off where two are nearly equal.
     static double toBorder(const std::array<Neighbor, 25>& around, size_t nearest) {
         const Neighbor& own = around[nearest];
         double sum = 0;
@@ -146,7 +146,7 @@ class Stones {
 
 std::vector<float> cobbleTexels(int size, unsigned seed) {
     constexpr double kJoint = 0.035;      // cells: half the width of the flat joint
-    constexpr double kRound = 0.38;       // cells: from the joint to where a stone is flat
+    constexpr double kRound = 0.38;       // cells: from the joint to the flat top of a stone
     constexpr double kLowestStone = 0.72; // height of the lowest stone, the highest being 1
     constexpr double kRoughness = 0.05;
     const Stones stones(seed);

@@ -47,8 +47,8 @@ HeightMap::HeightMap(std::string name, int width, int height, std::vector<float>
                          "at least 1 x 1 texels and a value for each");
     checkDepths(name_, width_, depths_);
     const auto [least, most] = std::ranges::minmax_element(depths_);
-    leastDepth_ = *least;
-    mostDepth_ = *most;
+    minDepth_ = *least;
+    maxDepth_ = *most;
 }
 
 HeightMap HeightMap::constant(std::string name, float depth) {
@@ -65,7 +65,7 @@ HeightMap::Cell HeightMap::cell(int i, int j) const {
         if (below || index + 1 < size) return below ? index : index + 1;
         return wrap == Wrap::Repeat ? 0 : index;
     };
-    // Left of a clamped map's first texel both ends are that texel.
+    // Left of a clamped map's first texel, both texels of the pair are that texel.
     const int right = next(column, width_, wrapS_, wrapS_ == Wrap::Clamp && i < 0);
     const int above = next(row, height_, wrapT_, wrapT_ == Wrap::Clamp && j < 0);
     const float *lower = rowOf(row), *upper = rowOf(above);

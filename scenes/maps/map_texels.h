@@ -1,5 +1,5 @@
-// Tools of the generated maps: numbers from a seed, a sine that is the same everywhere, texels filled in
-// parallel.
+// Helpers for generated maps: seeded random numbers, a sine that is bit-identical on all machines, and a
+// parallel loop over texels.
 #pragma once
 
 #include "scenes/core/index.h"
@@ -23,7 +23,7 @@ inline uint64_t mixBits(uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// In [0,1), a multiple of 2^-53; a different number for every seed, `purpose` and place.
+/// In [0,1), a multiple of 2^-53; a different number for each seed, `purpose` and position.
 inline double randomAt(unsigned seed, uint32_t purpose, int i, int j = 0) {
     const uint64_t place = (uint64_t(uint32_t(i)) << 32) | uint32_t(j);
     const uint64_t bits = mixBits(mixBits((uint64_t(seed) << 32) | purpose) ^ place);
@@ -47,7 +47,7 @@ inline double sineOfTurns(double turns) {
     return sign * angle * series;
 }
 
-/// size x size texels, row 0 at the bottom; `depth(i, j)` is held to [0,1].
+/// size x size texels, row 0 at the bottom; `depth(i, j)` is clamped to [0,1].
 template <typename Depth>
 std::vector<float> fillTexels(int size, Depth depth) {
     std::vector<float> texels(areaOf(size, size));
@@ -60,7 +60,7 @@ std::vector<float> fillTexels(int size, Depth depth) {
     return texels;
 }
 
-/// Spreads the values over [0,1]; a map of one value stays as it is.
+/// Rescales the values to [0,1]; a constant map stays unchanged.
 inline void stretchToFullRange(std::vector<float>& texels) {
     const auto [low, high] = std::minmax_element(texels.begin(), texels.end());
     const double least = *low, range = static_cast<double>(*high) - least;

@@ -71,7 +71,7 @@ void checkDistinctVertices(const ControlMesh& mesh, const MeshFace& face) {
                          fmt::format("vertex {} occurs twice in the face", *twice + 1), "distinct vertices");
 }
 
-/// The vertices of a face, begun at the lowest.
+/// The vertices of a face, rotated so that the lowest index comes first.
 std::vector<int> rotatedVertices(const ControlMesh& mesh, const MeshFace& face) {
     const auto inOrder = face.of(mesh.faceVertices);
     std::vector<int> vertices(inOrder.begin(), inOrder.end());
@@ -79,11 +79,11 @@ std::vector<int> rotatedVertices(const ControlMesh& mesh, const MeshFace& face) 
     return vertices;
 }
 
-/// Two faces with the same vertices in the same order lie in one place, where nobody can say which of them a
-/// ray meets. Two in opposite orders are the two sides of a sheet.
+/// Two faces with the same vertices in the same order coincide, so it is undefined which one a ray hits. Two
+/// faces in opposite orders are allowed: they are the two sides of a sheet.
 void checkDistinctFaces(const ControlMesh& mesh, const std::vector<MeshFace>& faces, const MeshEdges& edges) {
     for (const auto& edge : edges.edges()) {
-        // Without two faces in one direction there is nothing to compare: nearly always.
+        // Duplicate faces need two half edges in the same direction, which is rare.
         const auto forward = std::ranges::count_if(edge, &HalfEdge::forward);
         if (forward < 2 && std::ssize(edge) - forward < 2) continue;
         std::map<std::vector<int>, int> seen;
@@ -112,7 +112,7 @@ std::string whereOfTag(const ControlMesh& mesh, int line) {
 void checkSharpness(const ControlMesh& mesh, double sharpness, int line) {
     if (!(sharpness >= 0) || !std::isfinite(sharpness))
         throw InputError(whereOfTag(mesh, line), fmt::format("sharpness {}", sharpness),
-                         "a finite number, 0 (smooth) or more; from 10 on it stays sharp for ever");
+                         "a finite number, 0 (smooth) or more; from 10 on it is always sharp");
 }
 
 void checkTagIndex(const ControlMesh& mesh, int line, const char* what, int index, size_t count) {
@@ -157,7 +157,8 @@ void checkCornersAndHoles(const ControlMesh& mesh) {
         checkTagIndex(mesh, hole.line, "face", hole.face, mesh.faceSizes.size());
 }
 
-/// Length of the area vector (sum of p_k x p_k+1 about the first corner, halved): the area of a planar face.
+/// Length of the area vector (half the sum of p_k x p_k+1 about the first corner), which is the area of a
+/// planar face.
 double faceArea(const ControlMesh& mesh, const MeshFace& face) {
     const Vec3& first = mesh.pointAt(face.firstCorner);
     Vec3 areaVector(0);
@@ -202,7 +203,7 @@ void checkControlMesh(const ControlMesh& mesh, Scheme scheme) {
         checkDistinctVertices(mesh, face);
         if (scheme == Scheme::Loop && face.size != 3)
             throw InputError(whereOfFace(mesh, face.index), fmt::format("{} vertices", face.size),
-                             "triangles alone under scheme \"loop\"",
+                             "only triangles under scheme \"loop\"",
                              "\"catmull-clark\" takes faces of any size");
         area += faceArea(mesh, face);
     }

@@ -12,15 +12,15 @@
 namespace plumbline {
 namespace {
 
-/// Coordinates are rounded to this fraction of the mesh's size at best: heights of faces below it are
-/// rounding (a few units in the last place of a double).
+/// Relative rounding error of coordinates, a few units in the last place of a double. A face whose height is
+/// below this fraction of the mesh's size has no area.
 constexpr double kRounding = 0x1p-50;
 
-/// Signed volumes this small beside the cube of the mesh's size belong to flat shells, two sheets back to
-/// back.
+/// Signed volumes below this fraction of the cubed mesh size belong to flat shells, that is, two coincident
+/// sheets.
 constexpr double kFlatVolume = 1e-9;
 
-/// Places where one kind of defect was found: the first is described, the rest counted.
+/// Occurrences of one kind of defect: the first one is described, the others are counted.
 struct Findings {
     std::string first;
     size_t count = 0;
@@ -29,7 +29,7 @@ struct Findings {
     void add(const Describe& describe) {
         if (count++ == 0) first = describe();
     }
-    /// `meaning` follows the first place, then the count of the others.
+    /// Appends `meaning` to the description of the first occurrence, then the count of the others.
     void report(std::vector<std::string>& warnings, const char* meaning) const {
         if (count == 0) return;
         warnings.push_back(first + meaning + (count > 1 ? fmt::format(" (and {} more)", count - 1) : ""));
@@ -70,8 +70,9 @@ class DefectFinder {
                                        whereOfFace(mesh_, edge[2].face), edge.size(), edge[0].low + 1,
                                        edge[0].high + 1);
                 });
-        found.report(warnings_, smooth() ? ": no surface goes on there, the edge is made infinitely sharp"
-                                         : ": no surface goes on there, normals are the mean of all of them");
+        found.report(warnings_, smooth()
+                                    ? ": no surface continues there, the edge is made infinitely sharp"
+                                    : ": no surface continues there, normals are the mean of all of them");
     }
 
     void findOpposedFaces() {
@@ -105,7 +106,8 @@ class DefectFinder {
         Findings flat, collapsed;
         for (const MeshFace& face : faces_) {
             const Vec3& first = mesh_.pointAt(face.firstCorner);
-            double area = 0; // of the fan about the first corner: none of a face that crosses itself is lost
+            // Sum of the fan triangles' unsigned areas: signed areas of a self-intersecting face may cancel.
+            double area = 0;
             double longestEdge = 0, shortestEdge = kInfinity;
             for (size_t k = 0; k < face.size; ++k) {
                 const Vec3 &a = mesh_.pointAt(face.corner(k)), &b = mesh_.pointAt(face.corner(k + 1));
@@ -116,15 +118,14 @@ class DefectFinder {
             if (area <= kRounding * size_ * longestEdge)
                 flat.add([&] { return whereOfFace(mesh_, face.index) + " has no area"; });
             else if (shortestEdge <= kRounding * size_)
-                collapsed.add(
-                    [&] { return whereOfFace(mesh_, face.index) + " has two vertices in one place"; });
+                collapsed.add([&] { return whereOfFace(mesh_, face.index) + " has coincident vertices"; });
         }
-        flat.report(warnings_, smooth() ? ": it still shapes the limit surface" : ": nothing is seen of it");
+        flat.report(warnings_, smooth() ? ": it still shapes the limit surface" : ": it is invisible");
         collapsed.report(warnings_, smooth() ? ": it is subdivided as if they were two"
                                              : ": normals vary abruptly there");
     }
 
-    /// Closed: every edge has two faces that run along it in opposite directions.
+    /// A shell is closed if every edge has two faces with opposite directions.
     void findInsideOutShells() {
         DisjointSets shells(mesh_.faceSizes.size());
         std::set<int> openFaces;
@@ -151,15 +152,16 @@ class DefectFinder {
             if (!open.contains(root) && shell.volume < -kFlatVolume * size_ * size_ * size_)
                 insideOut.add([&, &shell = shell] {
                     return fmt::format(
-                        "{} and the rest of its closed shell of {} look inwards (volume {:.3g})",
+                        "{} and the rest of its closed shell of {} point inwards (volume {:.3g})",
                         whereOfFace(mesh_, shell.firstFace), shell.faces, shell.volume);
                 });
-        insideOut.report(warnings_,
-                         ": right for a cavity, inside out otherwise; a relief goes the other way");
+        insideOut.report(
+            warnings_,
+            ": right for a cavity, inside out otherwise; its relief is displaced the opposite way");
     }
 
-    /// Signed volume between a face and the mesh's first point. The face is a fan about its center, so that
-    /// the two sides of a sheet hold nothing between them.
+    /// Signed volume between a face and the mesh's first point. The face is triangulated as a fan around its
+    /// center, so that the two sides of a sheet enclose zero volume.
     double volumeUnder(const MeshFace& face) const {
         const Vec3 origin = mesh_.points[0];
         Vec3 center(0), areaVector(0);

@@ -1,23 +1,22 @@
-// What is odd about a control mesh and still has a surface: OpenSubdiv makes one of nearly any list of
-// polygons, though perhaps not the one its author had in mind.
+// Reports defects of control meshes that are tolerated: OpenSubdiv defines a limit surface for almost any
+// list of polygons, but perhaps not the intended one.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
 
 namespace plumbline {
 
-/// One line for each kind of defect, with the first place and how many more there are; the mesh's own
-/// warnings first. Faces and vertices count from 1. The mesh must have passed checkControlMesh.
+/// One line for each kind of defect, with the location of the first occurrence and the number of others. The
+/// mesh's own warnings come first. Faces and vertices count from 1. The mesh must have passed
+/// checkControlMesh.
 ///
-/// - Edges with three faces or more: infinitely sharp under Catmull-Clark and Loop.
-/// - Neighbors that run along their edge in the same direction, so that one of them is inside out: the edge
-/// is
-///   infinitely sharp, its vertices are corners.
-/// - Vertices where faces meet that share no edge there: corners.
-/// - Faces without area, or with two vertices in one place.
-/// - Closed shells whose faces look inwards.
-/// - Vertices no face uses: left out.
-/// - Creases and corners under Scheme::None: without effect.
+/// - Edges with three or more faces, which become infinitely sharp under Catmull-Clark and Loop.
+/// - Adjacent faces with opposite orientation. Their edge becomes infinitely sharp and its ends corners.
+/// - Vertices whose faces form several fans without a common edge, which become corners.
+/// - Faces without area or with coincident vertices.
+/// - Closed shells whose faces point inwards.
+/// - Vertices not used by any face, which are left out.
+/// - Creases and corners under Scheme::None, which have no effect.
 std::vector<std::string> meshWarnings(const ControlMesh& mesh, Scheme scheme);
 
 } // namespace plumbline

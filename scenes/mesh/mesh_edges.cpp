@@ -30,7 +30,7 @@ void forEachHalfEdge(const ControlMesh& mesh, const Action& action) {
 } // namespace
 
 MeshEdges::MeshEdges(const ControlMesh& mesh) : halfEdges_(mesh.faceVertices.size()) {
-    // A place for each half edge behind those of lower vertices; only the few of one vertex are left to sort.
+    // A counting sort by the lower vertex; only the few half edges of each vertex remain to be sorted.
     std::vector<size_t> firstOfVertex(mesh.points.size() + 1);
     forEachHalfEdge(mesh, [&](const HalfEdge& half) { ++item(firstOfVertex, half.low + 1); });
     std::partial_sum(firstOfVertex.begin(), firstOfVertex.end(), firstOfVertex.begin());

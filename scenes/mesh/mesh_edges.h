@@ -1,4 +1,5 @@
-// The edges of a control mesh with the faces on them, however many: a mesh need not be a manifold here.
+// The edges of a control mesh with their incident faces. An edge may have any number of faces, so the mesh
+// need not be a manifold.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -7,7 +8,7 @@
 
 namespace plumbline {
 
-/// A face's walk along one of its edges.
+/// One face's use of an edge.
 struct HalfEdge {
     int low, high; // vertices, low < high
     int face;
@@ -20,7 +21,7 @@ class MeshEdges {
     /// The mesh's indices must be in range and a face's vertices distinct.
     explicit MeshEdges(const ControlMesh& mesh);
 
-    /// The half edges of each edge, by face; edges in order of their vertices.
+    /// The half edges of each edge, sorted by face; edges are sorted by their vertices.
     std::span<const std::span<const HalfEdge>> edges() const { return edges_; }
     bool contains(int vertex, int otherVertex) const;
     /// Index into edges() of an edge the mesh contains.
@@ -33,7 +34,7 @@ class MeshEdges {
     std::vector<std::span<const HalfEdge>> edges_;
 };
 
-/// Vertices where faces meet that share no edge there, nor are joined through others that do. Ascending.
+/// Non-manifold vertices whose faces form several fans that share no edge at the vertex. Ascending.
 std::vector<int> pinchedVertices(const ControlMesh& mesh, const MeshEdges& edges);
 
 } // namespace plumbline

@@ -17,14 +17,14 @@
 namespace plumbline {
 namespace {
 
-// Grouping, materials and display attributes: nothing of the surface is in them.
+// Grouping, materials and display attributes, which don't affect the surface.
 constexpr std::array<std::string_view, 19> kIgnored{
     "o",   "g",     "s",        "mg",       "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj",
     "lod", "bevel", "c_interp", "d_interp", "l",      "p",      "vp",     "ctech",  "stech"};
 constexpr std::array<std::string_view, 7> kFreeForm{"cstype", "curv", "curv2", "surf", "deg", "bmat", "fo"};
 
-/// The lines of a text: without their ends (LF, CR LF or CR), comments and the byte-order mark. A backslash
-/// at its end joins a line with the next.
+/// The lines of a text without line endings (LF, CR LF or CR), comments and the byte-order mark. A backslash
+/// at the end of a line joins it with the next one.
 class LineReader {
   public:
     explicit LineReader(std::string_view text) : rest_(text) {
@@ -49,7 +49,7 @@ class LineReader {
     }
 
     std::string_view line() const { return line_; }
-    /// From 1; of the first of lines that are joined.
+    /// From 1; for joined lines, the number of the first one.
     int number() const { return number_; }
 
   private:
@@ -71,14 +71,14 @@ class LineReader {
     int number_ = 1, linesTaken_ = 0;
 };
 
-/// Which of v, v/vt, v//vn, v/vt/vn a corner has, and the indices as they stand.
+/// The format of a corner (v, v/vt, v//vn or v/vt/vn) and its indices as written.
 struct Corner {
     long long vertex = 0, uv = 0, normal = 0;
     bool hasUv = false, hasNormal = false;
 };
 
-/// A kind of element that faces refer to by number: the indices of faces into it, and the largest of them.
-/// Those above the number of elements so far are checked at the end: OBJ may define them later.
+/// A kind of element that faces refer to by index, with the faces' indices and the largest of them. The
+/// largest index is checked at the end of the file, because OBJ may define an element after its use.
 struct Elements {
     const char* what;
     long long count = 0;
@@ -86,17 +86,18 @@ struct Elements {
     int lineOfLargest = 0;
 };
 
-/// uv or normal indices of faces: all have them, or they count for none.
+/// uv or normal indices, which are used only if all faces have them.
 struct OptionalIndices {
     const char* what;
     bool any = false;
-    int lineWithout = 0; // of the first face without; 0 if there is none
+    int lineWithout = 0; // of the first face without indices; 0 if all have them
 
     void note(bool has, int line) {
         any |= has;
         if (!has && lineWithout == 0) lineWithout = line;
     }
-    /// Keeps `indices` if all faces have some; else says in `missing` which hasn't, where others have.
+    /// Moves the indices to `indices` if all faces have them. If only some faces do, reports one without them
+    /// in `missing`.
     void settle(std::vector<int>& indices, std::string& missing) const {
         if (lineWithout == 0) return;
         indices.clear();
@@ -140,7 +141,7 @@ class ObjReader {
         throw InputError(fmt::format("{}:{}", mesh_.name, lines_.number()), what, expected, hint);
     }
 
-    /// Into words_, whose memory serves for every line.
+    /// Splits into words_, whose memory is reused for every line.
     void split(std::string_view line) {
         words_.clear();
         for (size_t i = line.find_first_not_of(" \t"); i < line.size();) {
@@ -153,7 +154,7 @@ class ObjReader {
     void readLine(std::string_view line) {
         for (const char c : line)
             if (static_cast<unsigned char>(c) < 0x20 && c != '\t')
-                fail("a byte that is no text", "a Wavefront OBJ text file");
+                fail("a byte that is not text", "a Wavefront OBJ text file");
         split(line);
         if (words_.empty()) return;
         const std::string_view keyword = words_[0];
@@ -169,7 +170,7 @@ class ObjReader {
         fail(fmt::format("unknown keyword '{}'", shortened(keyword)), "v, vt, vn, f or another OBJ keyword");
     }
 
-    /// Numbers beyond those needed (a weight, a color) are read past, but must be numbers.
+    /// Additional values (a weight, a color) are ignored, but must be numbers.
     template <class Vector>
     void readElement(Elements& elements, Words arguments, std::vector<Vector>& into) {
         constexpr size_t kNumbers = Vector::length();
@@ -184,7 +185,8 @@ class ObjReader {
         ++elements.count;
     }
 
-    /// Numbers too small for a double are 0: parseNumber can't tell those from numbers too large.
+    /// Numbers too small for a double become 0; they need separate treatment because parseNumber rejects them
+    /// like numbers that are too large.
     double readNumber(std::string_view word) const {
         const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
         double value = 0;
@@ -219,7 +221,7 @@ class ObjReader {
         return corner;
     }
 
-    /// From 0: OBJ counts from 1, or back from the latest element.
+    /// The index from 0. OBJ counts from 1, or backwards from the latest element.
     int resolve(Elements& elements, long long index) const {
         if (index == 0)
             fail(fmt::format("{} index 0", elements.what), "1 or more, or a negative one counting back");
@@ -274,7 +276,7 @@ class ObjReader {
 ControlMesh readObj(const std::filesystem::path& file) {
     const std::string text = readWholeFile(file);
     ControlMesh mesh = ObjReader(file.string(), text).read();
-    checkControlMesh(mesh, Scheme::CatmullClark); // what every scheme asks for
+    checkControlMesh(mesh, Scheme::CatmullClark); // what every scheme requires
     return mesh;
 }
 

@@ -1,5 +1,6 @@
-// Wavefront OBJ in one pass over its text: polygons kept, uv and normal indices of their own; subdivision
-// tags through obj_tags.h. No library for it knows the lines that errors name.
+// Reads Wavefront OBJ files in one pass, keeping polygons and separate uv and normal indices; obj_tags.h
+// reads the subdivision tags. OBJ libraries aren't used because they don't report the line numbers needed for
+// error messages.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -8,7 +9,7 @@
 
 namespace plumbline {
 
-/// Throws InputError with file and line: missing, truncated, index out of range, not a number.
+/// Throws InputError with file and line for a file that is missing or malformed.
 ControlMesh readObj(const std::filesystem::path& file);
 
 } // namespace plumbline

@@ -11,7 +11,7 @@
 namespace plumbline {
 namespace {
 
-/// A `t` line, its numbers read.
+/// A parsed `t` line.
 struct Tag {
     std::string name;
     std::vector<int> integers;
@@ -58,7 +58,7 @@ class TagReader {
         return *number;
     }
 
-    /// "2/1/0": how many of each kind follow.
+    /// Parses "2/1/0", the counts of integers, numbers and words.
     std::array<size_t, 3> parseCounts(std::string_view word) const {
         std::array<size_t, 3> counts{};
         const size_t slash = word.find('/'), slash2 = slash == word.npos ? slash : word.find('/', slash + 1);
@@ -74,10 +74,10 @@ class TagReader {
         if (words.size() < 2) fail("a subdivision tag without its counts", "t crease 2/1/0 …");
         const auto [integers, numbers, texts] = parseCounts(words[1]);
         const size_t there = words.size() - 2;
-        // Each by itself first: the sum of absurd counts may wrap around.
+        // Each count is compared separately first, because the sum of very large counts may overflow.
         if (integers > there || numbers > there || texts > there || integers + numbers + texts != there)
             fail(fmt::format("{} values follow {} in a subdivision tag", there, shortened(words[1])),
-                 "as many as its counts say");
+                 "as many as its counts state");
         Tag tag{std::string(words[0]), {}, {}, {}};
         for (size_t i = 2; i < words.size(); ++i) {
             if (i < 2 + integers)
@@ -97,7 +97,7 @@ class TagReader {
                  expected);
     }
 
-    /// One sharpness for all or one each.
+    /// A tag has one sharpness for all of its elements or one for each.
     static double sharpnessAt(const Tag& tag, size_t i) {
         return tag.numbers.size() == 1 ? tag.numbers[0] : tag.numbers[i];
     }
@@ -123,7 +123,7 @@ class TagReader {
     }
 
     void addHole(const Tag& tag) {
-        requireCounts(tag, !tag.integers.empty() && tag.numbers.empty() && tag.texts.empty(), "faces alone");
+        requireCounts(tag, !tag.integers.empty() && tag.numbers.empty() && tag.texts.empty(), "only faces");
         for (const int face : tag.integers)
             result_.tags.holes.push_back({face, line_});
     }
@@ -136,7 +136,7 @@ class TagReader {
         return tag.integers[0];
     }
 
-    /// Numbered as in RenderMan.
+    /// The values are RenderMan's.
     void setBoundary(const Tag& tag) {
         const int kind = oneInteger(tag, 2,
                                     "0 (faces on the boundary are left out), 1 (the boundary keeps its "
@@ -145,8 +145,8 @@ class TagReader {
         result_.tags.boundaryCornersRound = kind == 2;
     }
 
-    /// Chaikin's rule too is known to OpenSubdiv, but its Bfr and its Far disagree about the limit by 0.2 %
-    /// of a cube where sharpness varies along a crease (3.5, measured).
+    /// OpenSubdiv also implements Chaikin's rule, but where sharpness varies along a crease, the limit
+    /// surfaces of its Bfr and Far differ by 0.2 % of a cube's size (measured with 3.5).
     void refuseChaikin(const Tag& tag) {
         requireCounts(tag, tag.integers.empty() && tag.numbers.empty() && tag.texts.size() == 1, "one word");
         if (tag.texts[0] != "normal")
@@ -160,7 +160,7 @@ class TagReader {
 
     void warnOfFaceVarying(const Tag& tag) {
         result_.warnings.push_back(
-            fmt::format("{}:{}: {} is left aside: texture coordinates are linear within each face", fileName_,
+            fmt::format("{}:{}: {} is ignored: texture coordinates are linear within each face", fileName_,
                         line_, tag.name));
     }
 

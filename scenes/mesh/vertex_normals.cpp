@@ -6,7 +6,7 @@ namespace plumbline {
 
 namespace {
 
-/// Angle between the two edges that meet in the corner b of a face.
+/// Angle between the two edges of a face that meet at the corner b.
 double cornerAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
     const Vec3 e = a - b, f = c - b;
     return std::atan2(glm::length(glm::cross(e, f)), glm::dot(e, f));
@@ -21,13 +21,13 @@ Vec3 polygonNormal(const ControlMesh& mesh, const MeshFace& face) {
     return sum;
 }
 
-/// Sums of unit vectors shorter than this have canceled: what is left of them is rounding, some 1e-15.
+/// A sum of unit vectors shorter than this has canceled; only rounding errors of about 1e-15 remain.
 constexpr double kCanceled = 1e-9;
 
-/// Corners whose vertex got no normal take their face's.
+/// Gives face normals to the corners of vertices without a normal.
 void fallBackOnFaceNormals(ControlMesh& mesh) {
     for (const MeshFace& face : mesh.faces()) {
-        int ofFace = -1; // index into normals, made when first needed
+        int ofFace = -1; // index into normals, created on first use
         for (size_t k = 0; k < face.size; ++k) {
             int& index = mesh.faceNormals[face.corner(k)];
             if (item(mesh.normals, index) != Vec3(0)) continue;

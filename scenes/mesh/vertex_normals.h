@@ -1,14 +1,14 @@
-// Normals for meshes that have none.
+// Computes normals for meshes without normals.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
 
 namespace plumbline {
 
-/// Gives every corner the normal of its vertex: face normals weighted by the angle of the face there (Thürmer
-/// and Wüthrich 1998), so that the result doesn't depend on how a polygon is cut into triangles.
-/// Where they cancel (two sheets back to back, faces with vertices in one place) a corner has its own face's
-/// normal; zero in a face without area.
+/// Gives every corner its vertex's normal, the mean of the face normals weighted by the face angles (Thürmer
+/// and Wüthrich 1998), so that the result doesn't depend on the triangulation of polygons. Where the sum
+/// cancels (coincident sheets, degenerate faces), a corner has the normal of its face, or zero if the face
+/// has no area.
 void addAngleWeightedNormals(ControlMesh& mesh);
 
 } // namespace plumbline

@@ -9,7 +9,7 @@
 namespace plumbline {
 namespace {
 
-/// Right-handed view axes in world space, all unit.
+/// Orthonormal right-handed view axes in world space.
 struct ViewAxes {
     Vec3 right, up, forward;
 };
@@ -19,7 +19,7 @@ ViewAxes viewAxes(const Camera& camera) {
     return {Vec3(glm::row(view, 0)), Vec3(glm::row(view, 1)), -Vec3(glm::row(view, 2))};
 }
 
-/// Side of a pixel: world units, for a perspective camera at planar depth 1. Pixels are square.
+/// Pixel size in world units, for a perspective camera at planar depth 1. Pixels are square.
 double pixelSide(const Camera& camera) {
     const double pictureHeight = camera.projection == Camera::Projection::Perspective
                                      ? 2.0 * std::tan(0.5 * radians(camera.fovYDegrees))
@@ -39,8 +39,8 @@ Mat4 clipFromView(const Camera& camera, double near, double far) {
     const double halfWidth = 0.5 * pixelSide(camera) * camera.width;
     if (camera.projection == Camera::Projection::Orthographic)
         return glm::orthoRH_NO(-halfWidth, halfWidth, -halfHeight, halfHeight, near, far);
-    // Not glm::perspectiveRH_NO, which takes the width from a ratio of sides: its last bits differ from those
-    // of the camera's rays.
+    // glm::perspectiveRH_NO isn't used: it computes the width from the aspect ratio, so its last bits would
+    // differ from those of the camera's rays.
     Mat4 matrix(0.0);
     matrix[0][0] = 1.0 / halfWidth;
     matrix[1][1] = 1.0 / halfHeight;

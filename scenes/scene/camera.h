@@ -1,4 +1,4 @@
-// The camera both renderers share: a pixel is the ray through its center.
+// The camera of both renderers: a pixel is sampled by the ray through its center.
 //
 // View space: right-handed, the camera looks down -Z, +Y up. Pixel (0,0) is the top-left one, as in the EXR
 // file; pixel centers lie at +0.5. Planar depth Z = -z_view, positive in front of the camera, world units.
@@ -31,15 +31,15 @@ Mat4 viewFromWorld(const Camera& camera);
 Mat4 clipFromView(const Camera& camera, double near, double far);
 
 /// Pixels and planar depth of a world point: x right, y down, (0.5, 0.5) the center of the top-left pixel;
-/// z is the planar depth (may be <= 0 behind a perspective camera, then x and y mean nothing).
+/// z is the planar depth (<= 0 for points behind a perspective camera, where x and y are meaningless).
 Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld);
 
-/// Makes rays for many pixels; computes the basis once.
+/// Generates rays for many pixels; the basis is computed once.
 class CameraRays {
   public:
     explicit CameraRays(const Camera& camera);
     /// Ray through (x, y) in pixels; pass i + 0.5 for a center. Perspective rays start at the camera,
-    /// orthographic ones in the camera's plane.
+    /// orthographic rays on the camera plane.
     Ray ray(double x, double y) const;
     /// Planar depth of a world point.
     double planarDepth(const Vec3& positionWorld) const {

@@ -1,4 +1,4 @@
-// A light without size or fall-off: it only says where shadows are.
+// A directional or point light without size or distance falloff.
 #pragma once
 
 #include "scenes/core/math.h"

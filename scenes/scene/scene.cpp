@@ -1,12 +1,12 @@
 #include "scenes/scene/scene.h"
 
-#define GLM_ENABLE_EXPERIMENTAL // as GLM asks for all of gtx
+#define GLM_ENABLE_EXPERIMENTAL // GLM requires it for gtx
 #include <glm/gtx/euler_angles.hpp>
 
 namespace plumbline {
 namespace {
 
-/// About x, then y, then z: the last one applied stands on the left.
+/// Rotates about x, then y, then z; the last rotation is the leftmost factor.
 Mat3 rotation(const Vec3& rotateDegrees) {
     const Vec3 angles = radians(rotateDegrees);
     return Mat3(glm::eulerAngleZ(angles.z)) * Mat3(glm::eulerAngleY(angles.y)) *

@@ -1,5 +1,5 @@
-// A scene in memory: plain structs with sensible defaults. scene_file.h reads one from TOML.
-// World space: right-handed, Y up, world units.
+// A scene as plain structs with defaults. scene_file.h reads it from TOML. World space: right-handed, Y up,
+// world units.
 #pragma once
 
 #include "scenes/maps/color_map.h"
@@ -16,8 +16,8 @@
 
 namespace plumbline {
 
-/// What the relief stands on: the limit surface of the control mesh, or the polygon proxy that real-time
-/// techniques are given (proxy_mesh.h).
+/// The base surface of the relief: the limit surface of the control mesh, or the polygon proxy that real-time
+/// techniques draw (proxy_mesh.h).
 enum class Base { Limit, Proxy };
 
 struct SceneObject {
@@ -28,11 +28,11 @@ struct SceneObject {
     Vec3 translate{0, 0, 0};                  // world units
     Vec3 rotateDegrees{0, 0, 0};              // about x, then y, then z
     double scale = 1;                         // > 0
-    std::optional<Relief> relief;             // none: drawn as it is
+    std::optional<Relief> relief;             // none: not displaced
     Vec3 color{0.8, 0.8, 0.8};                // linear
     std::shared_ptr<const ColorMap> colorMap; // null: `color`
 
-    /// The object's own +z in world space, unit: turned, not scaled.
+    /// The object's +z axis in world space, unit: rotated, not scaled.
     Vec3 axisWorld() const;
     /// The mesh with points and normals in world space.
     ControlMesh meshWorld() const;
@@ -40,7 +40,7 @@ struct SceneObject {
     Vec3 colorAt(const Vec2& st) const { return colorMap ? colorMap->sample(st) : color; }
 };
 
-/// What techniques must reach on a scene: validate/results/requirement.h reads the text.
+/// A bound that techniques must satisfy on a scene; validate/results/requirement.h parses the text.
 struct SceneRequirement {
     std::string text;  // "silhouette.iou >= 0.99"
     std::string where; // "file:line: field", for messages
@@ -54,17 +54,19 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<SceneObject> objects;
     std::vector<SceneRequirement> requirements;
-    std::vector<std::string>
-        warnings; // a line each: what a user should know of meshes and maps before trusting figures
-    std::vector<std::filesystem::path> files; // read: the scene file, meshes and maps
-    std::string hash; // of what the scene file says (changes made, [require] left out) and every file it
-                      // names; hexadecimal
-    std::vector<std::string>
-        changes; // fields that were given other values than the file's: "camera.width=400"
+    /// Problems with meshes and maps that may affect results, one line each.
+    std::vector<std::string> warnings;
+    /// Files that were read: the scene file, meshes and maps.
+    std::vector<std::filesystem::path> files;
+    /// Hexadecimal hash of the scene file's values (with overrides, without [require]) and of all files it
+    /// names.
+    std::string hash;
+    /// Overridden fields: "camera.width=400".
+    std::vector<std::string> changes;
 };
 
-/// The one shading formula: color * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
-/// GLSL twin: shadeLinear in realtime/shaders/shading.glsl.
+/// The shading formula: color * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
+/// GLSL version: writePoint in realtime/shaders/shading.glsl.
 inline constexpr double kAmbient = 0.05;
 
 } // namespace plumbline

@@ -12,11 +12,11 @@ namespace plumbline {
 namespace {
 
 constexpr int kLargestSide = 32768; // pixels
-constexpr int64_t kMostPixels = int64_t(1) << 28;
+constexpr int64_t kMaxPixels = int64_t(1) << 28;
 
-/// `orbit = { distance, polar_degrees, azimuth_degrees }`: around the target, seen from `polar_degrees` off
-/// world +Y, toward +Z at azimuth 0 and +X at 90. The picture's up is where the polar angle falls, so that
-/// straight from above is a view like any other.
+/// `orbit = { distance, polar_degrees, azimuth_degrees }`: spherical coordinates around the target, with the
+/// polar angle measured from world +Y and the azimuth from +Z toward +X. The image's up is the direction of
+/// decreasing polar angle, so that a view from straight above is no special case.
 void readOrbit(const TomlTable& table, Camera& camera) {
     const TomlTable orbit = table.table("orbit");
     const double distance = orbit.number("distance", kSmallestLength, kLargestLength);
@@ -28,14 +28,14 @@ void readOrbit(const TomlTable& table, Camera& camera) {
         camera.targetWorld + distance * (std::cos(polar) * Vec3(0, 1, 0) + std::sin(polar) * level);
     camera.upWorld = std::sin(polar) * Vec3(0, 1, 0) - std::cos(polar) * level;
     if (const auto fault = findPlaceFault("position", camera.positionWorld))
-        table.fail("orbit", "puts the camera outside: its position " + fault->found, fault->expected);
+        table.fail("orbit", "gives an invalid camera position: it " + fault->found, fault->expected);
 }
 
 void readPlace(const TomlTable& table, Camera& camera) {
     camera.targetWorld = table.vector3("target", -kLargestLength, kLargestLength, Vec3(0));
     if (table.has("orbit")) {
         for (const char* key : {"position", "up"})
-            if (table.has(key)) table.fail(key, "stands beside orbit", "one of the two");
+            if (table.has(key)) table.fail(key, "is given together with orbit", "one of the two");
         readOrbit(table, camera);
         return;
     }
@@ -59,7 +59,7 @@ void readProjection(const TomlTable& table, Camera& camera) {
 void readSize(const TomlTable& table, Camera& camera) {
     camera.width = table.integer("width", 1, kLargestSide, camera.width);
     camera.height = table.integer("height", 1, kLargestSide, camera.height);
-    if (int64_t(camera.width) * camera.height > kMostPixels)
+    if (int64_t(camera.width) * camera.height > kMaxPixels)
         table.fail("width", fmt::format("{} x {} pixels are too many", camera.width, camera.height),
                    "at most 2^28");
 }

@@ -10,9 +10,9 @@
 namespace plumbline {
 namespace {
 
-constexpr double kLargestSharpness = 1e6; // any bound will do: all from kInfinitelySharp on is one
+constexpr double kLargestSharpness = 1e6; // arbitrary: from kInfinitelySharp on all are equal
 
-/// Tags by what they are of, so that a later one replaces an earlier one.
+/// Indexes tags by their edge or vertex, so that a later tag replaces an earlier one.
 struct TagIndex {
     std::map<std::pair<int, int>, SubdivisionTags::Crease> creases;
     std::map<int, SubdivisionTags::Corner> corners;
@@ -64,7 +64,7 @@ void readCreases(const TomlTable& object, Scheme scheme, ControlMesh& mesh) {
     for (const TomlTable& table : object.tables("creases")) {
         const double sharpness = table.number("sharpness", 0, kLargestSharpness);
         if (table.has("edges") == table.has("vertex"))
-            table.fail({}, table.has("edges") ? "has both edges and vertex" : "has nothing to sharpen",
+            table.fail({}, table.has("edges") ? "has both edges and vertex" : "has neither edges nor vertex",
                        "edges = [vertex, vertex, …] or vertex = a number");
         if (table.has("edges"))
             readPath(table, sharpness, edges, vertexCount, tags);

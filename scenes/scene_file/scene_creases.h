@@ -6,9 +6,9 @@
 
 namespace plumbline {
 
-/// Adds to the tags the mesh has from its file; where both speak of an edge or a vertex, the scene file
-/// counts. Vertices count from 1. Keys: scenes/README.md. Throws InputError with the line of the scene file,
-/// for scheme None too, where creases have no meaning.
+/// Adds to the tags from the mesh's file; for an edge or vertex tagged in both, the scene file takes
+/// precedence. Vertices count from 1. Keys: scenes/README.md. Throws InputError with the line of the scene
+/// file, also under scheme None, where creases have no meaning.
 void readCreases(const TomlTable& object, Scheme scheme, ControlMesh& mesh);
 
 } // namespace plumbline

@@ -26,8 +26,8 @@
 namespace plumbline {
 namespace {
 
-constexpr size_t kMostLights = 16;
-constexpr size_t kMostObjects = 4096;
+constexpr size_t kMaxLights = 16;
+constexpr size_t kMaxObjects = 4096;
 constexpr double kLargestTile = 1e6;
 constexpr double kSmallestTile = 1e-6;
 constexpr std::string_view kRequire = "require";
@@ -51,7 +51,7 @@ class SceneReader {
         scene_.name = file_.stem().string();
         scene_.files = {file_};
         scene_.purpose = readPurpose();
-        root_.addTo(hash_, kRequire); // what must be reached is no part of what is drawn
+        root_.addTo(hash_, kRequire); // requirements don't affect the rendering
         scene_.background = root_.vector3("background", 0, 1, Vec3(0));
         scene_.camera = readCamera(root_.table("camera"));
         readLights();
@@ -64,12 +64,12 @@ class SceneReader {
         return std::move(scene_);
     }
 
-    /// Of a scene that was read.
+    /// Must be called after read().
     std::shared_ptr<const HeightMap> mapNamed(const std::string& name) const {
         const auto found = maps_.find(name);
         if (found != maps_.end()) return found->second;
         const std::vector<std::string> names(mapNames_.begin(), mapNames_.end());
-        throw InputError(file_.string(), fmt::format("no height map of it is called \"{}\"", name),
+        throw InputError(file_.string(), fmt::format("no height map of the scene is called \"{}\"", name),
                          names.empty() ? "a scene with a [[height_map]]" : listOf(names),
                          didYouMean(name, names));
     }
@@ -78,21 +78,23 @@ class SceneReader {
     std::string readPurpose() const {
         std::string purpose = root_.text("purpose");
         if (purpose.find_first_not_of(" \t\n") == std::string::npos)
-            root_.fail("purpose", "is empty", "a sentence that says what the scene is for");
+            root_.fail("purpose", "is empty", "a sentence that states the purpose of the scene");
         return purpose;
     }
 
     void readLights() {
         std::set<std::string> names;
         const std::vector<TomlTable> tables = root_.tables("light");
-        if (tables.size() > kMostLights)
-            tables[kMostLights].fail({}, fmt::format("is one of {} lights", tables.size()),
-                                     fmt::format("at most {}", kMostLights));
+        if (tables.size() > kMaxLights)
+            tables[kMaxLights].fail({}, fmt::format("is one of {} lights", tables.size()),
+                                    fmt::format("at most {}", kMaxLights));
         for (const TomlTable& table : tables) {
             Light light;
             light.name = table.name(names);
             if (table.has("to_light") == table.has("position"))
-                table.fail({}, table.has("position") ? "has both to_light and position" : "has no place",
+                table.fail({},
+                           table.has("position") ? "has both to_light and position"
+                                                 : "has neither to_light nor position",
                            "to_light (a distant light) or position (a near one)");
             if (table.has("position")) {
                 light.kind = Light::Kind::Point;
@@ -107,7 +109,7 @@ class SceneReader {
         }
     }
 
-    /// A path in the scene file is relative to it.
+    /// Paths in the scene file are relative to its folder.
     std::filesystem::path readPath(const TomlTable& table, const char* key) {
         const std::string text = table.text(key);
         if (text.empty()) table.fail(key, "is empty", "a file");
@@ -134,7 +136,7 @@ class SceneReader {
         const Wrap wrapS = wrap[0] == "repeat" ? Wrap::Repeat : Wrap::Clamp;
         const Wrap wrapT = wrap[1] == "repeat" ? Wrap::Repeat : Wrap::Clamp;
         if (table.has("file") == table.has("generate"))
-            table.fail({}, table.has("file") ? "has both file and generate" : "has no source",
+            table.fail({}, table.has("file") ? "has both file and generate" : "has neither file nor generate",
                        "file or generate");
         maps_[name] = std::make_shared<const HeightMap>(
             table.has("file") ? readPictureMap(table, wrapS, wrapT) : readGeneratedMap(table, wrapS, wrapT));
@@ -151,7 +153,7 @@ class SceneReader {
             table.fail("stores", "is \"height\"", "\"depth\" or nothing: generated maps are depths");
         const TomlTable generate = table.table("generate");
         const std::string kind = generate.choice("kind", generatedMapKinds());
-        const int size = generate.integer("size", 1, kMostGeneratedTexels, 256);
+        const int size = generate.integer("size", 1, kMaxGeneratedTexels, 256);
         const int seed = generate.integer("seed", 0, std::numeric_limits<int>::max(), 1);
         generate.finish();
         try {
@@ -164,9 +166,9 @@ class SceneReader {
     void readObjects() {
         const std::vector<TomlTable> tables = root_.tables("object");
         if (tables.empty()) root_.fail("object", "is missing", "at least one [[object]]");
-        if (tables.size() > kMostObjects)
-            tables[kMostObjects].fail({}, fmt::format("is one of {} objects", tables.size()),
-                                      fmt::format("at most {}", kMostObjects));
+        if (tables.size() > kMaxObjects)
+            tables[kMaxObjects].fail({}, fmt::format("is one of {} objects", tables.size()),
+                                     fmt::format("at most {}", kMaxObjects));
         std::set<std::string> names;
         for (const TomlTable& table : tables) {
             SceneObject object;
@@ -188,9 +190,10 @@ class SceneReader {
         object.scheme = scheme == "loop"   ? Scheme::Loop
                         : scheme == "none" ? Scheme::None
                                            : Scheme::CatmullClark;
-        object.proxyRate = table.integer("proxy_rate", 1, kMostProxyRate, 1);
+        object.proxyRate = table.integer("proxy_rate", 1, kMaxProxyRate, 1);
         if (table.has("mesh") == table.has("shape"))
-            table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has no surface", "mesh or shape");
+            table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has neither mesh nor shape",
+                       "mesh or shape");
         object.mesh = table.has("mesh") ? readObj(readPath(table, "mesh")) : readShape(table.table("shape"));
         if (object.scheme == Scheme::None && !object.mesh.normalsMissing.empty())
             table.fail("mesh", "normals of " + object.mesh.name + ": " + object.mesh.normalsMissing,
@@ -202,7 +205,7 @@ class SceneReader {
         try {
             checkControlMesh(object.meshWorld(), object.scheme);
             if (object.scheme != Scheme::None) checkLimitTopology(object.mesh);
-        } catch (const InputError& error) { // names the face; the scene's line says which object
+        } catch (const InputError& error) { // names the face; the scene file's line identifies the object
             table.fail(table.has("mesh") ? "mesh" : "shape", error.what());
         }
     }
@@ -214,7 +217,7 @@ class SceneReader {
         object.scale = table.number("scale", kSmallestLength, kLargestLength, 1.0);
     }
 
-    /// `key` names what needs the uvs.
+    /// `key` names the field that needs uvs.
     static void requireUvs(const TomlTable& table, const char* key, const ControlMesh& mesh) {
         if (mesh.hasUvs()) return;
         table.fail(
@@ -228,7 +231,7 @@ class SceneReader {
         requireUvs(objectTable, "relief", object.mesh);
         Relief relief;
         if (table.has("map") == table.has("constant"))
-            table.fail({}, table.has("map") ? "has both map and constant" : "has no depths",
+            table.fail({}, table.has("map") ? "has both map and constant" : "has neither map nor constant",
                        "map (a height map's name) or constant (a depth in [0,1])");
         relief.map = table.has("map") ? findMap(table)
                                       : std::make_shared<const HeightMap>(HeightMap::constant(
@@ -260,7 +263,7 @@ class SceneReader {
             object.color = table.vector3("color", 0, 1, object.color);
             return;
         }
-        if (table.has("color")) table.fail("color_map", "stands beside color", "one of the two");
+        if (table.has("color")) table.fail("color_map", "is given together with color", "one of the two");
         requireUvs(table, "color_map", object.mesh);
         const std::filesystem::path path = readPath(table, "color_map");
         std::shared_ptr<const ColorMap>& map = colorMaps_[path.string()];
@@ -304,7 +307,7 @@ Scene parseScene(const std::filesystem::path& file, const std::string& text) {
 
 std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name) {
     SceneReader reader(file);
-    reader.read(); // all of it: a scene with a mistake anywhere is refused
+    reader.read(); // all of it: a scene with any error is rejected
     return reader.mapNamed(name);
 }
 

@@ -1,4 +1,4 @@
-// TOML to Scene. Every key is documented in scenes/README.md; unknown keys are errors.
+// Reads scene files. Every key is documented in scenes/README.md; unknown keys are errors.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -7,19 +7,19 @@
 
 namespace plumbline {
 
-/// Fields to be read as if the file had other values there, in order: "object.torus.relief.depth=0.1"
-/// (TomlTable::change). Files named in one are relative to the scene file, as ever.
+/// Overrides of fields, applied in order, for example "object.torus.relief.depth=0.1" (TomlTable::change).
+/// File names are relative to the scene file's folder, as in the file itself.
 using SceneChanges = std::vector<std::string>;
 
 /// Reads a scene, its meshes and its maps. Throws InputError: "file:line: field: what; expected …", or
 /// "--scene-set path=value: what; …" about a change.
 Scene readScene(const std::filesystem::path& file, const SceneChanges& changes = {});
 
-/// The same of a file that would hold `text`; it needn't exist yet.
+/// The same for a file with the contents `text`; the file need not exist.
 Scene parseScene(const std::filesystem::path& file, const std::string& text);
 
-/// One height map of a scene, by the name it has there. Throws InputError: what readScene refuses, or a name
-/// that lists those there are.
+/// The height map called `name` in a scene. Throws InputError if readScene does, or if there is no such map;
+/// the message lists the names.
 std::shared_ptr<const HeightMap> readSceneMap(const std::filesystem::path& file, const std::string& name);
 
 } // namespace plumbline

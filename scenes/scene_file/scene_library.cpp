@@ -12,7 +12,8 @@
 namespace plumbline {
 namespace {
 
-/// The fields before the first table, among them the purpose: TOML lets none of the root's follow a table.
+/// The fields before the first table, which include the purpose: in TOML, no field of the root can follow a
+/// table.
 std::string rootFields(const std::string& text) {
     for (size_t begin = 0; begin < text.size();) {
         const size_t end = std::min(text.find('\n', begin), text.size());

@@ -7,7 +7,8 @@
 
 namespace plumbline {
 
-/// A path as it is, or the name of a scene in scenes/library/. Throws InputError that lists the names.
+/// The file of a scene given as a path or by its name in scenes/library/. Throws InputError that lists the
+/// names.
 std::filesystem::path findScene(const std::string& nameOrPath);
 
 /// Names and purposes of the scenes in scenes/library/, sorted.

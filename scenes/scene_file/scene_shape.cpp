@@ -11,9 +11,9 @@ namespace {
 
 constexpr double kLargestSize = 1e9; // world units
 constexpr double kSmallestSize = 1e-9;
-constexpr int kMostSegments = 65536; // shapes.h has limits of its own, finer by kind
+constexpr int kMaxSegments = 65536; // shapes.h has tighter limits for each kind
 
-/// Makes the mesh once all the fields are read and checked.
+/// Creates the mesh after all fields have been read and checked.
 using Maker = std::function<ControlMesh()>;
 
 double size(const TomlTable& shape, const char* key, double fallback) {
@@ -21,11 +21,11 @@ double size(const TomlTable& shape, const char* key, double fallback) {
 }
 
 Vec2i segments2(const TomlTable& shape, Vec2i fallback) {
-    return shape.integers2("segments", 1, kMostSegments, fallback);
+    return shape.integers2("segments", 1, kMaxSegments, fallback);
 }
 
 int segments1(const TomlTable& shape, int fallback) {
-    return shape.integer("segments", 1, kMostSegments, fallback);
+    return shape.integer("segments", 1, kMaxSegments, fallback);
 }
 
 Maker plane(const TomlTable& shape) {
@@ -96,7 +96,7 @@ ControlMesh readShape(const TomlTable& shape) {
     shape.finish();
     try {
         return make();
-    } catch (const InputError& error) { // shapes.h knows which sizes go together, but no line
+    } catch (const InputError& error) { // add the line, which shapes.h doesn't know
         shape.fail({}, error.what());
     }
 }

@@ -1,4 +1,4 @@
-// The `shape = { kind = … }` of a scene file: fields to a control mesh.
+// Creates the control mesh of the `shape = { kind = … }` of a scene file.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"

@@ -25,19 +25,21 @@ using SurfaceCache = Bfr::SurfaceFactoryCacheThreaded<std::shared_mutex, std::sh
                                                       std::unique_lock<std::shared_mutex>>;
 using SurfaceFactory = Bfr::RefinerSurfaceFactory<SurfaceCache>;
 
-// Bfr's default of 2 is off the limit surface by up to 1 % of an object's size; at 10 samples at dyadic (u,v)
-// down to 2^-10 are on it to rounding, and beyond 10 OpenSubdiv 3.5 returns garbage.
+// Bfr's default level of 2 deviates from the limit surface by up to 1 % of an object's size. At level 10,
+// samples at dyadic (u,v) down to 2^-10 are exact to rounding. Beyond 10, OpenSubdiv 3.5 returns wrong
+// results.
 constexpr int kApproximationLevel = 10;
 
-// |S_u x S_v| below this fraction of |S_u||S_v| counts as no normal: 2^-40, far above rounding (2^-52) and
-// far below the angle of any patch with area.
+// The normal is undefined if |S_u x S_v| is below this fraction of |S_u||S_v|. 2^-40 is far above rounding
+// (2^-52) and far below the sine for any patch with area.
 constexpr double kDegenerateSine = 0x1p-40;
 
-// Where a patch has no normal at a point, that of a point this far inside, in parameter space, is taken.
+// Where a patch's normal is undefined, the normal at a point this far inside in parameter space is used.
 constexpr double kNudge = 0x1p-10;
 
-/// A point of a triangle's sub-face k, as Bfr cuts one under the bilinear scheme, on the triangle as one
-/// patch. Its barycentric coordinates are themselves interpolated linearly from those of the corners.
+/// Converts coordinates on sub-face k, into which Bfr splits a triangle under the bilinear scheme, to
+/// coordinates on the triangle as a single patch. The barycentric coordinates are interpolated bilinearly
+/// from the sub-face's corners.
 BaseSurface::FaceTessellation::Sample onTriangle(int patch, int k, double u, double v) {
     const Vec3 corners =
         makeLinearPatch<Vec3>(3, k, false, [](int i) { return Vec3(i == 0, i == 1, i == 2); }).at(u, v);
@@ -52,7 +54,7 @@ struct BaseSurface::Impl {
     std::unique_ptr<Far::TopologyRefiner> refiner;
     std::unique_ptr<SurfaceFactory> factory; // null for Scheme::None
     std::vector<MeshFace> faces;
-    std::vector<int> firstPatch; // per face, and the end, into patches
+    std::vector<int> firstPatch; // per face, plus the end; indices into patches
     std::vector<Patch> patches;
 
     Impl(ControlMesh meshWorld, Scheme schemeOfMesh) : mesh(std::move(meshWorld)), scheme(schemeOfMesh) {
@@ -88,11 +90,12 @@ struct BaseSurface::Impl {
                              "at least one face away from the boundary and no hole");
     }
 
-    /// False for a face that only supports its neighbors. Throws InputError for one that should be more.
+    /// False for a face that only supports its neighbors. Throws InputError for any other face without a
+    /// limit surface.
     bool hasLimitSurface(int face) const {
         if (!factory || factory->FaceHasLimitSurface(face)) return true;
         if (mesh.boundaryFacesSupportOnly) return false;
-        throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't make a limit surface of it");
+        throw InputError(whereOfFace(mesh, face), "OpenSubdiv can't evaluate its limit surface");
     }
 
     void addPatches(const MeshFace& face) {
@@ -183,7 +186,7 @@ struct BaseSurface::Evaluator::State {
 
     explicit State(const BaseSurface::Impl& s) : surface(s) {}
 
-    /// What the corners of the patch's face have, over the patch.
+    /// Interpolates an attribute of the face's corners over the patch.
     template <class T>
     LinearPatch<T> linearPatch(const std::vector<T>& values, const std::vector<int>& ofCorners) const {
         const std::span<const int> indices = item(surface.faces, patch.face).of(ofCorners);
@@ -206,14 +209,14 @@ struct BaseSurface::Evaluator::State {
     void prepareSmooth() {
         if (!surface.factory->InitVertexSurface(patch.face, &smooth))
             throw InputError(whereOfFace(surface.mesh, patch.face),
-                             "OpenSubdiv can't make a limit surface of it");
+                             "OpenSubdiv can't evaluate its limit surface");
         smoothPoints.resize(3 * lengthOf(smooth.GetNumPatchPoints()));
         const Bfr::Surface<double>::PointDescriptor xyz(3);
         smooth.PreparePatchPoints(&surface.mesh.points[0].x, xyz, smoothPoints.data(), xyz);
         faceReady = patch.face;
     }
 
-    /// Patch coordinates to Bfr's: sub-face k has its own unit tile, half used.
+    /// Converts patch coordinates to Bfr's, where sub-face k covers half of its own unit tile.
     std::array<double, 2> bfrCoord(double u, double v) const {
         std::array<double, 2> coord{u, v};
         if (patch.subFace) {
@@ -225,7 +228,7 @@ struct BaseSurface::Evaluator::State {
     }
     double coordScale() const { return patch.subFace ? 0.5 : 1.0; } // d(Bfr coordinate) / d(patch coordinate)
 
-    /// Position and first derivatives; the normal is left out.
+    /// Position and first derivatives, without the normal.
     void firstOrder(double u, double v, Vec3& p, Vec3& pu, Vec3& pv) const {
         if (surface.scheme == Scheme::None) {
             p = position.at(u, v);
@@ -287,7 +290,7 @@ struct BaseSurface::Evaluator::State {
             rawV = glm::cross(puv, s.positionV) + glm::cross(s.positionU, pvv);
             s.normal = smoothNormal(u, v, s.positionU, s.positionV);
         }
-        // n = raw / |raw|, so n' is the part of raw' across n, over |raw|.
+        // n = raw / |raw|, so n' is the component of raw' orthogonal to n, divided by |raw|.
         const double length = glm::length(raw);
         const double inverse = length > 0 ? 1 / length : 0;
         s.normalU = (rawU - s.normal * glm::dot(s.normal, rawU)) * inverse;

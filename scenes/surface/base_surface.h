@@ -1,14 +1,13 @@
-// The base surface S(u,v) with its unit normal n and texture coordinates, of the control mesh under its
-// scheme: OpenSubdiv's Bfr in double precision, refined so far (level 10) that samples at dyadic (u,v) are on
-// the limit surface.
+// The base surface S(u,v) of a control mesh under its scheme, with its unit normal n and texture coordinates.
+// It is evaluated with OpenSubdiv's Bfr in double precision at approximation level 10, at which samples at
+// dyadic (u,v) are on the limit surface.
 //
 // The surface is a list of patches. A quad face is one patch over the unit square; a triangle under Loop or
 // Scheme::None is one patch over u, v >= 0, u + v <= 1; any other face of n corners is n patches over unit
-// squares, patch k going from corner k (0,0) to the middle of edge k (1,0), the face's center (1,1) and the
-// middle of edge k-1 (0,1).
+// squares, where patch k has its corners at the face's corner k (0,0), the middle of edge k (1,0), the face's
+// center (1,1) and the middle of edge k-1 (0,1).
 //
-// Space: that of the mesh given, which is world space everywhere in this project. Safe to use from many
-// threads.
+// Space: that of the given mesh, which is world space everywhere in this project. Safe for concurrent use.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -19,16 +18,16 @@
 
 namespace plumbline {
 
-/// The base at one (u,v).
+/// A sample of the base surface at one (u,v).
 struct BasePoint {
     Vec3 position;
-    Vec3 normal; // unit, outward for counter-clockwise faces; zero where the surface has none
+    Vec3 normal; // unit, outward for counterclockwise faces; zero where undefined
     Vec2 uv;     // of the mesh, not tiled; zero if it has none
 };
 
-/// The base at one (u,v) with everything the displaced surface's own normal needs.
+/// A sample with the derivatives needed for the displaced surface's normal.
 struct BaseSample : BasePoint {
-    Vec3 positionU, positionV; // derivatives by the patch's u and v
+    Vec3 positionU, positionV; // derivatives with respect to the patch's u and v
     Vec3 normalU, normalV;     // from the second derivatives of the position
     Vec2 uvU, uvV;
 };
@@ -37,12 +36,12 @@ class BaseSurface {
   public:
     struct Patch {
         int face;        // of the control mesh
-        int corner;      // k above; 0 for a face that is one patch
+        int corner;      // k above; 0 for a face with a single patch
         bool triangular; // domain u + v <= 1
         bool subFace;    // one of n patches of its face
     };
 
-    /// Throws InputError (see checkControlMesh), and for topology OpenSubdiv refuses.
+    /// Throws InputError (see checkControlMesh), also for topology that OpenSubdiv rejects.
     BaseSurface(ControlMesh meshWorld, Scheme scheme);
     ~BaseSurface();
     BaseSurface(const BaseSurface&) = delete;
@@ -52,24 +51,24 @@ class BaseSurface {
     const std::vector<Patch>& patches() const;
     const Patch& patch(int index) const { return item(patches(), index); }
 
-    /// Connectivity of the control mesh. An edge is shared by the faces that name it.
+    /// Connectivity of the control mesh. Edge indices are shared by the edge's faces.
     int vertexCount() const;
     int edgeCount() const;
     std::span<const int> faceVertices(int face) const;
     /// Edge k of a face joins its corners k and k+1.
     std::span<const int> faceEdges(int face) const;
-    /// Vertex an edge starts from; a face whose corner k is not this vertex runs along the edge backwards.
+    /// The first vertex of an edge. A face whose corner k is the other vertex traverses the edge backwards.
     int edgeStart(int edge) const;
 
     /// False for a face that only supports its neighbors: a hole, or one of
     /// ControlMesh::boundaryFacesSupportOnly.
     bool hasLimit(int face) const;
-    /// Index of a face's first patch; its others follow. Only for a face that has a limit.
+    /// Index of a face's first patch; its other patches follow. Only for faces that have a limit surface.
     int firstPatch(int face) const;
 
-    /// A face cut into facets at `rate` segments an edge. The first `boundaryCount` samples run round the
-    /// face from corner 0: sample k * rate is corner k. Facets are quads, or triangles with -1 last;
-    /// counter-clockwise like the face.
+    /// A face tessellated with `rate` segments per edge. The first `boundaryCount` samples run around the
+    /// face's boundary from corner 0: sample k * rate is corner k. Facets are quads, or triangles with -1 as
+    /// the last index, with the same winding as the face.
     struct FaceTessellation {
         struct Sample {
             int patch;
@@ -81,12 +80,12 @@ class BaseSurface {
     };
     FaceTessellation tessellateFace(int face, int rate) const;
 
-    /// Evaluates one patch; holds the patch's control points, so make one and evaluate many samples.
+    /// Evaluates one patch at a time. It holds the patch's control points, so reuse it for many samples.
     class Evaluator {
       public:
         explicit Evaluator(const BaseSurface& surface);
         ~Evaluator();
-        /// Patches of one face in sequence cost one set-up.
+        /// Consecutive patches of the same face share one setup.
         void setPatch(int patch);
         BasePoint point(double u, double v) const;
         BaseSample sample(double u, double v) const;

@@ -1,18 +1,18 @@
-// The one definition of the displaced surface:
+// The definition of the displaced surface, used by both renderers:
 //
 //     P(u,v) = S(u,v) + k(u,v) * (offset - depth * d(st(u,v))),     st = tile * uv + uvOffset
 //
-// with k = n, the unit normal of the base, or an axis of the object, one unit vector for all of it
-// (Relief::axisWorld). World space. Without a relief P = S.
+// where k is n, the unit normal of the base, or a constant unit axis of the object (Relief::axisWorld). World
+// space. Without a relief P = S.
 //
-// S and n are the limit surface's, or, on the proxy base, those of the triangles the real-time module draws:
-// pushed out by `offset` at their vertices, with the vertices' normals interpolated linearly and
-// renormalized. There the offset is in S:
+// S and n are those of the limit surface, or, for the proxy base, those of the triangles drawn by the
+// real-time renderer: their vertices are moved by `offset`, and vertex normals are interpolated linearly and
+// renormalized. There the offset is part of S:
 //
 //     P = S' + k * (-depth * d(st)),     S' = S + k * offset at the vertices, linear in between
 //
-// which is the P above at the vertices; in between, n times offset isn't linear, and the triangles' is meant.
-// Along an axis both are the same everywhere.
+// This equals the P above at the vertices. Between them, n * offset isn't linear, so the two differ; the
+// triangles define the surface. With a constant axis both are equal everywhere.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -20,17 +20,18 @@
 
 namespace plumbline {
 
-/// The object's base in world space. Throws InputError if it has a relief and its mesh no uvs.
+/// The object's base surface in world space. Throws InputError if the object has a relief but its mesh has no
+/// uvs.
 std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object, Base base = Base::Limit);
 
-/// The relief to displace that base with: the object's own, for the proxy with offset 0; none if the object
+/// The relief that displaces this base: the object's, with offset 0 for the proxy base; none if the object
 /// has none.
 std::optional<Relief> reliefOn(const SceneObject& object, Base base);
 
 struct DisplacedSample {
     Vec3 position;             // world
-    Vec3 positionU, positionV; // derivatives of P by the patch's u and v
-    Vec3 normal;               // world, unit, of P itself: P_u x P_v; the base's where that vanishes
+    Vec3 positionU, positionV; // derivatives of P with respect to the patch's u and v
+    Vec3 normal;               // world, unit: P_u x P_v normalized; the base's normal where it vanishes
     Vec2 st;                   // tiled, unwrapped
     double reliefDepth;        // d; 0 without a relief
 };
@@ -41,14 +42,13 @@ Vec2 textureCoordinates(const BasePoint& base, const Relief* relief);
 /// k at a base point: the axis, or n; n without a relief.
 Vec3 reliefDirection(const BasePoint& base, const Relief* relief);
 
-/// k with its derivatives by the patch's u and v: those of n, or 0.
+/// k with its derivatives with respect to the patch's u and v, which are 0 for an axis.
 struct ReliefDirection {
     Vec3 along, alongU, alongV;
 };
 ReliefDirection sampleReliefDirection(const BaseSample& base, const Relief* relief);
 
-/// S_u and S_v without their parts along k: how the foot of a point of P moves across k. The very S_u and S_v
-/// where k is n.
+/// The components of S_u and S_v orthogonal to k. If k is n, they are S_u and S_v unchanged.
 struct AcrossRelief {
     Vec3 byU, byV;
 };

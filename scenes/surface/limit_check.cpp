@@ -13,10 +13,11 @@
 namespace plumbline {
 namespace {
 
-/// Evaluated from two faces, a place is the same to 1e-15 of the mesh's size, or off by a visible amount.
+/// Relative to the mesh's size. Evaluated from two faces, a shared point either agrees to 1e-15 or differs
+/// visibly.
 constexpr double kGapFraction = 1e-9;
-/// Places compared along an edge: its ends, where faces take the same vertex for a corner and for none, and
-/// some between.
+/// Segments between the points compared along an edge. Its ends are included, where one face may treat a
+/// vertex as a corner and the other may not.
 constexpr int kRate = 4;
 
 bool isNonManifold(std::span<const HalfEdge> edge) {
@@ -61,15 +62,15 @@ class LimitTopology {
 
   private:
     void checkSizes(const MeshFace& face) const {
-        if (std::cmp_greater(face.size, kMostLimitEdges))
+        if (std::cmp_greater(face.size, kMaxLimitEdges))
             throw InputError(whereOfFace(mesh_, face.index), fmt::format("{} vertices", face.size),
-                             fmt::format("at most {} in a face with a limit surface", kMostLimitEdges),
+                             fmt::format("at most {} in a face with a limit surface", kMaxLimitEdges),
                              "scheme \"none\" takes it");
         for (const int vertex : face.of(mesh_.faceVertices))
-            if (const int edges = item(edgeCounts_, vertex); edges > kMostLimitEdges)
+            if (const int edges = item(edgeCounts_, vertex); edges > kMaxLimitEdges)
                 throw InputError(whereOfFace(mesh_, face.index),
                                  fmt::format("vertex {} has {} edges", vertex + 1, edges),
-                                 fmt::format("at most {} at a vertex of a limit surface", kMostLimitEdges),
+                                 fmt::format("at most {} at a vertex of a limit surface", kMaxLimitEdges),
                                  "scheme \"none\" takes it");
     }
 
@@ -83,8 +84,7 @@ class LimitTopology {
                                    [&](int vertex) { return item(touchesSharpEdge_, vertex); });
     }
 
-    /// Another face on both edges; -1 if there is none. Looked up in the longer list, as an edge may have any
-    /// number of faces.
+    /// Another face incident to both edges; -1 if there is none.
     int doubletPartner(int face, size_t before, size_t after) const {
         std::span<const HalfEdge> few = edges_.edges()[before], many = edges_.edges()[after];
         if (few.size() > many.size()) std::swap(few, many);
@@ -99,13 +99,12 @@ class LimitTopology {
 
     const ControlMesh& mesh_;
     MeshEdges edges_;
-    std::vector<size_t> edgeAfter_;      // of each corner of a face: the edge from there to the next
+    std::vector<size_t> edgeAfter_;      // per face corner: the edge to the next corner
     std::vector<int> edgeCounts_;        // of each vertex
     std::vector<bool> touchesSharpEdge_; // of each vertex
 };
 
-/// Faces at vertices of edges that more than one surface meets in, and at vertices that faces share without
-/// an edge.
+/// Faces at the vertices of non-manifold edges and at non-manifold vertices.
 std::vector<int> facesAtNonManifoldVertices(const ControlMesh& mesh) {
     const MeshEdges edges(mesh);
     std::vector<bool> nonManifold(mesh.points.size());

@@ -1,8 +1,8 @@
-// Meshes whose limit surface OpenSubdiv can't evaluate.
+// Detects meshes whose limit surface OpenSubdiv can't evaluate.
 //
-// Bfr cuts the faces around the one it evaluates out of the mesh. Where these fold back onto each other or
-// several surfaces meet, it may take edges of that cutting for others: 3.5 then reads and writes memory that
-// isn't its own, or returns faces that don't meet along the edge they share. Found with random meshes
+// Bfr extracts the neighborhood of each face that it evaluates. If faces of a neighborhood fold back onto
+// each other or several surfaces meet there, Bfr may confuse their edges: version 3.5 then accesses memory
+// out of bounds, or returns faces that don't meet along a shared edge. Found with random meshes
 // (tests/scenes/mesh/any_mesh_test.cpp).
 #pragma once
 
@@ -10,25 +10,23 @@
 
 namespace plumbline {
 
-inline constexpr int kMostLimitEdges = 512;
+inline constexpr int kMaxLimitEdges = 512;
 
-/// Throws InputError naming the face:
+/// Throws InputError naming the face if
 ///
-/// - It has more than kMostLimitEdges vertices, or one of them as many edges. Bfr's time and memory grow with
-/// their square
-///   and more: a face of 500 vertices takes seconds, one of 2000 more memory than there is, a vertex of 8000
-///   edges minutes.
-/// - It would harm memory: two faces are the only ones between two edges, both of theirs (a doublet), and a
-/// vertex of them
-///   is on an edge that is creased or has more than two faces, or two that run along it in the same
-///   direction.
+/// - it has more than kMaxLimitEdges vertices, or one of its vertices has more edges. Bfr's time and memory
+///   grow at least quadratically: a face of 500 vertices takes seconds, one of 2000 exhausts the memory, and
+///   a vertex of 8000 edges takes minutes.
+/// - Bfr would access memory out of bounds: two faces are the only ones at two consecutive edges, which both
+///   share (a doublet), and one of their vertices is on an edge that is creased, has more than two faces, or
+///   is traversed by two faces in the same direction.
 ///
 /// For Scheme::CatmullClark and Scheme::Loop; the mesh must have passed checkControlMesh.
 void checkLimitTopology(const ControlMesh& mesh);
 
-/// Throws InputError naming a face that doesn't meet another one in a vertex or an edge they share, to 1e-9
-/// of the mesh's size. Only faces at vertices where more than one surface meets are evaluated: elsewhere
-/// Bfr's faces do meet.
+/// Throws InputError naming a face that doesn't meet another one at a shared vertex or edge to within 1e-9 of
+/// the mesh's size. Only faces at non-manifold vertices are evaluated, because Bfr's faces meet everywhere
+/// else.
 void checkFacesMeet(const BaseSurface& surface);
 
 } // namespace plumbline

@@ -17,8 +17,8 @@ struct LinearPatch {
     T byV(double u) const { return triangular ? c - a : (c - a) * (1 - u) + (d - b) * u; }
 };
 
-/// `value(k)`: the attribute at corner k of the face. `subFaceCorner` < 0: the face is one patch (a quad, or
-/// a triangle if `triangular`); else the quarter at that corner of a face of any size.
+/// `value(k)`: the attribute at corner k of the face. `subFaceCorner` < 0: the face is a single patch (a
+/// quad, or a triangle if `triangular`); otherwise the sub-face at that corner of a face of any size.
 template <typename T, typename Value>
 LinearPatch<T> makeLinearPatch(int faceSize, int subFaceCorner, bool triangular, Value value) {
     if (triangular) return {value(0), value(1), value(2), T{}, true};

@@ -1,12 +1,12 @@
-// The displaced surface of one object as micro-triangles: what reference/ traces, and what the control
-// technique `micro_triangles` of realtime/ rasterizes. World space, float: these very floats are the geometry
-// of both.
+// The displaced surface of one object as micro-triangles, which reference/ traces and the control technique
+// `micro_triangles` of realtime/ rasterizes. World space, float; both use exactly these values.
 //
 // A grid is a block of at most kMaxGridSide x kMaxGridSide vertices, row by row. Cell (column, row) has the
 // corners
 //     a = (column, row)   b = (column+1, row)   c = (column, row+1)   d = (column+1, row+1)
-// and the micro-triangles a b c and d c b: its diagonal joins b and c, as Embree's RTC_GEOMETRY_TYPE_GRID has
-// it. Vertices on borders between grids are repeated, bit for bit: each was computed once.
+// and the micro-triangles a b c and d c b: the diagonal connects b and c, as in Embree's
+// RTC_GEOMETRY_TYPE_GRID. Vertices on borders between grids are duplicated with identical bits, because each
+// is computed once.
 #pragma once
 
 #include "scenes/core/index.h"
@@ -21,12 +21,12 @@ namespace plumbline {
 inline constexpr int kMaxGridSide = 17; // 16 cells
 
 /// The lattice of micro-vertices of one patch of the BaseSurface: columns x rows cells over its (u, v), both
-/// powers of two. Each side has `sides` segments, a power of two not above the cells along it: where there
-/// are fewer, the lattice's vertices on that side stand on the nearest end of a segment
-/// (reference/tessellate/lattice.h), and meet the neighbor's there.
+/// powers of two. Each side has `sides` segments, a power of two not larger than the number of cells along
+/// it. If it is smaller, the lattice's vertices on that side are snapped to the nearest segment end
+/// (reference/tessellate/lattice.h), so that they coincide with the neighbor's vertices.
 struct PatchLattice {
     uint16_t columns = 0, rows = 0;
-    std::array<uint16_t, 4> sides{}; // at v = 0, u = 1, v = 1, u = 0; triangular: v = 0, the long side, u = 0
+    std::array<uint16_t, 4> sides{}; // at v = 0, u = 1, v = 1, u = 0; triangular: v = 0, u + v = 1, u = 0
     bool triangular = false;         // u + v <= 1
 };
 
@@ -34,12 +34,12 @@ struct MicroGrid {
     uint32_t firstVertex;   // into MicroMesh::positionsWorld; the grid's rows follow one another
     uint32_t patch;         // of the BaseSurface
     uint16_t columns, rows; // vertices
-    uint16_t column0, row0; // place of the first vertex in the patch's lattice
-    /// No point of the surface is farther from the place of the same (u, v) on the grid's micro-triangles, as
-    /// far as reference/tessellate/tile.h can tell; world units.
+    uint16_t column0, row0; // position of the first vertex in the patch's lattice
+    /// Bound on the distance between a point of the surface and the point with the same (u, v) on the grid's
+    /// micro-triangles, estimated as described in reference/tessellate/tile.h; world units.
     float errorWorld;
-    /// Whether faces disagree about a vertex of it, so that the surface closes with a wall there
-    /// (Seams::Weld).
+    /// Whether faces displace one of its vertices differently, so that welding (Seams::Weld) adds a wall
+    /// there.
     bool torn;
 
     /// Index into MicroMesh::positionsWorld of the vertex at a column and row of this grid.
@@ -52,8 +52,8 @@ struct MicroMesh {
     std::vector<Vec3f> positionsWorld;
     std::vector<MicroGrid> grids;
     std::vector<PatchLattice> lattices; // one per patch
-    /// Per vertex, filled on request only (the control technique and mesh files need them): unit normal of
-    /// the displaced surface, at a crease that of one face, and the patch's own st.
+    /// Per vertex, filled only on request, for the control technique and mesh files: the unit normal of the
+    /// displaced surface (at a crease, that of one face) and the patch's st.
     std::vector<Vec3f> normalsWorld;
     std::vector<Vec2f> st;
 };

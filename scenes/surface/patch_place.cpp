@@ -8,7 +8,7 @@ PatchPlace placeOnEdge(const BaseSurface& surface, int face, int k, double along
     assert(along >= 0 && along <= 1);
     const int first = surface.firstPatch(face);
     const BaseSurface::Patch& patch = surface.patch(first);
-    if (patch.subFace) { // patch k has the edge's first half along u, the next one the second half along v
+    if (patch.subFace) { // the first half is along patch k's u, the second along the next one's v
         const int size = countOf(surface.faceVertices(face));
         return along <= 0.5 ? PatchPlace{first + k, {2 * along, 2 * inside}}
                             : PatchPlace{first + (k + 1) % size, {2 * inside, 2 * (1 - along)}};

@@ -12,7 +12,7 @@ namespace {
 
 // A determinant below this fraction of its largest possible value counts as zero.
 constexpr double kSingularFraction = 1e-6;
-// Where the map from uv to space is singular at a corner (a pole), the derivatives are taken this far inside
+// Where the parametrization is singular at a corner (a pole), the derivatives are evaluated this far inside
 // the patch.
 constexpr double kNudge = 0x1p-10;
 
@@ -20,8 +20,8 @@ struct Derivatives {
     Vec3 byS{0}, byT{0}, normalByS{0}, normalByT{0};
 };
 
-/// Derivatives by s and t from those by u and v and the Jacobian of st by (u,v); nothing where that is
-/// singular.
+/// Computes derivatives with respect to s and t from those with respect to u and v and the Jacobian of st.
+/// Returns false where the Jacobian is singular.
 bool solveDerivatives(const BaseSample& base, const Vec2& tile, Derivatives& result) {
     const Vec2 stU = tile * base.uvU, stV = tile * base.uvV;
     const double determinant = stU.x * stV.y - stU.y * stV.x;
@@ -33,7 +33,8 @@ bool solveDerivatives(const BaseSample& base, const Vec2& tile, Derivatives& res
     return glm::length(result.byS) > 0 && glm::length(result.byT) > 0;
 }
 
-/// Proxy vertices know which place of the mesh they stand on; several stand on one where faces meet.
+/// Collects proxy vertices. Each refers to its place, a position on the surface that vertices of several
+/// faces may share.
 class ProxyBuilder {
   public:
     ProxyBuilder(const SceneObject& object, const BaseSurface& surface)
@@ -52,7 +53,7 @@ class ProxyBuilder {
   private:
     struct Place {
         Vec3 position{0};
-        Vec3 directionSum{0}; // of the relief
+        Vec3 directionSum{0}; // of the relief directions
         bool sampled = false;
         std::vector<size_t> ring;
     };
@@ -90,7 +91,7 @@ class ProxyBuilder {
         }
         vertex.positionS = derivatives.byS;
         vertex.positionT = derivatives.byT;
-        // Along an axis the offset moves the surface and bends nothing.
+        // An offset along a constant axis doesn't change the curvature.
         const double offset = relief_ && !relief_->axisWorld ? relief_->offset : 0;
         vertex.limitQuadric = quadricOfDerivatives(derivatives.byS, derivatives.byT, derivatives.normalByS,
                                                    derivatives.normalByT, offset);
@@ -102,7 +103,7 @@ class ProxyBuilder {
         proxy_.vertices.push_back(vertex);
     }
 
-    /// Quads are cut between their second and fourth corner.
+    /// Quads are split along the diagonal between their second and fourth corners.
     void addFacet(const std::array<int, 4>& facet, size_t first) {
         const auto index = [&](int k) { return static_cast<unsigned>(first + lengthOf(item(facet, k))); };
         const auto placeOf = [&](unsigned vertex) { return proxy_.vertices[vertex].place; };
@@ -117,8 +118,8 @@ class ProxyBuilder {
                 if (i != j) places_[placeOf(index(i))].ring.push_back(placeOf(index(j)));
     }
 
-    /// One position per place, moved by the offset along the mean direction of the relief, so that the proxy
-    /// closes where it did.
+    /// Moves each place by the offset along the mean relief direction, once per place, so that the proxy
+    /// stays closed.
     void pushOut() {
         const double offset = relief_ ? relief_->offset : 0;
         for (Place& place : places_) {
@@ -165,7 +166,7 @@ ControlMesh proxyPolygons(const SceneObject& object) {
     ControlMesh mesh;
     mesh.name = object.mesh.name;
     mesh.faceSizes.assign(proxy.triangles.size() / 3, 3);
-    mesh.points.resize(proxy.placeCount); // places of faces without a limit stay unused
+    mesh.points.resize(proxy.placeCount); // places of faces without a limit surface stay unused
     for (const ProxyVertex& vertex : proxy.vertices) {
         mesh.points[vertex.place] = vertex.position;
         mesh.normals.push_back(vertex.normal);

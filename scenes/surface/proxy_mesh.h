@@ -1,5 +1,5 @@
-// The polygon proxy the real-time module draws: the limit surface sampled at `proxyRate` segments per control
-// edge, pushed out by the relief's offset, along the normals or the relief's axis. World space throughout.
+// The polygon proxy drawn by the real-time renderer: the limit surface sampled with `proxyRate` segments per
+// control edge and moved by the relief's offset along the normals or the relief's axis. World space.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -11,33 +11,33 @@ struct ProxyVertex {
     Vec3 position; // on the limit surface + k * offset (displaced_surface.h)
     Vec3 normal;   // unit, of the limit surface
     /// dS/ds and dS/dt of the limit surface, per unit of the tiled st: tangents times the mapping scales sx,
-    /// sy. Not necessarily at a right angle to each other; zero where the map from st to space is singular.
+    /// sy. Not necessarily orthogonal; zero where the parametrization is singular.
     Vec3 positionS;
     Vec3 positionT;
     Vec2 st; // tiled, unwrapped
     Vec2 uv; // of the control mesh, not tiled; zero if it has none
-    /// Number of the place of the surface it stands on, below ProxyMesh::placeCount: vertices split there
-    /// share it, and their position.
+    /// Index of the vertex's place on the surface, below ProxyMesh::placeCount. Vertices split at a texture
+    /// seam share the place and the position.
     size_t place = 0;
-    /// Quadrics that bend like the proxy here, x along positionS, y along positionT: fitted to the one-ring
-    /// (all vertices that share a facet); and that of the surface the vertices stand on, the limit surface
-    /// pushed out by the offset (of a polygon mesh, Scheme::None: of its interpolated normals). 0 where the
-    /// map from st to space is singular.
+    /// Quadrics that approximate the surface at the vertex, x along positionS and y along positionT.
+    /// ringQuadric is fitted to the one-ring, that is, all vertices that share a facet. limitQuadric is
+    /// computed from the derivatives of the limit surface displaced by the offset (for polygon meshes under
+    /// Scheme::None, from the interpolated normals). 0 where the parametrization is singular.
     RingFit ringQuadric;
     QuadricCoefficients limitQuadric;
 };
 
 struct ProxyMesh {
-    std::vector<ProxyVertex> vertices; // split where texture coordinates are
-    std::vector<unsigned> triangles;   // 3 indices each, counter-clockwise seen from outside
+    std::vector<ProxyVertex> vertices; // split at texture seams
+    std::vector<unsigned> triangles;   // 3 indices each, counterclockwise seen from outside
     size_t placeCount = 0;
 };
 
-/// Throws InputError if the object has a relief and its mesh no uvs.
+/// Throws InputError if the object has a relief but its mesh has no uvs.
 ProxyMesh buildProxyMesh(const SceneObject& object);
 
-/// The same triangles as a control mesh for Scheme::None, in world space: one point a place, so that it
-/// closes where the proxy does; the proxy's own normals; the object's uvs, not tiled, if it has any.
+/// The same triangles as a control mesh for Scheme::None, in world space, with one point per place so that it
+/// is closed where the proxy is, the proxy's normals, and the object's untiled uvs if it has any.
 ControlMesh proxyPolygons(const SceneObject& object);
 
 } // namespace plumbline

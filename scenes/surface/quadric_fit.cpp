@@ -12,18 +12,18 @@ namespace {
 // n, the smallest eigenvalue is then at least 5e-7 for two terms and, as the other two multiply to at most
 // (3/2)^2, 4.4e-7 for three: the same bound serves both.
 constexpr double kSingularFraction = 1e-6;
-// Tangents with a squared sine of their angle below this are one direction.
+// Tangents are considered parallel if the squared sine of their angle is below this.
 constexpr double kSmallestSineSquared = 1e-6;
 
-/// Sums over the ring of products of the rows' x^2, y^2, x y with each other and with the fall below the
-/// tangent plane.
+/// The normal equations' sums over the ring: products of x^2, y^2 and x y with each other and with the
+/// distance below the tangent plane.
 struct Sums {
     std::array<std::array<double, 3>, 3> products{};
     std::array<double, 3> withFall{};
 };
 
-/// Coordinates along two unit tangents that need not be at a right angle, by the Gram inverse (Premecz,
-/// Iterative parallax mapping with slope information, section 1.1).
+/// Coordinates along two unit tangents that need not be orthogonal, computed with the inverse Gram matrix
+/// (Premecz, Iterative parallax mapping with slope information, section 1.1).
 struct ObliqueAxes {
     ObliqueAxes(const Vec3& alongS, const Vec3& alongT)
         : s(glm::normalize(alongS)), t(glm::normalize(alongT)), cosine(glm::dot(s, t)) {}
@@ -56,10 +56,10 @@ Sums sumRing(const QuadricFrame& frame, std::span<const Vec3> ring) {
     return sums;
 }
 
-/// The normal equations with unknowns scaled so that their matrix has ones on its diagonal.
+/// The normal equations with unknowns scaled so that the matrix has a unit diagonal.
 struct ScaledSystem {
     std::array<double, 3> scale{}, right{}; // unknown = scaled unknown / scale
-    double ab = 0, ac = 0, bc = 0;          // off the diagonal
+    double ab = 0, ac = 0, bc = 0;          // off-diagonal
 };
 
 ScaledSystem scaled(const Sums& sums) {
@@ -78,13 +78,13 @@ ScaledSystem scaled(const Sums& sums) {
     return system;
 }
 
-/// The second fundamental form along the unit tangents of the very positions.
+/// The second fundamental form along the unit tangents of the given surface, without an offset.
 QuadricCoefficients alongOwnTangents(const Vec3& positionS, const Vec3& positionT, const Vec3& normalS,
                                      const Vec3& normalT) {
     const double s = glm::length(positionS), t = glm::length(positionT);
     if (!(s > 0 && t > 0)) return {};
-    // The fall along a tangent is minus half the second fundamental form, whose entries are -positionS .
-    // normalS and so on.
+    // The distance below the tangent plane is minus half the second fundamental form, whose entries are
+    // -positionS . normalS and so on.
     return {0.5 * glm::dot(positionS, normalS) / (s * s), 0.5 * glm::dot(positionT, normalT) / (t * t),
             0.5 * (glm::dot(positionS, normalT) + glm::dot(positionT, normalS)) / (s * t)};
 }
@@ -103,8 +103,8 @@ RingFit fitQuadric(const QuadricFrame& frame, std::span<const Vec3> ring) {
 
     fit.threeTerms = fit.twoTerms;
     const double determinant3 = determinant2 - ac * ac - bc * bc + 2 * ab * ac * bc;
-    // The sum of (x y)^2 is that of x^2 y^2: on a ring along the axes ab is 0, and the column of x y rounding
-    // alone.
+    // The sum of (x y)^2 equals that of x^2 y^2. If all ring points lie on the axes, ab is 0 and the column
+    // of x y consists of rounding errors.
     if (!(ab > kSingularFraction && determinant3 > kSingularFraction)) return fit;
     // The adjugate of the symmetric matrix.
     const double a = (1 - bc * bc) * right[0] + (ac * bc - ab) * right[1] + (ab * bc - ac) * right[2];

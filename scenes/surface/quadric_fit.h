@@ -1,9 +1,10 @@
-// The quadric z = -(A x^2 + C x y + B y^2) that bends like a surface at a point, for relief on curved bases
+// The quadric z = -(A x^2 + C x y + B y^2) that approximates a surface at a point, for relief on curved bases
 // (Oliveira, Policarpo, UFRGS RP-351 (2005), section 3).
 //
-// x and y are world units along the unit tangents of s and t, which need not be at a right angle; z along the
-// unit normal, outward. A > 0 where the surface is convex along s: the sign their Eqs 6 and 7 need, not that
-// of their fit of section 3.1. Coefficients are world units^-1. The cross term is this project's.
+// x and y are in world units along the unit tangents of s and t, which need not be orthogonal; z is along the
+// outward unit normal. A > 0 where the surface is convex along s: this is the sign required by their Eqs 6
+// and 7, not that of their fit in section 3.1. Coefficients are in world units^-1. The cross term C is an
+// addition of this project.
 #pragma once
 
 #include "scenes/core/math.h"
@@ -16,26 +17,28 @@ struct QuadricCoefficients {
     double a = 0, b = 0, c = 0;
 };
 
-/// Where a quadric is fitted: `tangentS` and `tangentT` of any length, none zero; `normal` unit.
+/// The frame in which a quadric is fitted. `tangentS` and `tangentT` may have any nonzero length; `normal` is
+/// unit.
 struct QuadricFrame {
     Vec3 origin, tangentS, tangentT, normal;
 };
 
-/// What one ring of points around a place says of it.
+/// Quadrics fitted to one ring of points.
 struct RingFit {
-    QuadricCoefficients twoTerms; // A and B by least squares, C = 0; 0 where the ring doesn't determine them
-    QuadricCoefficients threeTerms; // A, B and C; as twoTerms where the ring doesn't determine all three
-    /// Of twoTerms' normal matrix, scaled to a diagonal of ones: 1 at best, infinity where it is singular.
+    QuadricCoefficients twoTerms; // A and B by least squares, C = 0; all 0 if the ring doesn't determine them
+    QuadricCoefficients threeTerms; // A, B and C; equals twoTerms if the ring doesn't determine all three
+    /// Condition number of twoTerms' normal matrix, scaled to a unit diagonal: 1 at best, infinite if it is
+    /// singular.
     double condition = kInfinity;
 };
 
-/// Section 3.1: least squares through the points around.
+/// Least-squares fit to the ring (section 3.1).
 RingFit fitQuadric(const QuadricFrame& frame, std::span<const Vec3> ring);
 
-/// From the derivatives of position and unit normal along s and t: the second fundamental form of the surface
-/// pushed out by `offset` along its normals. Along the unit tangents of the one that wasn't, from which its
-/// own differ wherever they aren't the principal directions. 0 at a center of curvature, and where a tangent
-/// is 0.
+/// Computes the quadric from the derivatives of position and unit normal along s and t, as the second
+/// fundamental form of the surface offset by `offset` along its normals. It is expressed along the unit
+/// tangents of the original surface, which differ from those of the offset surface unless they are the
+/// principal directions. 0 at a center of curvature and where a tangent is 0.
 QuadricCoefficients quadricOfDerivatives(const Vec3& positionS, const Vec3& positionT, const Vec3& normalS,
                                          const Vec3& normalT, double offset);
 

@@ -14,25 +14,26 @@
 namespace plumbline {
 namespace {
 
-/// Two displacements closer than this fraction of the relief's depth are one: a step of an 8-bit map, which
-/// nobody can tell from the map's own rounding.
+/// Displacements that differ by less than this fraction of the relief's depth count as equal: it is one step
+/// of an 8-bit map, so the difference may be quantization.
 constexpr double kTornFraction = 1.0 / 256;
-/// Jumps of st this close to whole numbers, in texels, are whole: single-precision exporters leave about 1e-7
-/// of the largest coordinate, and maps have up to some thousand texels a side.
+/// Jumps of st within this distance of an integer, in texels, count as integer: single-precision exporters
+/// leave errors of about 1e-7 of the largest coordinate, and maps have up to a few thousand texels per side.
 constexpr double kWholeTexels = 1e-2;
 
-constexpr int kFewestPlaces = 32, kMostPlaces = 2048;
-/// Normals are compared at the ends of an edge and between: they differ all along a crease, at one end where
-/// the edge meets a corner.
+constexpr int kMinPlaces = 32, kMaxPlaces = 2048;
+/// Normals are compared at both ends of an edge and in between: they differ all along a crease, but only at
+/// one end if the edge meets a corner.
 constexpr int kNormalSegments = 4;
 
-/// A face's side of an edge of the control mesh.
+/// One face's use of an edge of the control mesh.
 struct Side {
     int face, k;  // the face's edge from its corner k
-    bool forward; // the face starts where the edge starts
+    bool forward; // the face traverses the edge from its start
 };
 
-/// A face's normals along one of its edges, from the corner it starts in; the end is the next edge's start.
+/// A face's normals along one of its edges, beginning at the edge's first corner. The last corner is stored
+/// with the next edge.
 using EdgeNormals = std::array<Vec3, kNormalSegments>;
 
 class TearFinder {
@@ -88,10 +89,9 @@ class TearFinder {
         const Vec2 a0 = stAtEnd(a, 0), a1 = stAtEnd(a, 1), b0 = stAtEnd(b, 0), b1 = stAtEnd(b, 1);
         if (joins(a0, b0, a1, b1)) return false;
         const double length = std::max(longest((a1 - a0) * texels), longest((b1 - b0) * texels));
-        // Written so that an infinite length takes the most.
-        const int places = 2 * length < kMostPlaces
-                               ? std::max(kFewestPlaces, static_cast<int>(2 * length) + 1)
-                               : kMostPlaces;
+        // Written so that an infinite length gives kMaxPlaces.
+        const int places =
+            2 * length < kMaxPlaces ? std::max(kMinPlaces, static_cast<int>(2 * length) + 1) : kMaxPlaces;
         for (int i = 0; i <= places; ++i) {
             const double t = double(i) / places;
             const double difference = map.depth(glm::mix(a0, a1, t)) - map.depth(glm::mix(b0, b1, t));
@@ -102,8 +102,8 @@ class TearFinder {
 
     static double longest(const Vec2& v) { return std::max(std::abs(v.x), std::abs(v.y)); }
 
-    /// The two sides look up the same texels: st jumps by the same whole number of tiles at both ends, on an
-    /// axis that repeats, or not at all.
+    /// Whether both sides sample the same texels: st is continuous, or jumps at both ends by the same integer
+    /// along an axis that repeats.
     bool joins(const Vec2& a0, const Vec2& b0, const Vec2& a1, const Vec2& b1) const {
         const HeightMap& map = *relief_.map;
         const auto joinsAlong = [&](int axis, Wrap wrap, int size) {
@@ -114,7 +114,8 @@ class TearFinder {
         return joinsAlong(0, map.wrapS(), map.width()) && joinsAlong(1, map.wrapT(), map.height());
     }
 
-    /// A face's patches are set up once for all its edges: the set-up costs more than the samples.
+    /// Each face's patches are set up once for all of its edges, because the setup costs more than the
+    /// samples.
     void evaluateNormals() {
         normals_.resize(mesh_.faceVertices.size());
         tbb::parallel_for(tbb::blocked_range<int>(0, mesh_.faceCount(), 8),
@@ -134,7 +135,7 @@ class TearFinder {
             }
     }
 
-    /// `place` of kNormalSegments along the edge, from its start.
+    /// The normal at step `place` of kNormalSegments along the edge, from its start.
     const Vec3& normalAt(const Side& side, int place) const {
         const int along = side.forward ? place : kNormalSegments - place;
         return along < kNormalSegments ? item(normals_[cornerOf(side, 0)], along)
@@ -159,8 +160,7 @@ class TearFinder {
     const Relief& relief_;
     std::vector<std::vector<Side>> sides_; // of each edge
     std::vector<MeshFace> faces_;
-    std::vector<EdgeNormals>
-        normals_; // of the edge that starts in each corner of a face, from that corner on
+    std::vector<EdgeNormals> normals_; // per face corner: along the edge that begins there
 };
 
 void report(std::vector<std::string>& warnings, const SceneObject& object, int edges, const char* cause) {

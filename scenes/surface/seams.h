@@ -1,8 +1,7 @@
-// Edges where a relief tears: the two faces disagree about the displaced point, because texture coordinates
-// jump between them or because each has a normal of its own. What becomes of the surface there is
-// Relief::seams.
+// Finds edges where a relief tears: the two faces displace the edge differently, because texture coordinates
+// are discontinuous or the normals differ. Relief::seams decides how such edges are handled.
 //
-// World space, like the BaseSurface given.
+// World space, like the given BaseSurface.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -12,20 +11,20 @@ namespace plumbline {
 
 struct TornEdges {
     int byMap = 0;     // offset - depth * d(st) differs
-    int byNormals = 0; // n * (offset - depth * d(st)) differs, were the map continuous. An edge may be both
+    int byNormals = 0; // n * (offset - depth * d(st)) differs because n does. An edge may count as both
 };
 
-/// Edges of the control mesh with two faces (or more: the first is held against each other one). Faces
-/// without a limit surface don't count. Places along an edge that are compared: for the map every half texel,
-/// 32 to 2048 of them; for normals 5, and none where the relief goes along an axis. Texture coordinates that
-/// jump by whole numbers along an axis that repeats aren't looked at: they tear nothing. Two displacements
-/// count as one up to 1/256 of the relief's depth.
+/// Counts the torn edges of the control mesh. Edges with more than two faces compare the first face with each
+/// of the others; faces without a limit surface are ignored. Displacements are compared every half texel
+/// along an edge, at 32 to 2048 points; normals at 5 points, or not at all if the relief is displaced along
+/// an axis. Integer jumps of texture coordinates along an axis that repeats don't tear the surface.
+/// Displacements that differ by at most 1/256 of the relief's depth count as equal.
 ///
 /// The mesh must have uvs.
 TornEdges countTornEdges(const BaseSurface& surface, const Relief& relief);
 
-/// A line for each kind of tear the object has: "torus: 12 edges where …". None without a relief. `surface`
-/// is that of the object (makeBaseSurface).
+/// One warning for each kind of tear: "torus: 12 edges where …". Empty without a relief. `surface` is the
+/// object's base surface (makeBaseSurface).
 std::vector<std::string> surfaceWarnings(const SceneObject& object, const BaseSurface& surface);
 
 } // namespace plumbline

@@ -1,5 +1,5 @@
-// Numbers for the samples faces of a mesh share: a vertex, or a place on an edge, has one number whichever
-// face it is reached from, so that what is computed there is computed once and surfaces close.
+// Numbers the samples that faces of a mesh share: a vertex or a point on an edge has the same number for
+// every incident face, so that its position is computed once and surfaces are watertight.
 #pragma once
 
 #include "scenes/surface/base_surface.h"
@@ -23,7 +23,7 @@ class SharedSamples {
     SharedSamples(const BaseSurface& surface, int rate)
         : SharedSamples(surface, std::vector<int>(lengthOf(surface.edgeCount()), rate)) {}
 
-    /// All numbers are below this.
+    /// The number of samples; all sample numbers are below it.
     size_t count() const { return firstOfEdge_.back(); }
     int edgeRate(int edge) const { return item(rates_, edge); }
     /// Number of the sample `step` segments (0 … the edge's rate) along edge k of a face, from its corner k.

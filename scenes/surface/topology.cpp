@@ -15,7 +15,7 @@ using namespace OpenSubdiv;
 
 namespace {
 
-/// OpenSubdiv reports through a global callback; the last message is kept for the error that follows.
+/// OpenSubdiv reports errors through a global callback; the last message is kept for the InputError.
 std::string& lastOpenSubdivMessage() {
     thread_local std::string message;
     return message;
@@ -80,7 +80,7 @@ std::unique_ptr<Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Sche
     descriptor.vertIndicesPerFace = mesh.faceVertices.data();
 
     const TagArrays tags(mesh.tags);
-    if (scheme != Scheme::None) tags.describe(descriptor); // polygons as they are have no smooth edges
+    if (scheme != Scheme::None) tags.describe(descriptor); // polygons have no smooth edges
 
     const Sdc::SchemeType type = scheme == Scheme::CatmullClark ? Sdc::SCHEME_CATMARK
                                  : scheme == Scheme::Loop       ? Sdc::SCHEME_LOOP

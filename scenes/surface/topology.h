@@ -1,4 +1,5 @@
-// The connectivity of a control mesh as OpenSubdiv holds it. A heavy header: for base_surface.cpp alone.
+// The connectivity of a control mesh in OpenSubdiv's representation. Only base_surface.cpp and a test include
+// this header, because it is expensive to compile.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -9,8 +10,8 @@
 
 namespace plumbline {
 
-/// Boundaries as ControlMesh::boundaryFacesSupportOnly and the tags say; Scheme::None takes no tags. Throws
-/// InputError with OpenSubdiv's own words for a mesh it refuses.
+/// Boundaries follow ControlMesh::boundaryFacesSupportOnly and the tags; Scheme::None ignores tags. Throws
+/// InputError with OpenSubdiv's message for a mesh that it rejects.
 std::unique_ptr<OpenSubdiv::Far::TopologyRefiner> makeTopology(const ControlMesh& mesh, Scheme scheme);
 
 } // namespace plumbline

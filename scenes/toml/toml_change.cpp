@@ -17,7 +17,7 @@ bool isTables(const TomlValue& value) {
            });
 }
 
-/// Keys of a table that lead to other tables.
+/// Keys of a table whose values are tables or arrays of tables.
 std::vector<std::string> tablesOf(const TomlNode& node) {
     std::vector<std::string> names;
     for (const auto& [name, value] : node.values)
@@ -25,7 +25,7 @@ std::vector<std::string> tablesOf(const TomlNode& node) {
     return names;
 }
 
-/// An element of an array of tables, by its name or its number from 0.
+/// An element of an array of tables, by its name or its index from 0.
 std::shared_ptr<TomlNode> elementNamed(const std::string& where, const std::string& key,
                                        const TomlValue& value, const std::string& step) {
     std::vector<std::string> names;

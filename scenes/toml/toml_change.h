@@ -1,11 +1,11 @@
-// Other values put into a TOML tree that was read.
+// Overrides values in a parsed TOML tree.
 #pragma once
 
 #include "scenes/toml/toml_tree.h"
 
 namespace plumbline {
 
-/// TomlTable::change.
+/// Implements TomlTable::change.
 void changeField(std::shared_ptr<TomlNode> root, const std::string& where, const std::string& path,
                  const std::string& value);
 

@@ -7,8 +7,8 @@
 namespace plumbline {
 namespace {
 
-// Every value is added with its type and, where it has parts, their number, so that no two trees make one row
-// of bytes.
+// Each value is added with its type and, if it has elements, their number, so that different trees give
+// different byte sequences.
 class TreeHasher {
   public:
     explicit TreeHasher(ContentHash& hash) : hash_(hash) {}
@@ -33,7 +33,7 @@ class TreeHasher {
             hash_.add(fmt::format("integer {}", value));
     }
     void operator()(double value) {
-        hash_.add(fmt::format("number {}", value == 0 ? 0.0 : value)); // shortest that reads back
+        hash_.add(fmt::format("number {}", value == 0 ? 0.0 : value)); // round-trips
     }
     void operator()(const std::string& value) { hash_.add("text " + value); }
     void operator()(const TomlValue::Array& values) {

@@ -1,4 +1,4 @@
-// What a TOML tree says, as a fingerprint.
+// Hashes the contents of a TOML tree.
 #pragma once
 
 #include "scenes/core/content_hash.h"
@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// TomlTable::addTo.
+/// Implements TomlTable::addTo.
 void addTree(ContentHash& hash, const TomlNode& root, std::string_view except);
 
 } // namespace plumbline

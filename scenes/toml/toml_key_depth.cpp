@@ -11,9 +11,9 @@
 namespace plumbline {
 namespace {
 
-constexpr int kMostParts = 1000;
+constexpr int kMaxParts = 1000;
 
-/// Past the string that begins at `begin`, of one line or between three quotes.
+/// The position after the single-line or multi-line string that begins at `begin`.
 size_t endOfString(std::string_view text, size_t begin) {
     const char quote = text[begin];
     const std::string three(3, quote);
@@ -26,7 +26,7 @@ size_t endOfString(std::string_view text, size_t begin) {
         } else if (text.substr(at, delimiter.size()) == delimiter) {
             at += delimiter.size();
             for (int more = 0; manyLines && more < 2 && at < text.size() && text[at] == quote; ++more)
-                ++at; // the string itself ends in quotes
+                ++at; // the string's last characters are quotes
             return at;
         } else if (text[at] == '\n' && !manyLines) {
             return at;
@@ -37,7 +37,7 @@ size_t endOfString(std::string_view text, size_t begin) {
     return text.size();
 }
 
-/// Parts of the keys of the tables that are open, and of the key being read.
+/// Counts the parts of the open tables' keys and of the key being read.
 class KeyDepth {
   public:
     int parts() const { return outer_ + dots_; }
@@ -54,7 +54,7 @@ class KeyDepth {
             open_.push_back(ofKey_);
             outer_ += ofKey_;
         } else if (c == '}' && !open_.empty()) {
-            ofKey_ = open_.back(); // of an array's next table too
+            ofKey_ = open_.back(); // also for the next table of an array
             outer_ -= ofKey_;
             open_.pop_back();
         }
@@ -77,9 +77,9 @@ void checkKeyDepth(const std::string& where, std::string_view text) {
             at = std::min(text.find('\n', at), text.size());
         } else {
             depth.add(text[at++]);
-            if (depth.parts() > kMostParts)
+            if (depth.parts() > kMaxParts)
                 throw InputError(where,
-                                 fmt::format("has keys of more than {} parts within each other", kMostParts),
+                                 fmt::format("has keys of more than {} parts within each other", kMaxParts),
                                  "a few");
         }
     }

@@ -1,4 +1,4 @@
-// How deep the tables of a TOML text will be, before a parser recurses into them.
+// Checks the nesting depth of the tables of a TOML text before a parser recurses into them.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace plumbline {
 
-/// Throws InputError for dotted keys that make more tables within each other than a stack holds of a parser's
-/// steps, also through inline tables; nested values the parser limits itself.
+/// Throws InputError for dotted keys, also in inline tables, that nest so many tables that the parser's
+/// recursion would overflow the stack. The parser itself limits nested values.
 void checkKeyDepth(const std::string& where, std::string_view text);
 
 } // namespace plumbline

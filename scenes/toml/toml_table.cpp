@@ -26,7 +26,7 @@ double numberOf(const TomlTable& table, std::string_view key, const TomlValue& v
     const auto* integer = value.as<int64_t>();
     const auto* floating = value.as<double>();
     const double number = integer ? static_cast<double>(*integer) : floating ? *floating : 0.0;
-    // Written so that NaN fails.
+    // The negated comparison rejects NaN.
     if ((!integer && !floating) || !(number >= low && number <= high) || !std::isfinite(number))
         table.fail(key, "is " + describe(value), rangeText("number", low, high));
     return number;
@@ -124,20 +124,20 @@ void TomlTable::failMissing(std::string_view key, std::string_view expected) con
 std::string TomlTable::text(std::string_view key, std::optional<std::string> fallback) const {
     const TomlValue* value = find(key);
     if (!value && fallback) return *fallback;
-    if (!value) failMissing(key, "a text");
+    if (!value) failMissing(key, "a string");
     const auto* text = value->as<std::string>();
-    if (!text) fail(key, "is " + describe(*value), "a text in quotes");
+    if (!text) fail(key, "is " + describe(*value), "a string in quotes");
     return *text;
 }
 
 std::string TomlTable::line(std::string_view key) const {
     const TomlValue* value = find(key);
-    if (!value) failMissing(key, "a text of one line");
+    if (!value) failMissing(key, "a single-line string");
     const auto* text = value->as<std::string>();
-    if (!text) fail(key, "is " + describe(*value), "a text in quotes");
+    if (!text) fail(key, "is " + describe(*value), "a string in quotes");
     const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
     if (text->empty() || std::any_of(text->begin(), text->end(), isControl))
-        fail(key, text->empty() ? "is empty" : "has a control character", "a text of one line");
+        fail(key, text->empty() ? "is empty" : "has a control character", "a single-line string");
     return *text;
 }
 
@@ -226,13 +226,13 @@ std::vector<std::string> TomlTable::texts(std::string_view key,
                                           std::optional<std::vector<std::string>> fallback) const {
     const TomlValue* value = find(key);
     if (!value && fallback) return *fallback;
-    if (!value) failMissing(key, "an array of texts");
+    if (!value) failMissing(key, "an array of strings");
     const auto* array = value->as<TomlValue::Array>();
-    if (!array) fail(key, "is " + describe(*value), "an array of texts");
+    if (!array) fail(key, "is " + describe(*value), "an array of strings");
     std::vector<std::string> result;
     for (const TomlValue& element : *array) {
         const auto* text = element.as<std::string>();
-        if (!text) failElement(key, element, "holds " + describe(element), "texts");
+        if (!text) failElement(key, element, "holds " + describe(element), "strings");
         result.push_back(*text);
     }
     return result;
@@ -245,7 +245,7 @@ std::vector<std::string> TomlTable::distinctTexts(std::string_view key,
     if (!value) return result;
     const auto& elements = *value->as<TomlValue::Array>();
     for (size_t i = 0; i < result.size(); ++i) {
-        if (result[i].empty()) failElement(key, elements[i], "holds an empty text", "texts");
+        if (result[i].empty()) failElement(key, elements[i], "holds an empty string", "strings");
         if (std::find(result.begin(), result.begin() + static_cast<std::ptrdiff_t>(i), result[i]) !=
             result.begin() + static_cast<std::ptrdiff_t>(i))
             failElement(key, elements[i], fmt::format("holds \"{}\" twice", result[i]), "each once");
@@ -269,28 +269,30 @@ std::vector<std::string> TomlTable::someOf(std::string_view key, const std::vect
 
 std::vector<std::string> TomlTable::textOrTexts(std::string_view key) const {
     const TomlValue* value = find(key);
-    if (!value) failMissing(key, "a text or an array of texts");
+    if (!value) failMissing(key, "a string or an array of strings");
     if (const auto* text = value->as<std::string>()) return {*text};
-    if (!value->as<TomlValue::Array>()) fail(key, "is " + describe(*value), "a text or an array of texts");
+    if (!value->as<TomlValue::Array>())
+        fail(key, "is " + describe(*value), "a string or an array of strings");
     return texts(key);
 }
 
 std::vector<std::string> TomlTable::scalars(std::string_view key) const {
     const TomlValue* value = find(key);
-    if (!value) failMissing(key, "a number, a text, true, false, or an array of them");
+    if (!value) failMissing(key, "a number, a string, true, false, or an array of them");
     const auto* array = value->as<TomlValue::Array>();
     std::vector<std::string> result;
     for (const TomlValue& element : array ? *array : TomlValue::Array{*value}) {
         if (const auto* text = element.as<std::string>()) {
             if (text->find_first_of("\"\\\n") != std::string::npos)
-                fail(key, "holds " + describe(element), "a text of one line, without quotes and backslashes");
+                fail(key, "holds " + describe(element),
+                     "a single-line string, without quotes and backslashes");
             result.push_back('"' + *text + '"');
         } else if (const auto* number = element.as<double>()) {
             result.push_back(fmt::format("{}", *number)); // 3.0 as 3
         } else if (element.as<bool>() || element.as<int64_t>()) {
             result.push_back(describe(element));
         } else {
-            fail(key, "holds " + describe(element), "numbers, texts, true or false");
+            fail(key, "holds " + describe(element), "numbers, strings, true or false");
         }
     }
     return result;

@@ -45,7 +45,7 @@ std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::stri
     node->line = std::max(1, static_cast<int>(table.source().begin.line));
     for (const auto& [key, element] : table) {
         TomlValue value = convertValue(element, file, joinPath(path, key.str()));
-        // A table's own line may be that of a later header.
+        // The table's own line may be that of a later header.
         value.line = static_cast<int>(key.source().begin.line);
         if (value.line == 0) value.line = node->line;
         node->values.emplace(std::string(key.str()), std::move(value));
@@ -53,7 +53,7 @@ std::shared_ptr<TomlNode> convertTable(const toml::table& table, const std::stri
     return node;
 }
 
-/// A number in a message: 3.0 isn't a whole number, and is shown so.
+/// Formats a number for a message: 3.0 keeps its decimal point, because it isn't an integer in TOML.
 std::string describe(double number) {
     const std::string text = fmt::format("{}", number);
     const bool looksWhole = text.find_first_not_of("-0123456789") == std::string::npos;
@@ -79,7 +79,7 @@ TomlValue parseTomlValue(const std::string& where, const std::string& path, cons
         if (table.size() != 1) throw InputError(where, fmt::format("'{}' is more than a value", text));
         return convertValue(*table.get("value"), where, path);
     } catch (const toml::parse_error& error) {
-        throw InputError(where, fmt::format("'{}' is no TOML value: {}", text, error.description()),
+        throw InputError(where, fmt::format("'{}' is not a TOML value: {}", text, error.description()),
                          "a value as in a scene file: 0.5, [1, 2, 3], \"text\", { … }");
     }
 }
@@ -87,7 +87,7 @@ TomlValue parseTomlValue(const std::string& where, const std::string& path, cons
 std::optional<std::string> tomlText(const std::string& text) {
     std::ostringstream stream;
     stream << toml::toml_formatter(toml::value<std::string>(text), toml::format_flags::none);
-    try { // the parser is the judge of what it takes
+    try { // parse it back to check that the parser accepts it
         if (toml::parse("x = " + stream.str())["x"].value<std::string>() == text) return stream.str();
     } catch (const toml::parse_error&) { // as below
     }
@@ -104,7 +104,7 @@ std::string describe(const TomlValue& value) {
     if (const auto* integer = value.as<int64_t>()) return fmt::format("{}", *integer);
     if (const auto* number = value.as<double>()) return describe(*number);
     if (const auto* text = value.as<std::string>())
-        return fmt::format("the text \"{}\"", text->size() > 60 ? text->substr(0, 60) + "…" : *text);
+        return fmt::format("the string \"{}\"", text->size() > 60 ? text->substr(0, 60) + "…" : *text);
     if (const auto* array = value.as<TomlValue::Array>()) return fmt::format("an array of {}", array->size());
     if (value.as<std::shared_ptr<TomlNode>>()) return "a table";
     return "a date or time";

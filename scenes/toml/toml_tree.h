@@ -1,6 +1,7 @@
-// TOML text and the tree of values it says. toml++ is included in toml_tree.cpp alone.
+// Parses TOML text to a tree of values. Only toml_tree.cpp includes toml++.
 //
-// Lines count from 1. Trees are shared: a table handed out (toml_table.h) remembers what was asked for in it.
+// Lines count from 1. Nodes are shared, because each records which of its fields were read through TomlTable
+// (toml_table.h).
 #pragma once
 
 #include <cstdint>
@@ -20,7 +21,7 @@ struct TomlNode;
 struct TomlValue {
     using Array = std::vector<TomlValue>;
     int line = 0;
-    std::string changedBy; // empty: it is the file's own
+    std::string changedBy; // empty: the value in the file
     /// monostate: a date or time, which no field takes.
     std::variant<std::monostate, bool, int64_t, double, std::string, Array, std::shared_ptr<TomlNode>>
         content;
@@ -31,26 +32,25 @@ struct TomlValue {
     }
 };
 
-/// A table, where it stands, and what was asked for in it.
+/// A table, its location, and the fields that were read from it.
 struct TomlNode {
     std::string file;
     std::string path; // "camera", "object.relief"; empty for the root
     int line = 1;
     std::map<std::string, TomlValue, std::less<>> values;
-    std::set<std::string, std::less<>> known; // asked for, present or not
+    std::set<std::string, std::less<>> known; // fields read, whether present or not
 };
 
-/// Throws InputError "FILE:LINE: is not valid TOML: …". `fileName` is for messages.
+/// Throws InputError "FILE:LINE: is not valid TOML: …". `fileName` is used in messages.
 std::shared_ptr<TomlNode> parseToml(const std::string& fileName, const std::string& text);
-/// One value, as TOML writes it behind `=`; tables in it get paths below `path`. Throws InputError about
-/// `where`.
+/// Parses one value in TOML syntax; tables in it get paths below `path`. Throws InputError about `where`.
 TomlValue parseTomlValue(const std::string& where, const std::string& path, const std::string& text);
-/// A text in quotes with its escapes; nothing for bytes that aren't UTF-8.
+/// The text as a TOML string with quotes and escapes; nothing if it isn't UTF-8.
 std::optional<std::string> tomlText(const std::string& text);
 
 /// "camera.width"; either may be empty.
 std::string joinPath(const std::string& path, std::string_view key);
-/// "3", "the text \"x\"", "a table": for messages.
+/// "3", "the string \"x\"", "a table": for messages.
 std::string describe(const TomlValue& value);
 
 } // namespace plumbline

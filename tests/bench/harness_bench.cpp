@@ -97,7 +97,7 @@ StageSources bareSources(const Technique& technique) {
         "    outHit = vec4(hit.t, hit.st, 1.0);\n"
         "    gl_FragDepth = clamp((planarDepth(vPosition) - uDepthRange.x) * uDepthRange.y, 0.0, 1.0);\n"
         "}\n");
-    if (technique.hasBentBase()) fragment.addFile(shaders / "quadric_base.glsl");
+    if (technique.hasCurvedBase()) fragment.addFile(shaders / "quadric_base.glsl");
     fragment.addText("(parameters)", technique.glslConstants());
     fragment.addFile(technique.surface->shaderFile());
     fragment.addFile(technique.search.shaderFile());
@@ -159,7 +159,7 @@ class Harness {
         for (int run = 0; run <= kRuns; ++run)
             for (Entry& entry : entries) {
                 objects_.prepareBaked(entry.technique.bakedKinds());
-                if (entry.technique.hasBentBase()) objects_.useCurvature(entry.technique.curvatureSet());
+                if (entry.technique.hasCurvedBase()) objects_.useCurvature(entry.technique.curvatureSet());
                 const double full = milliseconds([&] { target_.begin(), draw(*entry.full); });
                 const double bare = milliseconds([&] { bare_.begin(), draw(*entry.bare); });
                 if (run == 0) continue; // the driver compiles

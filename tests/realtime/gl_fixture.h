@@ -1,4 +1,4 @@
-// What the tests that need OpenGL share: skipping where there is none, small scenes, pixels of frames.
+// Helpers of the tests that need OpenGL: skipping where it is unavailable, small scenes, pixel access.
 #pragma once
 
 #include "realtime/gl/gl_context.h"
@@ -14,7 +14,7 @@
 
 namespace plumbline {
 
-/// Why no context can be had, empty if one can.
+/// The reason why no context can be created; empty if one can.
 inline std::string missingGl(GlBackend backend = GlBackend::Auto) {
     try {
         createGlContext({backend, -1});
@@ -27,8 +27,8 @@ inline std::string missingGl(GlBackend backend = GlBackend::Auto) {
 #define PLUMBLINE_NEEDS_GL(backend)                                                                          \
     if (const std::string reason = missingGl(backend); !reason.empty()) GTEST_SKIP() << reason
 
-/// Orthographic, so that a pixel is a ray known by hand: looks at the origin from `position`, `viewHeight`
-/// world units tall, square.
+/// An orthographic camera with a square image `viewHeight` world units high that looks at the origin from
+/// `position`; its rays are easy to derive.
 inline Camera orthographicCamera(const Vec3& position, const Vec3& up, double viewHeight, int pixels) {
     Camera camera;
     camera.positionWorld = position;
@@ -40,7 +40,7 @@ inline Camera orthographicCamera(const Vec3& position, const Vec3& up, double vi
     return camera;
 }
 
-/// A square in the plane y = 0, facing +y, uv once over it: s along +x, t along -z.
+/// A square in the plane y = 0, facing +y, that covers the unit square of uv: s along +x, t along -z.
 inline SceneObject squareObject(double side, std::shared_ptr<const HeightMap> map, double depth) {
     SceneObject object;
     object.name = "square";
@@ -67,8 +67,7 @@ inline Scene sceneOf(SceneObject object, const Camera& camera) {
     return scene;
 }
 
-/// Where something is drawn every channel holds a number, and no infinite one. Only the first that doesn't is
-/// reported.
+/// All channels of covered pixels must be finite numbers. Only the first violation is reported.
 inline void expectNoNan(const Frame& frame) {
     const auto coverage = frame.channel("A");
     for (const std::string& name : frame.channelNames()) {
@@ -83,7 +82,7 @@ inline void expectNoNan(const Frame& frame) {
     }
 }
 
-/// Once, without timing.
+/// Draws one frame without timing.
 inline Frame draw(const Scene& scene, const std::string& technique) {
     RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
     Frame frame = renderer.render(resolveTechnique(technique), nullptr).frame;

@@ -1,4 +1,4 @@
-// The picture of the proxy base against rays and triangles worked out by hand.
+// Compares renderings of the proxy base with independently computed intersections of rays and triangles.
 #include "reference/reference.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/proxy_mesh.h"
@@ -34,10 +34,10 @@ Frame renderOn(const Scene& scene, Base base, int rate) {
     return ReferenceScene(scene, options).render();
 }
 
-/// Where a ray meets the proxy's triangles: barycentric coordinates by Cramer's rule.
+/// Intersection of a ray with the proxy's triangles, with barycentric coordinates by Cramer's rule.
 struct ProxyHit {
     double distance = kInfinity;
-    Vec3 normal{0}, facetNormal{0}; // interpolated; of the triangle; unit
+    Vec3 normal{0}, facetNormal{0}; // interpolated; geometric; both unit
 };
 ProxyHit nearestHit(const ProxyMesh& proxy, const Ray& ray) {
     ProxyHit nearest;
@@ -59,8 +59,8 @@ ProxyHit nearestHit(const ProxyMesh& proxy, const Ray& ray) {
     return nearest;
 }
 
-/// Coverage, position and normal of every pixel are those of the proxy's triangles. Vertices in float are off
-/// by 6e-8, hits on facets seen edge on by many times that.
+/// Expects the coverage, position and normal of the proxy's triangles at every pixel. Float vertices have
+/// errors of 6e-8; hits on facets seen edge-on many times that.
 void expectPolygons(const Scene& scene, int rate, Vec3 ProxyHit::*normal) {
     const ProxyMesh proxy = buildProxyMesh(scene.objects[0]);
     const CameraRays rays(scene.camera);
@@ -83,9 +83,9 @@ void expectPolygons(const Scene& scene, int rate, Vec3 ProxyHit::*normal) {
     EXPECT_GT(covered, 500);
 }
 
-// Without a relief the proxy is drawn as it is, with its interpolated normals. With one of d = 0 nothing is
-// carved, whatever the offset: the same triangles pushed out, and N, the normal of P itself, is theirs. Rates
-// don't matter, as a triangle cut into triangles is the same triangle.
+// Without a relief, the proxy is rendered with its interpolated normals. With a relief of d = 0, for any
+// offset, the triangles are only moved by the offset, and N, the normal of P, is the geometric normal. The
+// rate has no effect, because subdividing a triangle doesn't change it.
 TEST(ProxyBase, ZeroDepth_RendersPolygons) {
     for (const int rate : {1, 8}) {
         SCOPED_TRACE(rate);
@@ -96,10 +96,10 @@ TEST(ProxyBase, ZeroDepth_RendersPolygons) {
     }
 }
 
-// d = 1/2 of a depth of 0.2: the surface runs 0.1 below the triangles along the interpolated normals. So from
-// a hit at P, found where the normal is n, P + 0.1 n lies on a triangle of the proxy. P is on a
-// micro-triangle, below the surface by up to h^2 / 8 of its curvature: a side of the triangles is up to 1.2
-// long, h = 1.2 / 64, normals turn by up to 1.2 a unit: 0.1 * 1.2^2 * h^2 / 8 = 6e-6.
+// d = 1/2 with a depth of 0.2: the surface is 0.1 below the triangles along the interpolated normals. So for
+// a hit at P with the normal n, P + 0.1 n lies on a triangle of the proxy. P is on a micro-triangle, below
+// the surface by up to h^2 / 8 times its curvature. A side of the triangles is up to 1.2 long, h = 1.2 / 64,
+// and normals rotate by up to 1.2 per unit: 0.1 * 1.2^2 * h^2 / 8 = 6e-6.
 TEST(ProxyBase, ConstantDepth_LiesBelowTriangles) {
     const Scene scene = sphereScene(0.5f, 0.1);
     const ProxyMesh proxy = buildProxyMesh(scene.objects[0]);
@@ -108,9 +108,9 @@ TEST(ProxyBase, ConstantDepth_LiesBelowTriangles) {
     for (size_t i = 0; i < frame.pixelCount(); ++i) {
         if (frame.channel("A")[i] == 0) continue;
         const Vec3 position(frame.channel("P.X")[i], frame.channel("P.Y")[i], frame.channel("P.Z")[i]);
-        // The triangle point X with X - 0.1 n(X) = P: by fixed-point iteration X <- P + 0.1 n(X), n from the
-        // triangle the ray from the sphere's center through X meets; n turns slowly, so each step leaves
-        // about a tenth of the error.
+        // The triangle point X with X - 0.1 n(X) = P: found by the fixed-point iteration X <- P + 0.1 n(X),
+        // with n from the triangle that the ray from the sphere's center through X intersects. n varies
+        // slowly, so each step reduces the error to about a tenth.
         Vec3 onTriangle = position * 1.1;
         ProxyHit hit;
         for (int step = 0; step < 12; ++step) {
@@ -123,9 +123,8 @@ TEST(ProxyBase, ConstantDepth_LiesBelowTriangles) {
     EXPECT_GT(covered, 500);
 }
 
-// Where the proxy is as fine as the micro-triangles both bases are one: at proxy_rate 64 chords of the
-// sphere's arcs (an eighth of a circle a control edge, 1.2 long at most) leave (1.2/64)^2 / 8 = 4.4e-5 along
-// each of two directions.
+// With a fine proxy, both bases agree: at proxy_rate 64, chords of the sphere's arcs (an eighth of a circle
+// per control edge, at most 1.2 long) deviate by (1.2/64)^2 / 8 = 4.4e-5 along each of two directions.
 TEST(ProxyBase, FineProxy_RendersLimit) {
     Scene scene = sphereScene(0.5f, 0.1);
     scene.objects[0].proxyRate = 64;
@@ -140,7 +139,7 @@ TEST(ProxyBase, FineProxy_RendersLimit) {
             return Vec3(limit.channel(x)[i], limit.channel(y)[i], limit.channel(z)[i]);
         };
         const Vec3 toCamera = glm::normalize(scene.camera.positionWorld - at("P.X", "P.Y", "P.Z"));
-        // Seen obliquely it is more, and near the outline the cosine itself changes by as much again.
+        // The error is larger for oblique views, and near the silhouette the change of the cosine doubles it.
         const double cosine = std::abs(glm::dot(at("N.X", "N.Y", "N.Z"), toCamera));
         EXPECT_NEAR(limit.channel("Z")[i], proxy.channel("Z")[i], 2 * 4.4e-5 / std::max(cosine, 0.01) + 1e-6)
             << i;

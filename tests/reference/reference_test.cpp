@@ -1,4 +1,4 @@
-// Frames of the reference against answers derived by hand.
+// Compares frames of the reference with results derived by hand.
 #include "reference/reference.h"
 #include "scenes/core/error.h"
 #include "scenes/maps/generate_map.h"
@@ -27,8 +27,8 @@ struct PixelReader {
     }
 };
 
-// The plane lies 5 below the camera; the square of side 2 covers the middle half of a picture 4 high: with 40
-// pixels of 0.1 the columns and rows 10 … 29.
+// The plane is 5 below the camera; the square of side 2 covers the middle half of an image 4 units high: with
+// 40 pixels of 0.1, the columns and rows 10 … 29.
 TEST(Reference, PlaneAtConstantDepth_HasExactDepth) {
     const auto map = std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f));
     const Frame frame = renderReference(squareScene(map, 0.25), 8);
@@ -76,11 +76,11 @@ TEST(Reference, Ramp_HasSlopeAndNormal) {
     }
 }
 
-// The same ramp under a light from (-1, 0, 1), a hair flatter. The top (x < -1/2, z = 0) sees it. The slope,
-// normal (1, 0, 1), turns away by that hair: attached shadow. A ray from the floor (x, -1) rises one per unit
-// and must clear the edge of the top at
-// (-1/2, 0): it is over it at height x - 1/2 > 0 for every x > 1/2, lit. At depth 2 the floor lies at -2 and
-// the ray passes the edge at height x - 3/2 < 0 for every x < 1: dark.
+// The same ramp under a light from (-1, 0, 1), at a slightly lower elevation. The top (x < -1/2, z = 0) is
+// lit. The slope, normal (1, 0, 1), just faces away from the light: attached shadow. A ray from the floor (x,
+// -1) rises one per unit and must clear the edge of the top at (-1/2, 0): it passes the edge at height x -
+// 1/2 > 0 for every x > 1/2, so the floor is lit. At depth 2 the floor is at -2 and the ray passes the edge
+// at height x - 3/2 < 0 for every x < 1: it is in shadow.
 TEST(Reference, Shadow_HasClosedFormBorder) {
     const auto map =
         std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
@@ -89,7 +89,7 @@ TEST(Reference, Shadow_HasClosedFormBorder) {
     const Frame frame = renderReference(scene, 16);
     const PixelReader at{frame};
     EXPECT_EQ(at("shadow.sun", 12, 20), 0.0f); // the top
-    EXPECT_EQ(at("shadow.sun", 20, 20), 1.0f); // the slope turns away by a hair
+    EXPECT_EQ(at("shadow.sun", 20, 20), 1.0f); // the slope just faces away
     EXPECT_EQ(at("shadow.sun", 28, 20), 0.0f); // the floor clears the edge by 0.3
     scene.objects[0].relief->depth = 2;
     const Frame deep = renderReference(scene, 16);
@@ -98,8 +98,8 @@ TEST(Reference, Shadow_HasClosedFormBorder) {
 }
 
 TEST(Reference, OccluderBehindPointLight_CastsNoShadow) {
-    // A light at (0, 0, 1) between the camera and the plane: nothing lies between it and the plane; the
-    // camera-side occluder at z = 2 must not shade.
+    // A light at (0, 0, 1) between the camera and the plane. There is no occluder between it and the plane;
+    // the one at z = 2 on the camera's side must not cast a shadow.
     Scene scene = squareScene(nullptr, 0);
     scene.lights[0].kind = Light::Kind::Point;
     scene.lights[0].positionWorld = {0, 0, 1};
@@ -110,20 +110,20 @@ TEST(Reference, OccluderBehindPointLight_CastsNoShadow) {
     scene.objects.push_back(roof);
     const Frame frame = renderReference(scene, 1);
     const PixelReader at{frame};
-    EXPECT_EQ(at("id", 20, 20), 2.0f);         // the roof hides the middle
+    EXPECT_EQ(at("id", 20, 20), 2.0f);         // the roof occludes the center
     EXPECT_EQ(at("shadow.sun", 20, 20), 1.0f); // and is lit from below: attached shadow above
     EXPECT_EQ(at("id", 12, 20), 1.0f);
     EXPECT_EQ(at("shadow.sun", 12, 20), 0.0f);
-    // Nor may one beyond the light: the ray from (-0.75, 0, 0) to the light would go on to (0.75, 0, 2),
-    // where the roof is now.
+    // An occluder beyond the light must not cast a shadow either: the ray from (-0.75, 0, 0) to the light
+    // would continue to (0.75, 0, 2), where the roof is now.
     scene.objects[1].translate = {0.75, 0, 2};
     const Frame beyond = renderReference(scene, 1);
     EXPECT_EQ(PixelReader{beyond}("id", 27, 20), 2.0f);
     EXPECT_EQ(PixelReader{beyond}("shadow.sun", 12, 20), 0.0f);
     scene.objects[1].translate = {0, 0, 2};
     // Now the light is above the roof: the plane's shadow is the roof (half side 0.2 at height 2) projected
-    // from height 4: half side 0.4, so of the pixels seen beside the roof (|x| > 0.2) those with |x| < 0.4
-    // are dark.
+    // from height 4: half side 0.4, so of the pixels visible beside the roof (|x| > 0.2), those with |x| <
+    // 0.4 are in shadow.
     scene.lights[0].positionWorld = {0, 0, 4};
     const Frame above = renderReference(scene, 1);
     EXPECT_EQ(PixelReader{above}("shadow.sun", 20, 20), 0.0f);
@@ -145,13 +145,14 @@ TEST(Reference, BackSide_IsSeenAndShadedForCamera) {
     scene.lights[0].toLightWorld = {0, 0, -1};
     const Frame frame = renderReference(scene, 1);
     EXPECT_EQ(PixelReader{frame}("A", 20, 20), 1.0f);
-    EXPECT_EQ(PixelReader{frame}("N.Z", 20, 20), 1.0f);        // outward, not turned to the camera
-    EXPECT_EQ(PixelReader{frame}("shadow.sun", 20, 20), 0.0f); // the side seen faces the light
+    EXPECT_EQ(PixelReader{frame}("N.Z", 20, 20), 1.0f);        // outward, not flipped toward the camera
+    EXPECT_EQ(PixelReader{frame}("shadow.sun", 20, 20), 0.0f); // the visible side faces the light
 }
 
 // The ramp at rate 1 is one flat facet from (-1, ., 0) to (1, ., -1), normal (1, 0, 2); the true normal on
-// its slope is (1, 0, 1). A camera toward (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), though
-// the true normal leans away (-1 + 0.8 < 0). A light toward (1, 0, 0.2) is on the outer side of both: lit.
+// its slope is (1, 0, 1). A camera toward (-1, 0, 0.8) sees the facet's outer side (-1 + 1.6 > 0), although
+// the true normal faces away (-1 + 0.8 < 0). A light toward (1, 0, 0.2) is on the outer side of both, so the
+// point is lit.
 TEST(Reference, SideSeen_IsFacets) {
     const auto map =
         std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp);
@@ -166,8 +167,8 @@ TEST(Reference, SideSeen_IsFacets) {
 }
 
 TEST(Reference, LoopAndSubFaces_CloseSurface) {
-    // An icosahedron (Loop) and a pentagonal prism (Catmull-Clark with n-gons), displaced, from inside: every
-    // ray hits, which it wouldn't through a crack.
+    // An icosahedron (Loop) and a pentagonal prism (Catmull-Clark with n-gons), displaced, seen from inside:
+    // every ray must hit, because a miss would mean a crack.
     SceneObject object;
     object.name = "icosahedron";
     object.mesh.name = "icosahedron";
@@ -180,7 +181,7 @@ TEST(Reference, LoopAndSubFaces_CloseSurface) {
                                 4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
                                 6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
     for (int k = 0; k < 60; ++k)
-        object.mesh.uvs.push_back(Vec2(0.37 * k, 0.61 * ((k * 7) % 60))); // torn everywhere
+        object.mesh.uvs.push_back(Vec2(0.37 * k, 0.61 * ((k * 7) % 60))); // torn at every edge
     for (int k = 0; k < 60; ++k)
         object.mesh.faceUvs.push_back(k);
     std::vector<float> depths;
@@ -242,7 +243,8 @@ TEST(Reference, Rates_RiseUntilAimIsMet) {
         reference.render();
         const Certificate& certificate = reference.stats().certificate;
         EXPECT_LE(certificate.pxP99, aimPx);
-        EXPECT_GT(certificate.pxP99, aimPx / 32); // and not far beyond it: a doubling is worth 2 to 4
+        EXPECT_GT(certificate.pxP99,
+                  aimPx / 32); // and not far beyond it: doubling the rate gains a factor of 2 to 4
         EXPECT_EQ(certificate.limit, "");
         EXPECT_EQ(certificate.pxAim, aimPx);
         EXPECT_GT(reference.stats().microTriangles, coarser);
@@ -250,8 +252,8 @@ TEST(Reference, Rates_RiseUntilAimIsMet) {
     }
 }
 
-// Plans look at some of a face's grids only. For these aims the first plan of a torus under bricks isn't fine
-// enough, and what its run measured makes the second one so.
+// Plans only examine some of a face's grids. For these target errors, the first plan of a torus with bricks
+// isn't fine enough, and the measurements of its run make the second one fine enough.
 TEST(Reference, MissedAim_RunsAgainFiner) {
     Scene scene = squareScene(
         std::make_shared<HeightMap>(generateMap("bricks", 64, 3, Wrap::Repeat, Wrap::Repeat)), 0.1, 1);
@@ -285,7 +287,7 @@ TEST(Reference, MemoryBudget_LimitsRatesAndIsReported) {
 TEST(Reference, FlatFaces_AreTwoTriangles) {
     const Scene plain = squareScene(nullptr, 0);
     EXPECT_EQ(ReferenceScene(plain, {}).stats().microTriangles, 2u);
-    // A constant map displaces, but bends nothing.
+    // A constant map displaces a flat face without bending it.
     const Scene constant = squareScene(std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f)), 0.1);
     EXPECT_EQ(ReferenceScene(constant, {}).stats().microTriangles, 2u);
 }
@@ -302,8 +304,8 @@ TEST(Reference, InvalidRates_AreRefused) {
     EXPECT_THROW(ReferenceScene(scene, options), MachineError);
 }
 
-// A square of 16 x 16 faces of which the picture shows the middle 4 x 4, lit from above: what is outside
-// can't shadow anything in it. Under a light from the side the faces toward it can, and only those.
+// A square of 16 x 16 faces, of which the middle 4 x 4 are in the image. Lit from above, the outer faces
+// can't cast shadows into it. Under a light from the side, only the faces toward the light can.
 TEST(Reference, UnseenFaces_AreCoarseUnlessCasting) {
     Scene scene = squareScene(roughMap(), 0.05, 16);
     scene.objects[0].mesh = squareMesh(8, 16);
@@ -320,20 +322,22 @@ TEST(Reference, UnseenFaces_AreCoarseUnlessCasting) {
     EXPECT_GT(cellsAt(15, 8), 1);
     EXPECT_LT(cellsAt(15, 8), cellsAt(8, 8));
     EXPECT_EQ(cellsAt(15, 15), 1);
-    scene.lights[0].kind = Light::Kind::Point; // on the other side of the picture
+    scene.lights[0].kind = Light::Kind::Point; // on the other side of the image
     scene.lights[0].positionWorld = {-6, 0, 1};
     EXPECT_GT(cellsAt(0, 8), 1);
     EXPECT_EQ(cellsAt(15, 8), 1);
 }
 
-// A cylinder without relief bends by the square of a segment's angle; under a relief whose creases are met by
-// the lattice the twist of its texels adds as much. Each doubling of the rate leaves a quarter: 1/3.5 to
-// 1/4.5 with the float's rounding still far below.
+// The error of a cylinder without relief is proportional to the square of a segment's angle. With a relief
+// whose creases lie on the lattice, the mixed derivative of its patches adds a term of the same order. So
+// each doubling of the rate reduces the error to a quarter: 1/3.5 to 1/4.5, with float rounding still far
+// below.
 TEST(Reference, RisingRate_ErrorFallsQuadratically) {
     Scene scene = squareScene(roughMap(), 0.1, 1);
     scene.objects[0].mesh = makeCylinder(0.8, 1.6, 8, 2);
     scene.objects[0].scheme = Scheme::CatmullClark;
-    scene.objects[0].relief->tile = {4, 1}; // 16 texels a face both ways, half a texel a cell at rate 32
+    scene.objects[0].relief->tile = {
+        4, 1}; // 16 texels per face in both directions, half a texel per cell at rate 32
     for (const bool relief : {false, true}) {
         Scene one = scene;
         if (!relief) one.objects[0].relief.reset();
@@ -352,7 +356,7 @@ TEST(Reference, RisingRate_ErrorFallsQuadratically) {
     }
 }
 
-/// Everything with a length in it, scaled.
+/// The scene with all lengths scaled.
 Scene scaled(Scene scene, double scale) {
     scene.camera.positionWorld *= scale;
     scene.camera.targetWorld *= scale;
@@ -369,9 +373,9 @@ Scene scaled(Scene scene, double scale) {
     return scene;
 }
 
-// Scaled by a power of two every float is the same but for its exponent: so are the frames, bit for bit, and
-// depths are scaled. By a power of ten coordinates are rounded elsewhere: a pixel on the very edge may fall
-// to the other side, and is uncertain.
+// Scaling by a power of two only changes the exponents of floats, so frames are bit-identical except for
+// scaled depths. Scaling by a power of ten rounds coordinates differently, so a pixel exactly on an edge may
+// change sides; such pixels are uncertain.
 TEST(Reference, WorldScale_KeepsImage) {
     Scene scene = squareScene(roughMap(), 0.3, 3);
     scene.camera.projection = Camera::Projection::Perspective;

@@ -1,4 +1,4 @@
-// Scenes made in code, small enough to know their pictures by heart.
+// Small scenes created in code, whose images can be derived by hand.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -7,7 +7,8 @@
 
 namespace plumbline {
 
-/// Square of side `size` in the plane z = 0, facing +z, `segments` quads a side, uv (0,0) at its lower left.
+/// Square of side `size` in the plane z = 0, facing +z, with `segments` quads per side and uv (0,0) at its
+/// lower left.
 inline ControlMesh squareMesh(double size, int segments) {
     ControlMesh mesh;
     mesh.name = "square";
@@ -28,7 +29,7 @@ inline ControlMesh squareMesh(double size, int segments) {
     return mesh;
 }
 
-/// A square with a relief, seen from +z by an orthographic camera whose picture is 4 world units high.
+/// A square with a relief, seen from +z by an orthographic camera whose image is 4 world units high.
 inline Scene squareScene(std::shared_ptr<const HeightMap> map, double depth, int segments = 1) {
     Scene scene;
     scene.name = "square";
@@ -51,7 +52,7 @@ inline Scene squareScene(std::shared_ptr<const HeightMap> map, double depth, int
     return scene;
 }
 
-/// Where an object's own space lies in the world, from where it puts its origin and axes.
+/// The object-to-world matrix, computed from the world positions of the origin and the axes.
 inline Mat4 worldFromObject(SceneObject object) {
     object.mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const std::vector<Vec3> at = object.meshWorld().points;

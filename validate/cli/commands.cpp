@@ -17,10 +17,11 @@ Command drawWorkerCommand();
 Command studyCaseCommand();
 
 std::span<const Command> commands() {
-    static const Command table[] = {validateCommand(), referenceCommand(),  realtimeCommand(),
-                                    compareCommand(),  newCommand(),        historyCommand(),
-                                    bakeCommand(),     studyCommand(),      listCommand(),
-                                    doctorCommand(),   drawWorkerCommand(), studyCaseCommand()};
+    static const Command table[] = {
+        validateCommand(), referenceCommand(), realtimeCommand(),   compareCommand(),
+        newCommand(),      historyCommand(),   bakeCommand(),       studyCommand(),
+        listCommand(),     doctorCommand(),    drawWorkerCommand(), studyCaseCommand(),
+    };
     return table;
 }
 

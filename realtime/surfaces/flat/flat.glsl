@@ -2,7 +2,7 @@
 
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
     bool descends = direction.z * frame.depthWorld > kGrazingCosine;
-    float lengthWorld = descends ? 1.0 / direction.z : 0.0; // a grazing ray stays on the polygon
+    float lengthWorld = descends ? 1.0 / direction.z : 0.0; // a grazing ray ends at the polygon
     ray = ReliefRay(st, direction.xy * lengthWorld, 1.0, 0.0, lengthWorld, direction.z * frame.depthWorld,
                     reliefScale(frame), frame.depthWorld, vec4(0.0), vec4(0.0));
     return true;

@@ -11,5 +11,5 @@ float descentAt(ReliefRay ray, float t) { return verticalDescent(ray, t); }
 
 float steepestDescent(ReliefRay ray, float t) { return verticalSteepest(ray, t); }
 
-// The frame of the hit isn't that of the fragment.
+// The frame at the hit differs from the fragment's.
 ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t) { return tiltedFrame(frame, ray.stTravel * t); }

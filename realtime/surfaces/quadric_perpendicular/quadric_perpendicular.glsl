@@ -1,22 +1,26 @@
 // Depth below a quadric, perpendicular to the ray: D_U (Oliveira, Policarpo, RP-351, Eqs 3 to 6).
 //
-// U is the part of the outward normal N at a right angle to the ray V, made unit: it lies in the plane of N and V. In that plane, x along
-// the ray's way over the tangent plane, z inward, the quadric is z = k x^2 with its curvature k in that direction, and
-//     V = (s, c),  U = (c, -s),  s and c the sine and cosine between ray and inward normal.
+// U is the normalized component of the outward normal N orthogonal to the ray V; it lies in the plane of N
+// and V. In that plane, with x along the ray's projection to the tangent plane and z inward, the quadric is z
+// = k x^2 with its curvature k in that direction, and
+//     V = (s, c),  U = (c, -s),  with s and c the sine and cosine of the angle between ray and inward normal.
 // From P = tau V the distance sigma along U to the quadric solves A sigma^2 + B sigma + C = 0 with
 //     A = k c^2,  B = 2 k tau s c + s,  C = k tau^2 s^2 - tau c:
-// their Eq. 6 with z inward, where -U_z = s (lost in Watt and Policarpo 2005, chapter 5). Its discriminant is s^2 + 4 k c tau.
-// d = sigma / sz: the perpendicular is taken in tangent space; scaling doesn't keep right angles.
+// their Eq. 6 with z inward, where -U_z = s (lost in Watt and Policarpo 2005, chapter 5). Its discriminant is
+// s^2 + 4 k c tau. d = sigma / sz; the perpendicular is defined in tangent space, because the scaling to
+// relief space doesn't preserve right angles.
 //
-// Eq. 7 takes over where there is no such point (discriminant < 0: concave), and where the ray runs along N and U has no
-// direction.
+// Eq. 7 is used where there is no such point (discriminant < 0 on a concave base) and where the ray is
+// parallel to N, so that U is undefined.
 //
-// surfaceA: s (0 where Eq. 7 takes over for good), k, 0, 0.
+// surfaceA: s (0 if Eq. 7 is used for the whole ray), k, 0, 0.
 
-// Below this sine U is what is left of N after taking away all but 1e-4 of it: three of float's seven digits of direction are gone.
+// Below this sine, U is a difference of nearly equal vectors with less than 1e-4 of their length, so its
+// direction keeps only about three of the seven digits of a float.
 const float kHeadOnSine = 1e-4;
 
-// sigma, world units, `tau` along the ray. 2 C / (-B -+ root) needs no A: a cylinder or a plane is no 0 / 0.
+// sigma in world units at `tau` along the ray. The form 2 C / (-B -+ root) doesn't divide by A, which is 0 on
+// a plane and along a cylinder's axis.
 float depthAlong(float s, float c, float k, float tau) {
     float below = tau * (c - k * s * s * tau); // -C, and Eq. 7's depth
     float discriminant = s * s + 4.0 * k * c * tau;
@@ -24,10 +28,11 @@ float depthAlong(float s, float c, float k, float tau) {
     return 2.0 * below / (s * (1.0 + 2.0 * k * c * tau) + sqrt(discriminant));
 }
 
-// Where the search ends, world units, and the depth there. sigma = h at the positive root of
+// End of the search in world units, and the depth there. sigma = h at the positive root of
 //     k s^2 tau^2 + (2 k s c h - c) tau + h (s + k c^2 h) = 0, whose discriminant is c^2 - 4 k s h;
-// sigma = 0 where the quadric is, tau = c / (k s^2). A concave quadric turns the perpendicular away before sigma reaches h, at
-// tau = s^2 / (-4 k c), if s (2 - s^2) < -4 k c^2 h; sigma was more than twice Eq. 7's depth there, so that Eq. 7 goes on to h.
+// sigma = 0 on the quadric, at tau = c / (k s^2). On a concave quadric the perpendicular no longer meets it
+// from tau = s^2 / (-4 k c) on, which is before sigma reaches h if s (2 - s^2) < -4 k c^2 h. There, Eq. 7's
+// depth is less than half of sigma and continues to h.
 vec2 perpendicularEnd(float s, float c, float k, float h) {
     if (s == 0.0 || (k < 0.0 && s * (2.0 - s * s) < -4.0 * k * c * c * h)) return searchEnd(c / h, k * s * s / h);
     float discriminant = c * c - 4.0 * k * s * h;
@@ -55,7 +60,7 @@ vec3 reliefPosition(ReliefRay ray, float t) {
     return vec3(ray.st + ray.stTravel * t, t >= 1.0 ? ray.endDepth : depth);
 }
 
-// From the derivative of A sigma^2 + B sigma + C = 0 by tau; of Eq. 7 where it took over.
+// From the derivative of A sigma^2 + B sigma + C = 0 with respect to tau, or of Eq. 7 where it is used.
 float descentAt(ReliefRay ray, float t) {
     float s = ray.surfaceA.x, k = ray.surfaceA.y, c = ray.cosine, tau = ray.lengthWorld * t;
     float discriminant = s * s + 4.0 * k * c * tau;
@@ -65,6 +70,6 @@ float descentAt(ReliefRay ray, float t) {
     return descent * ray.lengthWorld / ray.depthWorld;
 }
 
-// Of the point below the hit along the fragment's normal, as on `quadric`: the surface D_U = D(s, t) is another one for every ray,
-// and has no frame of its own.
+// The frame below the hit along the fragment's normal, as on `quadric`: the surface D_U = D(s, t) depends on
+// the ray, so it has no frame.
 ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t) { return tiltedFrame(frame, ray.stTravel * t); }

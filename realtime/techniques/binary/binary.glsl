@@ -1,13 +1,15 @@
-// Bisection of the whole search interval, with nothing before it.
+// Bisection of the whole search interval, without a linear search.
 //
-// It finds a place where the ray enters the relief, not the first one (Watt and Policarpo, chapter 5, figure 5.12; Policarpo
-// and Oliveira, GPU Gems 3, figure 18-4): it is here to be compared with.
+// It finds some intersection of the ray with the relief, not necessarily the first (Watt and Policarpo,
+// chapter 5, figure 5.12; Policarpo and Oliveira, GPU Gems 3, figure 18-4). It serves as a baseline.
 //
-// `interval = printed`: the listing of Premecz, section 2.3, starts at the top with steps of 1 / (2 binary_steps), which
-// together can't get deeper than 1 / binary_steps (E6 of the project's errata: the first size has to be the interval's, 1).
+// `interval = printed`: the listing of Premecz, section 2.3, starts at the top with a step of 1 / (2
+// binary_steps), so that the halved steps together can't get deeper than 1 / binary_steps (E6 of the
+// project's errata: the first size must be that of the interval, 1).
 //
-// Over a quadric a ray may leave the layer again: then its end isn't inside either. The bisection goes on toward the end as
-// long as its middles are outside, and the fragment is discarded unless one of them was inside.
+// Over a quadric, a ray may leave the layer through the top, so that its end is outside the relief too. The
+// bisection moves toward the end while the midpoints are outside; the fragment is discarded unless one of
+// them was inside.
 
 ReliefHit bisectInterval(ReliefRay ray) {
     float outside = 0.0, inside = 1.0;
@@ -27,7 +29,7 @@ ReliefHit bisectInterval(ReliefRay ray) {
     return hitAt(ray, inside);
 }
 
-// Where the walk ends, whatever it met; the listing's own answer isn't defined when all was outside.
+// Returns the final position; the listing's result is undefined if all samples are outside.
 ReliefHit walkAsPrinted(ReliefRay ray) {
     float t = 0.0, size = 1.0 / float(binary_steps);
     for (int i = 0; i < binary_steps; ++i) {

@@ -1,9 +1,10 @@
-// Conservative cone stepping: the ray goes on to where it leaves the empty cone above the point of the relief below it.
+// Conservative cone stepping: each step advances to the point where the ray leaves the empty cone above the
+// current point.
 //
-// With clearance g above that point, cone ratio c, st speed r and descent m per unit of t, the way is r dt = c (g - m dt)
-// (Policarpo and Oliveira 2007, section 18.3, Eqs 1 to 4, lost in the text: derived in TECHNIQUES section 1). On a bent base
-// the steepest descent still to come stands for m. The steps end short of the relief; where they run out the ray is taken to
-// have arrived.
+// With clearance g above that point, cone ratio c, st speed r and descent m per unit of t, the step satisfies
+// r dt = c (g - m dt) (Policarpo and Oliveira 2007, section 18.3, Eqs 1 to 4, which are missing in the text:
+// derived in TECHNIQUES section 1). On a curved base, m is an upper bound of the remaining descent. The steps
+// converge to the relief without reaching it; after the last step the current point is the hit.
 
 float coneRatio(vec2 st) {
     if (cone_lookup == cone_lookup_cell) return coneOfCell(st).r;
@@ -23,7 +24,7 @@ ReliefHit traceRelief(ReliefRay ray) {
         float cone = coneRatio(position.xy);
         t += cone * clearance / max(speed + cone * steepestDescent(ray, t), 1e-30);
         if (t >= 1.0) {
-            if (ray.endDepth < 1.0) return missed(); // out of a bent layer again
+            if (ray.endDepth < 1.0) return missed(); // left a curved layer through the top
             return hitAt(ray, 1.0);
         }
     }

@@ -1,6 +1,6 @@
-// Cone stepping with a ratio for each quarter of directions. The source says nothing of how one is chosen: the quarter the
-// ray travels in, +-45 degrees around an axis of the map. A ray passes over the point its cone stands on and so stays in
-// one quarter for the whole step.
+// Cone stepping with a separate ratio for each quadrant of directions. The source doesn't define the
+// quadrants; here they are +-45 degrees around the map's axes, and the ray's direction selects one. A step
+// starts above the cone's apex, so the ray stays in one quadrant during the step.
 
 float ofQuarter(vec4 ratios, vec2 way) {
     if (abs(way.x) >= abs(way.y)) return way.x >= 0.0 ? ratios.x : ratios.y;

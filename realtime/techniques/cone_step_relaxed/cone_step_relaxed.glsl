@@ -1,9 +1,11 @@
-// Relaxed cone stepping: cones a ray may enter the relief in, but not leave it. The first point visited inside the relief has
-// the first hit between it and the point before, and a bisection or the secant finds it (Policarpo and Oliveira 2007, section
-// 18.4, listing 18-3; the listing forgets to hand its result back, TECHNIQUES E23).
+// Relaxed cone stepping: within a cone, a ray may enter the relief but not leave it. So the first hit lies
+// between the first visited point inside the relief and the previous point, and is refined with bisection or
+// the secant method (Policarpo and Oliveira 2007, section 18.4, listing 18-3; the listing doesn't return its
+// result, TECHNIQUES E23).
 //
-// Cones end at the height of the point they stand on: over level ground the steps come ever closer and never arrive. Where they run
-// out, or end within `tolerance`, the search goes on between the entry, or the last point, and there, as in the listing.
+// A cone's apex is on the relief, so on level ground the steps converge to the relief without reaching it.
+// After the last step, or once within `tolerance`, the refinement uses the interval from the last point, or
+// the entry, to the current point, as in the listing.
 
 float coneRatio(vec2 st) {
     if (cone_lookup == cone_lookup_cell) return coneOfCell(st).r;
@@ -12,13 +14,13 @@ float coneRatio(vec2 st) {
     return coneOfNearestTexel(st).r;
 }
 
-// Clearance above the relief at t: positive outside of it.
+// Clearance above the relief at t: positive outside.
 float clearanceAt(ReliefRay ray, float t) {
     vec3 position = reliefPosition(ray, t);
     return reliefDepth(position.xy) - position.z;
 }
 
-// Between `outside` and `inside`, whose clearances are given.
+// Refines the hit between `outside` and `inside`, whose clearances are given.
 float refined(ReliefRay ray, float outside, float inside, float above, float below) {
     for (int i = 0; i < refine_steps; ++i) {
         countIteration();
@@ -29,7 +31,8 @@ float refined(ReliefRay ray, float outside, float inside, float above, float bel
         if (clearance <= 0.0) {
             inside = middle;
             below = clearance;
-            above *= refine == refine_secant ? 0.5 : 1.0; // Illinois: or one end could stay for ever (TECHNIQUES E1)
+            // Illinois; otherwise one end may never move (TECHNIQUES E1).
+            above *= refine == refine_secant ? 0.5 : 1.0;
         } else {
             outside = middle;
             above = clearance;
@@ -57,7 +60,7 @@ ReliefHit traceRelief(ReliefRay ray) {
         t = min(t + cone * clearance / max(speed + cone * steepestDescent(ray, t), 1e-30), 1.0);
     }
     if (t <= 0.0) return hitAt(ray, 0.0);
-    if (clearance > tolerance) { // the last step's end wasn't looked at
+    if (clearance > tolerance) { // the last step's end wasn't sampled
         clearance = clearanceAt(ray, t);
         if (clearance > 0.0 && t >= 1.0 && ray.endDepth < 1.0) return missed();
     }

@@ -1,7 +1,8 @@
-// Steep parallax mapping: equal depth steps, the first sample inside the relief is the answer.
+// Steep parallax mapping: equal depth steps; the first sample inside the relief is the hit.
 //
-// Every sample is tested, the last one too: on a flat base it lies at depth 1, which is always inside (the listing of Watt and
-// Policarpo, chapter 5, L5.3, leaves it out and loses the bottom of the map: E24 of the project's errata).
+// All samples are tested, including the last one: on a flat base it is at depth 1, which is always inside
+// (the listing of Watt and Policarpo, chapter 5, L5.3, omits it and makes the bottom of the map transparent:
+// E24 of the project's errata).
 
 ReliefHit traceRelief(ReliefRay ray) {
     for (int i = 1; i <= linear_steps; ++i) {

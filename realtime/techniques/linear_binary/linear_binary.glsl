@@ -1,10 +1,12 @@
-// Relief mapping: equal steps to the first sample inside the relief, then bisection of the last step.
+// Relief mapping: equal steps to the first sample inside the relief, then bisection of the last interval.
 //
-// The bisection starts with the bracket the linear search left (the listing of Premecz, section 2.3, starts anew at depth
-// 1 with steps too small to come back: E6 of the project's errata). On a flat base the last step is depth 1, which is always
-// inside (E24: chapter 5's L5.3 leaves that sample out and makes the bottom of the map transparent).
+// The bisection starts with the interval found by the linear search (the listing of Premecz, section 2.3,
+// restarts at depth 1 with steps too small to return to it: E6 of the project's errata). On a flat base the
+// last sample is at depth 1, which is always inside (E24: chapter 5's L5.3 omits it and makes the bottom of
+// the map transparent).
 
-// `steps = adaptive`: from linear_steps straight from above to twice as many along the surface (Premecz, section 2.3).
+// `steps = adaptive`: linear_steps for a perpendicular view, up to twice as many at grazing angles (Premecz,
+// section 2.3).
 int linearStepCount(ReliefRay ray) {
     if (steps == steps_fixed) return linear_steps;
     return int(ceil(mix(2.0, 1.0, clamp(ray.cosine, 0.0, 1.0)) * float(linear_steps)));
@@ -17,7 +19,8 @@ ReliefHit traceRelief(ReliefRay ray) {
         float t = float(i) / float(stepCount);
         vec3 position = reliefPosition(ray, t);
         bool isInside = reliefDepth(position.xy) <= position.z;
-        if (inside < 0.0) { // not found yet: without early_exit the loop goes on, as chapter 5's L5.3 does
+        // Keep the first hit; without early_exit the loop continues, as in chapter 5's L5.3.
+        if (inside < 0.0) {
             if (isInside)
                 inside = t;
             else

@@ -1,21 +1,25 @@
-// Secant relief mapping: equal steps to the first sample inside the relief, then secants within the bracket until the point is
-// within `tolerance` of the relief (Risser, Shah, Pattanaik 2007).
+// Secant relief mapping: equal steps to the first sample inside the relief, then secant steps within the
+// interval until the point is within `tolerance` of the relief (Risser, Shah, Pattanaik 2007).
 //
-// Numbers are those of the project's errata. The printed update is regula falsi, whose one end can stay for good; Illinois
-// halves the gap of an end that stays twice (E1). The listing's answer is the depth *sampled* at the point, one undamped
-// parallax step away from the point itself: worse where the relief is steeper than the ray (E2). Its variables say depth where they compare heights (E3). It walks by
-// horizontal distance, which leaves a ray from straight above with infinity times 0; here depth is the parameter (E4).
+// E1 to E4 refer to the project's errata. The printed update is regula falsi, in which one end may never
+// move; the Illinois variant halves the gap of an end that is retained twice (E1). The listing returns the
+// depth *sampled* at the point, which is an undamped parallax step away from the point itself and worse where
+// the relief is steeper than the ray (E2). Its variables are called depth but compare heights (E3). It is
+// parametrized by horizontal distance, which gives infinity times 0 for a perpendicular ray; here depth is
+// the parameter (E4).
 //
-// Gap: D - d, > 0 outside the relief. Over a quadric d isn't linear in t: the secants are those of the gap over t.
+// Gap: D - d, > 0 outside the relief. Over a quadric, d isn't linear in t; the secants are those of the gap
+// as a function of t.
 
-// t plus the gap over the ray's descent: on a flat base t = D exactly but for rounding.
+// For sampled_depth, t plus the gap divided by the ray's descent, which on a flat base gives t = D up to
+// rounding.
 float answerAt(ReliefRay ray, float t, float gap) {
     if (answer == answer_intersection) return t;
     float descent = descentAt(ray, t);
     return descent > kGrazingCosine ? clamp(t + gap / descent, 0.0, 1.0) : t;
 }
 
-// Between t = `outside` with gapOutside > 0 and `inside` with gapInside <= 0.
+// Refines the hit between t = `outside` with gapOutside > 0 and `inside` with gapInside <= 0.
 float refine(ReliefRay ray, float outside, float gapOutside, float inside, float gapInside) {
     float t = inside, gap = gapInside;
     int lastSide = 0; // which end moved last: 1 outside, -1 inside

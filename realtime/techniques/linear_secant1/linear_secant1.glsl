@@ -1,8 +1,9 @@
-// Parallax occlusion mapping: equal steps to the first sample inside the relief, then the relief between the last two samples is
-// taken for a straight line and cut with the ray, once.
+// Parallax occlusion mapping: equal steps to the first sample inside the relief, then one secant step, which
+// intersects the ray with the straight line between the last two samples of the relief.
 //
-// Distance outside the relief is D - d. Depth is the parameter (E4 of the project's errata: horizontal distance leaves a ray from
-// straight above with infinity times 0). Over a quadric d isn't linear in t and the cut is that of the ray's chord.
+// The gap outside the relief is D - d. Depth is the parameter (E4 of the project's errata: horizontal
+// distance gives infinity times 0 for a perpendicular ray). Over a quadric, d isn't linear in t, and the
+// chord of the ray is intersected.
 
 ReliefHit traceRelief(ReliefRay ray) {
     float outside = 0.0, gapOutside = reliefDepth(reliefPosition(ray, 0.0).xy);

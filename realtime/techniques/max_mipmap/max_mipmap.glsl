@@ -1,17 +1,19 @@
-// Quadtree traversal (Tevs, Ihrke, Seidel 2008): blocks of cells whose least depth the ray stays above are left in one step; where it
-// doesn't, the four blocks inside are tried, down to single cells, whose patch is met exactly (shaders/relief_walk.glsl).
+// Quadtree traversal (Tevs, Ihrke, Seidel 2008): a block of cells is skipped in one step if the ray stays
+// above its minimum depth. Otherwise the traversal descends to the next finer level, down to single cells,
+// whose patch is intersected exactly (shaders/relief_walk.glsl).
 
-// Deepest the ray gets between t and `next`.
+// Maximum depth of the ray between t and `next`.
 float deepest(ReliefRay ray, float t, float next) {
     float depth = max(reliefPosition(ray, t).z, reliefPosition(ray, next).z);
-    float top = 0.5 + 0.5 * ray.endDepth / max(ray.bend, 1e-30); // where a ray over a convex base turns back
+    float top = 0.5 + 0.5 * ray.endDepth / max(ray.bend, 1e-30); // the maximum of d(t) over a convex base
     if (ray.bend > 0.0 && top > t && top < next) depth = max(depth, reliefPosition(ray, top).z);
     return depth;
 }
 
-// Cells of a block along one axis, relative to the walk; `wrapped` is the cell's index in the map, `block` the block's.
+// First and last cell of a block along one axis, relative to the walk's first cell; `wrapped` is the cell's
+// index in the map, `block` the block's.
 ivec2 blockCells(int cell, int wrapped, int block, int level, int blocks, int size, int low, int high, bool clamps) {
-    if (clamps && (cell <= low || cell >= high)) return ivec2(cell); // goes on for ever
+    if (clamps && (cell <= low || cell >= high)) return ivec2(cell); // extends to infinity
     int lowest = cell - (wrapped - (block << level));
     int highest = cell + ((block == blocks - 1 ? size : (block + 1) << level) - 1 - wrapped);
     return ivec2(lowest, highest);
@@ -55,5 +57,5 @@ ReliefHit traceRelief(ReliefRay ray) {
             cell.y = walk.travel.y > 0.0 ? cellsT.y + 1 : cellsT.x - 1;
         level = min(level + 1, topLevel);
     }
-    return hitAt(ray, t); // most_steps ran out
+    return hitAt(ray, t); // reached most_steps
 }

@@ -1,12 +1,13 @@
-// Parallax mapping with slope, the "safe" form: the relief is taken for the plane through the point below the fragment with the normal
-// stored there, and the division by normal . eye left out (Premecz, section 3).
+// Parallax mapping with slope, the "safe" form: assumes that the relief is the plane through the point below
+// the fragment with the normal stored there, and omits the division by normal . eye (Premecz, section 3).
 //
-// The way along the unit ray is tau = d0 sz n_z. On a flat base, whose ray is sz / cosine long, that is t = d0 n_z cosine.
+// The distance along the unit ray is tau = d0 sz n_z. On a flat base, whose ray is sz / cosine long, that is
+// t = d0 n_z cosine.
 //
-// The normal has to follow the relief's scale: `rescale_normal = false` is the printed code, which scales the height alone (E7 of the
-// project's errata). scale and bias: parallax/parallax.glsl.
+// The normal must be adapted to the relief's scale; `rescale_normal = false` is the printed code, which only
+// scales the height (E7 of the project's errata). scale and bias: parallax/parallax.glsl.
 
-// A unit normal of the relief `scale` times as deep.
+// The unit normal of the relief scaled in depth by `scale`.
 vec3 scaledNormal(vec3 normal) {
     return rescale_normal ? normalize(vec3(normal.xy * scale, normal.z)) : normal;
 }

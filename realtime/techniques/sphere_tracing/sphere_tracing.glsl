@@ -1,9 +1,11 @@
-// Sphere tracing in a distance field of the relief (Donnelly 2005, as told by Premecz 2006, section 2.4). The listing steps
-// d in [0,1] by metric distances; field and direction must share one metric (TECHNIQUES E11): both are in world units here.
+// Sphere tracing in a distance field of the relief (Donnelly 2005, as described by Premecz 2006, section
+// 2.4). The listing steps d in [0,1] by metric distances, but field and direction must have the same metric
+// (TECHNIQUES E11); here both are in world units.
 //
-// `voxel` reads a distance that holds everywhere in the voxel, so that no step can pass through the relief. It is 0 in the voxels
-// that touch the relief; there the ray goes on by half a voxel, looks the depth up, and bisects the step that entered.
-// `trilinear` is the field as the source has it: steps until they run out.
+// `voxel` uses a distance valid in the whole voxel, so that its steps can't pass through the relief. The
+// distance is 0 in voxels that intersect the relief; there the ray advances by half a voxel, samples the
+// depth, and bisects the step that entered the relief. `trilinear` is the source's method, which only steps
+// through the filtered field.
 
 ReliefHit bisected(ReliefRay ray, float outside, float inside) {
     for (int i = 0; i < binary_steps; ++i) {
@@ -21,7 +23,7 @@ ReliefHit bisected(ReliefRay ray, float outside, float inside) {
 ReliefHit traceRelief(ReliefRay ray) {
     float t = 0.0, outside = 0.0;
     vec3 voxels = abs(vec3(ray.stTravel, 1.0)) * vec3(distanceFieldSize()); // crossed from t = 0 to 1
-    float leastStep = 0.5 / max(max(voxels.x, voxels.y), voxels.z);
+    float minStep = 0.5 / max(max(voxels.x, voxels.y), voxels.z);
     for (int i = 0; i < sphere_steps; ++i) {
         vec3 position = reliefPosition(ray, t);
         if (t >= 1.0) break;
@@ -31,7 +33,7 @@ ReliefHit traceRelief(ReliefRay ray) {
             if (reliefDepth(position.xy) <= position.z) return bisected(ray, outside, t);
         }
         outside = t;
-        t = min(t + max(free / max(ray.lengthWorld, 1e-30), field == field_voxel ? leastStep : 0.0), 1.0);
+        t = min(t + max(free / max(ray.lengthWorld, 1e-30), field == field_voxel ? minStep : 0.0), 1.0);
     }
     if (field == field_voxel && t >= 1.0) return bisected(ray, outside, 1.0);
     return hitAt(ray, t);

@@ -91,7 +91,7 @@ class LimitMask {
     }
 
     static Vec3 limit(const Vec3& point, const Ring& ring, int valence) {
-        if (valence == 0) return point; // no face uses it
+        if (valence == 0) return point; // not used by any face
         if (ring.boundaryEdges > 0) return valence == 1 ? point : (ring.boundary + 4.0 * point) / 6.0;
         const double n = valence;
         const Vec3 refined = ((n - 2) / n) * point + (ring.neighbors + ring.faces) / (n * n);
@@ -111,14 +111,14 @@ std::vector<Vec3> limitPoints(const ControlMesh& mesh) {
 }
 
 void interpolateLimit(ControlMesh& mesh) {
-    constexpr double kTolerance = 1e-12; // of the mesh's size: rounding of the sums above is near 1e-15
-    // Chebyshev iteration (Golub, Varga 1961) on limits(points) = targets. Eigenvalues of the mask: at most
-    // 1, as its weights are positive and sum to 1; at least 1/9 on a regular grid, ((4 - 2)/6)^2; somewhat
-    // less beside extraordinary vertices. With 1/16 as their bound each step leaves 0.6 of the error: 1e-12
-    // takes about 55.
+    constexpr double kTolerance = 1e-12; // of the mesh's size; the sums above round at about 1e-15
+    // Chebyshev iteration (Golub, Varga 1961) on limits(points) = targets. The mask's eigenvalues are at most
+    // 1, because its weights are positive and sum to 1, and at least ((4 - 2)/6)^2 = 1/9 on a regular grid,
+    // somewhat less near extraordinary vertices. With 1/16 as the lower bound, each step reduces the error to
+    // 0.6 of its value; an error of 1e-12 takes about 55 steps.
     constexpr double kLeast = 1.0 / 16, kMost = 1, kMiddle = (kMost + kLeast) / 2,
                      kHalf = (kMost - kLeast) / 2;
-    constexpr int kMostSteps = 400;
+    constexpr int kMaxSteps = 400;
     const LimitMask mask(mesh);
     const std::vector<Vec3> targets = mesh.points;
     Bounds bounds;
@@ -126,7 +126,7 @@ void interpolateLimit(ControlMesh& mesh) {
         bounds.add(target);
     std::vector<Vec3> moves(targets.size(), Vec3(0));
     double rho = 0; // rho and the two factors are the recurrence of the Chebyshev polynomials' ratios
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
         const std::vector<Vec3> limits = mask.apply(mesh.points);
         const double next = step == 0 ? kHalf / kMiddle : 1 / (2 * kMiddle / kHalf - rho);
         const double keep = step == 0 ? 0 : next * rho, gain = step == 0 ? 1 / kMiddle : 2 * next / kHalf;

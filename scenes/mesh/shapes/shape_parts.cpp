@@ -31,9 +31,9 @@ void requireSegments(std::string_view shape, std::string_view parameter, int val
 }
 
 void requireFaces(std::string_view shape, int64_t faces) {
-    if (faces > kMostShapeFaces)
+    if (faces > kMaxShapeFaces)
         throw InputError(whereOfShape(shape), fmt::format("{} faces", faces),
-                         fmt::format("at most {}", kMostShapeFaces),
+                         fmt::format("at most {}", kMaxShapeFaces),
                          "a control mesh is coarse; the reference subdivides it as far as the relief needs");
 }
 

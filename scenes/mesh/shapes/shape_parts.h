@@ -1,4 +1,4 @@
-// What the built-in shapes share: checks of their parameters and rectangular grids of quads.
+// Helpers shared by the built-in shapes: parameter checks and rectangular grids of quads.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// "shape 'torus'": where an error about a shape is.
+/// "shape 'torus'": the location in error messages about a shape.
 std::string whereOfShape(std::string_view shape);
 
 /// Throws InputError "shape 'torus': minor = -1; expected a positive number" unless value is positive and
@@ -17,11 +17,11 @@ std::string whereOfShape(std::string_view shape);
 void requirePositive(std::string_view shape, std::string_view parameter, double value);
 void requireFinite(std::string_view shape, std::string_view parameter, double value);
 void requireSegments(std::string_view shape, std::string_view parameter, int value, int fewest, int most);
-/// Throws unless a cage of so many faces is within kMostShapeFaces.
+/// Throws if the number of faces exceeds kMaxShapeFaces.
 void requireFaces(std::string_view shape, int64_t faces);
 
-/// Appends quads of a grid of columns x rows faces. `vertex(i, j)` and `uv(i, j)` give indices for lattice
-/// places 0 <= i <= columns, 0 <= j <= rows; i to the right, j up, seen from outside.
+/// Appends quads of a grid of columns x rows faces. `vertex(i, j)` and `uv(i, j)` return indices for lattice
+/// points 0 <= i <= columns, 0 <= j <= rows; seen from outside, i increases to the right and j upwards.
 template <typename VertexIndex, typename UvIndex>
 void appendQuads(ControlMesh& mesh, int columns, int rows, VertexIndex vertex, UvIndex uv) {
     for (int j = 0; j < rows; ++j)
@@ -35,8 +35,8 @@ void appendQuads(ControlMesh& mesh, int columns, int rows, VertexIndex vertex, U
         }
 }
 
-/// Appends the uvs of a lattice of (columns + 1) x (rows + 1) places, from `low` to `high`; returns the
-/// first's index. Place (i, j) is at index first + j * (columns + 1) + i.
+/// Appends the uvs of a lattice of (columns + 1) x (rows + 1) points from `low` to `high` and returns the
+/// index of the first. Point (i, j) has index first + j * (columns + 1) + i.
 int appendUvLattice(ControlMesh& mesh, int columns, int rows, const Vec2& low, const Vec2& high);
 
 } // namespace plumbline

@@ -13,8 +13,8 @@ namespace plumbline {
 
 namespace {
 
-/// One lattice of vertices with one of uvs, closed in the directions said. `position(i, j)` for the distinct
-/// vertices.
+/// A lattice of vertices and one of uvs. The vertex lattice wraps around in the directions marked as closed;
+/// `position(i, j)` is called once per distinct vertex.
 template <typename Position>
 ControlMesh makeLattice(std::string name, int columns, int rows, bool closedU, bool closedV,
                         Position position) {
@@ -32,8 +32,8 @@ ControlMesh makeLattice(std::string name, int columns, int rows, bool closedU, b
     return mesh;
 }
 
-/// A closed uniform cubic B-spline through a regular n-gon of radius r has its knots' points at
-/// r (e^{-i phi} + 4 + e^{i phi}) / 6 = r (4 + 2 cos phi) / 6, phi = 2 pi / n: what to divide a radius by.
+/// The factor by which a closed uniform cubic B-spline shrinks its control polygon, a regular n-gon of radius
+/// r: its points at knots are r (e^{-i phi} + 4 + e^{i phi}) / 6 = r (4 + 2 cos phi) / 6, phi = 2 pi / n.
 double ringShrink(int segments) {
     return (4 + 2 * std::cos(2 * kPi / segments)) / 6;
 }
@@ -43,10 +43,11 @@ double ringShrink(int segments) {
 ControlMesh makePlane(double width, double depth, int segmentsX, int segmentsZ) {
     requirePositive("plane", "width", width);
     requirePositive("plane", "depth", depth);
-    requireSegments("plane", "segments[0]", segmentsX, 1, kMostShapeSegments);
-    requireSegments("plane", "segments[1]", segmentsZ, 1, kMostShapeSegments);
+    requireSegments("plane", "segments[0]", segmentsX, 1, kMaxShapeSegments);
+    requireSegments("plane", "segments[1]", segmentsZ, 1, kMaxShapeSegments);
     requireFaces("plane", int64_t(segmentsX) * segmentsZ);
-    // Linear data is kept by the boundary rule too, so the limit is this very rectangle, evenly parametrized.
+    // The boundary rule also reproduces linear data, so the limit surface is exactly this rectangle with a
+    // uniform parametrization.
     return makeLattice("plane", segmentsX, segmentsZ, false, false, [&](int i, int j) {
         return Vec3(width * (double(i) / segmentsX - 0.5), 0, depth * (0.5 - double(j) / segmentsZ));
     });
@@ -56,7 +57,7 @@ ControlMesh makeQuadric(double a, double b, double halfSize, int segments) {
     requireFinite("quadric", "a", a);
     requireFinite("quadric", "b", b);
     requirePositive("quadric", "half_size", halfSize);
-    requireSegments("quadric", "segments", segments, 1, kMostShapeSegments - 2);
+    requireSegments("quadric", "segments", segments, 1, kMaxShapeSegments - 2);
     const int side = segments + 2; // with the ring that only supports the limit surface
     requireFaces("quadric", int64_t(side) * side);
     // Control values of x^2 on a uniform cubic B-spline of knot spacing h are the blossom (pq + qr + rp) / 3
@@ -78,11 +79,11 @@ ControlMesh makeQuadric(double a, double b, double halfSize, int segments) {
 ControlMesh makeCylinder(double radius, double height, int segmentsAround, int segmentsUp) {
     requirePositive("cylinder", "radius", radius);
     requirePositive("cylinder", "height", height);
-    requireSegments("cylinder", "segments[0]", segmentsAround, 3, kMostShapeSegments);
-    requireSegments("cylinder", "segments[1]", segmentsUp, 1, kMostShapeSegments);
+    requireSegments("cylinder", "segments[0]", segmentsAround, 3, kMaxShapeSegments);
+    requireSegments("cylinder", "segments[1]", segmentsUp, 1, kMaxShapeSegments);
     requireFaces("cylinder", int64_t(segmentsAround) * segmentsUp);
-    // Evenly spaced rows are linear along y, which the boundary rule (curve through the boundary's own
-    // vertices) continues: the ends are at +-height/2 and the sides straight.
+    // Evenly spaced rows are linear along y. The boundary rule, which depends only on boundary vertices,
+    // preserves this: the ends are at +-height/2 and the sides are straight.
     const double ring = radius / ringShrink(segmentsAround);
     return makeLattice("cylinder", segmentsAround, segmentsUp, true, false, [&](int i, int j) {
         const double angle = 2 * kPi * i / segmentsAround;
@@ -96,11 +97,11 @@ ControlMesh makeTorus(double major, double minor, int segmentsMajor, int segment
     if (!(minor < major))
         throw InputError(whereOfShape("torus"), fmt::format("minor = {}", minor),
                          fmt::format("less than major = {}", major));
-    requireSegments("torus", "segments[0]", segmentsMajor, 3, kMostShapeSegments);
-    requireSegments("torus", "segments[1]", segmentsMinor, 3, kMostShapeSegments);
+    requireSegments("torus", "segments[0]", segmentsMajor, 3, kMaxShapeSegments);
+    requireSegments("torus", "segments[1]", segmentsMinor, 3, kMaxShapeSegments);
     requireFaces("torus", int64_t(segmentsMajor) * segmentsMinor);
-    // The limit mask is the product of the two rings': the tube's pulls toward its center line, the other
-    // one then shrinks the distance from the axis as a whole.
+    // The limit mask is the product of two ring masks: the tube's shrinks the tube toward its center line,
+    // and the other one then scales the distance from the axis.
     const double tube = minor / ringShrink(segmentsMinor), ring = ringShrink(segmentsMajor);
     return makeLattice("torus", segmentsMajor, segmentsMinor, true, true, [&](int i, int j) {
         const double angle = 2 * kPi * i / segmentsMajor, tubeAngle = 2 * kPi * j / segmentsMinor;
@@ -111,19 +112,19 @@ ControlMesh makeTorus(double major, double minor, int segmentsMajor, int segment
 
 namespace {
 
-/// One side of a cube of n segments an edge, lattice places in [0,n]^3.
+/// One side of a cube with n segments per edge, in lattice coordinates [0,n]^3.
 struct CubeSide {
     glm::ivec3 origin, right, up; // in edges; right x up points outwards
     Vec2 uvOrigin;
 };
-// The four around the y axis, front (+z) first, then top and bottom, which continue the front.
+// The four sides around the y axis, front (+z) first, then top and bottom, whose uvs continue the front's.
 constexpr CubeSide kCubeSides[6] = {
     {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {0, 0}},  {{1, 0, 1}, {0, 0, -1}, {0, 1, 0}, {1, 0}},
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {2, 0}}, {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, {3, 0}},
     {{0, 1, 1}, {1, 0, 0}, {0, 0, -1}, {0, 0}}, {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0}},
 };
 
-/// Six grids with shared vertices; `position` maps a place of [-1,1]^3 on the cube to a point.
+/// Six grids with shared vertices; `position` maps a point on the cube [-1,1]^3 to its final position.
 template <typename Position>
 ControlMesh makeCube(std::string name, int segments, bool sidesContinueS, Position position) {
     ControlMesh mesh;
@@ -149,10 +150,11 @@ ControlMesh makeCube(std::string name, int segments, bool sidesContinueS, Positi
 
 ControlMesh makeSphere(double radius, int segmentsPerCubeEdge) {
     requirePositive("sphere", "radius", radius);
-    requireSegments("sphere", "segments", segmentsPerCubeEdge, 1, kMostShapeSegments);
+    requireSegments("sphere", "segments", segmentsPerCubeEdge, 1, kMaxShapeSegments);
     requireFaces("sphere", int64_t(6) * segmentsPerCubeEdge * segmentsPerCubeEdge);
     ControlMesh mesh = makeCube("sphere", segmentsPerCubeEdge, true, [&](const Vec3& cube) {
-        // Tangents of equal angles instead of equal lengths: lattice cells of nearly one size on the sphere.
+        // Equal angles instead of equal lengths (the tangent warp) give lattice cells of nearly equal size on
+        // the sphere.
         const Vec3 warped = glm::tan(cube * (kPi / 4));
         return radius * glm::normalize(warped);
     });
@@ -164,7 +166,7 @@ ControlMesh makeBox(const Vec3& size, int segments) {
     requirePositive("box", "size[0]", size.x);
     requirePositive("box", "size[1]", size.y);
     requirePositive("box", "size[2]", size.z);
-    requireSegments("box", "segments", segments, 1, kMostShapeSegments);
+    requireSegments("box", "segments", segments, 1, kMaxShapeSegments);
     requireFaces("box", int64_t(6) * segments * segments);
     ControlMesh mesh = makeCube("box", segments, false, [&](const Vec3& cube) { return 0.5 * size * cube; });
     for (const CubeSide& side : kCubeSides) {

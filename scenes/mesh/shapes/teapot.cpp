@@ -10,33 +10,34 @@ namespace plumbline {
 
 namespace {
 
-/// A control point of a profile. The circle about the axis is four cubic arcs whose inner control points lie
-/// `tangent` along from their ends: 0.56 radius in the data (0.5523 would be nearest to a circle).
+/// A control point of a profile. The circle around the axis consists of four cubic arcs whose inner control
+/// points are at distance `tangent` from their ends: 0.56 radius in the data (0.5523 would approximate a
+/// circle best).
 struct ProfilePoint {
     double radius, z;
     double tangent = 0.56 * radius;
 };
-/// Bottom to top, the rim last, which turns inwards and down.
+/// From bottom to top, ending with the rim, which turns inwards and down.
 constexpr ProfilePoint kBody[] = {{1.5, 0.15},       {1.5, 0.225},  {2, 0.45},  {2, 0.9},
                                   {2, 1.35},         {1.75, 1.875}, {1.5, 2.4}, {1.4375, 2.53125},
                                   {1.3375, 2.53125}, {1.4, 2.4}};
-/// From its edge to the top of the knob, whose widest control ring is the one exception from 0.56.
+/// From its edge to the top of the knob, whose widest control ring is the only one with another tangent than
+/// 0.56.
 constexpr ProfilePoint kLid[] = {{1.3, 2.4}, {1.3, 2.55},       {0.4, 2.55}, {0.2, 2.7},
                                  {0, 2.85},  {0.8, 3.15, 0.45}, {0, 3.15}};
 /// From the center outwards.
 constexpr ProfilePoint kBottom[] = {{0, 0}, {1.425, 0}, {1.5, 0.075}, {1.5, 0.15}};
 
-/// A control section of handle or spout: x and z where it crosses y = 0, and how far it reaches to either
-/// side.
+/// A control section of the handle or spout: x and z of its two points at y = 0, and its half width along y.
 struct Section {
     double x0, z0, x1, z1, halfWidth;
 };
-/// From the upper end to the lower one; the side toward the body first.
+/// From the upper end to the lower one; the point toward the body first.
 constexpr Section kHandle[] = {{-1.6, 2.025, -1.5, 2.25, 0.3}, {-2.3, 2.025, -2.5, 2.25, 0.3},
                                {-2.7, 2.025, -3, 2.25, 0.3},   {-2.7, 1.8, -3, 1.8, 0.3},
                                {-2.7, 1.575, -3, 1.35, 0.3},   {-2.5, 1.125, -2.65, 0.9375, 0.3},
                                {-2, 0.9, -1.9, 0.6, 0.3}};
-/// From the body to the mouth; the upper side first.
+/// From the body to the mouth; the upper point first.
 constexpr Section kSpout[] = {{1.7, 1.425, 1.7, 0.6, 0.66},       {2.6, 1.425, 3.1, 0.825, 0.66},
                               {2.3, 2.1, 2.4, 2.025, 0.25},       {2.7, 2.4, 3.3, 2.4, 0.25},
                               {2.8, 2.475, 3.525, 2.49375, 0.25}, {2.9, 2.475, 3.45, 2.5125, 0.15},
@@ -44,9 +45,9 @@ constexpr Section kSpout[] = {{1.7, 1.425, 1.7, 0.6, 0.66},       {2.6, 1.425, 3
 
 /// Control points of a closed cubic spline in Bezier form: every third one is on the curve.
 using Ring = std::vector<Vec3>;
-/// Rings along v; every third one is on the surface. Seen from outside, u along a ring is to the right of v.
-/// uv runs from 0 to uvExtent, whole numbers so that maps close, chosen so that a unit of u and of v are
-/// about equally long and about as long in one chart as in the next (1.6 to 3.1).
+/// Rings along v; every third one is on the surface. Seen from outside, the direction of u is to the right of
+/// v. uv runs from 0 to uvExtent, which is integer so that maps are continuous across seams. It is chosen so
+/// that units of u and v have about the same length, which is also similar in all charts (1.6 to 3.1).
 struct Chart {
     std::vector<Ring> rings;
     Vec2 uvExtent;
@@ -76,7 +77,7 @@ Chart makeChart(const Row (&rows)[count], Ring (*ringOf)(const Row&), const Vec2
     return chart;
 }
 
-/// Charts whose vertices are joined where they meet.
+/// Groups of charts whose coincident vertices are merged.
 std::vector<std::vector<Chart>> teapotParts() {
     return {{makeChart(kBody, turnedRing, {4, 1}), makeChart(kBottom, turnedRing, {4, 1})},
             {makeChart(kLid, turnedRing, {2, 1})},
@@ -134,15 +135,15 @@ ChartLattice makeChartLattice(const Chart& chart, int segments) {
     return lattice;
 }
 
-/// Joins vertices at the same place: where body and bottom meet, and where a ring has shrunk to a pole. The
-/// handle's lower end touches the body in one control point, (-2, 0, 0.9), and must not be joined there: each
-/// part has a joiner of its own.
+/// Merges coincident vertices, where body and bottom meet and where a ring degenerates to a pole. Each part
+/// has its own joiner, because the handle's lower end touches the body in one control point, (-2, 0, 0.9),
+/// and must not be merged with it.
 class VertexJoiner {
   public:
     explicit VertexJoiner(ControlMesh& mesh) : mesh_(mesh) {}
     int vertexAt(const Vec3& point) {
-        // Shared places are computed from the same control points in different orders: equal to about 1e-15.
-        // The grid is a million times finer than the finest lattice.
+        // Coincident vertices are computed from the same control points in different orders and agree to
+        // about 1e-15. The grid is a million times finer than the finest lattice.
         constexpr double kCell = 1e-9;
         const auto cell = [](double x) { return std::llround(x / kCell); };
         const auto [entry, isNew] =
@@ -204,7 +205,7 @@ std::vector<std::array<Vec3, 16>> teapotPatches() {
 }
 
 ControlMesh makeTeapot(int segments) {
-    requireSegments("teapot", "segments", segments, 2, kMostTeapotSegments);
+    requireSegments("teapot", "segments", segments, 2, kMaxTeapotSegments);
     ControlMesh mesh;
     mesh.name = "teapot";
     for (const std::vector<Chart>& part : teapotParts()) {

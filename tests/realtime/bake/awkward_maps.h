@@ -1,4 +1,4 @@
-// Height maps for tests of bakes: shapes that trip loops, and noise.
+// Height maps for tests of bakers: degenerate sizes, and noise.
 #pragma once
 
 #include "scenes/maps/height_map.h"
@@ -30,7 +30,7 @@ inline HeightMap needleMap(int width, int height, int column, int row, Wrap wrap
     return HeightMap("needle", width, height, std::move(depths), wrapS, wrapT);
 }
 
-/// Every way to wrap of: one texel, a row, a column, sizes that are no powers of two, a constant, a needle.
+/// With all wrap modes: one texel, a row, a column, sizes that aren't powers of two, a constant, a needle.
 inline std::vector<HeightMap> awkwardMaps() {
     std::vector<HeightMap> maps;
     for (const Wrap s : {Wrap::Repeat, Wrap::Clamp})
@@ -51,14 +51,14 @@ inline std::string describe(const HeightMap& map) {
                        name(map.wrapS()), name(map.wrapT()), map.depths()[0]);
 }
 
-/// NaNs compare by their bits, too.
+/// Compares bits, so that NaNs can be equal.
 inline bool sameBits(const std::vector<float>& a, const std::vector<float>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](float x, float y) {
         return std::bit_cast<uint32_t>(x) == std::bit_cast<uint32_t>(y);
     });
 }
 
-/// What `make` gives on one thread.
+/// The result of `make` on one thread.
 template <class Make>
 auto onOneThread(const Make& make) {
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);

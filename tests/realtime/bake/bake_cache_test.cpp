@@ -1,5 +1,4 @@
-// The cache of baked maps: what its files are named after, and that nothing but what was written ever comes
-// out of one.
+// The cache of baked maps: its keys, and that damaged files are never used.
 #include "realtime/bake/bake_cache.h"
 #include "tests/errors.h"
 #include "tests/files.h"
@@ -18,7 +17,7 @@ using namespace test;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-/// Environment variables of one test; what was there before comes back.
+/// Sets environment variables for one test and restores them.
 class Variables {
   public:
     ~Variables() {
@@ -121,8 +120,8 @@ TEST_F(BakeCache, Key_IgnoresIrrelevantInputs) {
     EXPECT_EQ(key(request("max_mipmap", {1, 2, 3}, 7)), key(request("max_mipmap", {0, 0, 0}, 9)));
 }
 
-/// Makes a map, changes its file, and expects it to be made anew and the file to be whole again.
-void expectMadeAnew(const HeightMap& map, const BakeRequest& asked, const std::string& damaged) {
+/// Bakes a map, modifies its file, and expects it to be baked again and the file to be restored.
+void expectBakedAgain(const HeightMap& map, const BakeRequest& asked, const std::string& damaged) {
     const BakeOutcome first = bakeCached(map, asked);
     writeFile(first.file, damaged);
     const BakeOutcome second = bakeCached(map, asked);
@@ -139,15 +138,15 @@ TEST_F(BakeCache, DamagedFile_IsRemade) {
     const HeightMap map = noiseMap(6, 5, 3);
     const BakeRequest asked = request("max_mipmap");
     const std::string good = readFile(bakeCached(map, asked).file);
-    expectMadeAnew(map, asked, "");
-    expectMadeAnew(map, asked, "not a baked map at all");
-    expectMadeAnew(map, asked, std::string(100000, '\xff'));
+    expectBakedAgain(map, asked, "");
+    expectBakedAgain(map, asked, "not a baked map at all");
+    expectBakedAgain(map, asked, std::string(100000, '\xff'));
     for (size_t length = 1; length < good.size(); ++length)
-        expectMadeAnew(map, asked, good.substr(0, length));
-    expectMadeAnew(map, asked, good + '\0');
-    expectMadeAnew(map, asked, good + good);
-    // Whole, but of another map of the same size.
-    expectMadeAnew(map, asked, readFile(bakeCached(noiseMap(6, 5, 4), asked).file));
+        expectBakedAgain(map, asked, good.substr(0, length));
+    expectBakedAgain(map, asked, good + '\0');
+    expectBakedAgain(map, asked, good + good);
+    // An intact file of another map with the same size.
+    expectBakedAgain(map, asked, readFile(bakeCached(noiseMap(6, 5, 4), asked).file));
 }
 
 TEST_F(BakeCache, FlippedBit_IsDetected) {
@@ -164,7 +163,8 @@ TEST_F(BakeCache, FlippedBit_IsDetected) {
         }
 }
 
-// Behind the magic, the version and the key: five numbers. No memory may be taken for what they claim.
+// The magic number, the version and the key are followed by five sizes, for which no memory may be allocated
+// unchecked.
 TEST_F(BakeCache, HugeHeader_IsRefusedBeforeAllocation) {
     const HeightMap map = noiseMap(4, 4, 5);
     const BakeRequest asked = request("max_mipmap");
@@ -173,7 +173,7 @@ TEST_F(BakeCache, HugeHeader_IsRefusedBeforeAllocation) {
         for (const uint32_t claimed : {0u, 5u, 1024u, 1u << 20, 0x7fffffffu, 0xffffffffu}) {
             std::string lying = good;
             std::memcpy(&lying[8 + 4 + 32 + 4 * number], &claimed, sizeof claimed);
-            expectMadeAnew(map, asked, lying);
+            expectBakedAgain(map, asked, lying);
         }
 }
 
@@ -200,7 +200,7 @@ TEST_F(BakeCache, Folder_FollowsEnvironment) {
     EXPECT_EQ(bakeCacheFolder(), std::nullopt);
 }
 
-// Permission bits don't stop root; a file in the way, or a folder where the file should be, stops everybody.
+// Permission bits don't affect root, so the path is blocked by a file, or the file by a folder.
 TEST_F(BakeCache, NoFolder_StillBakes) {
     const HeightMap map = noiseMap(4, 3, 1);
     const BakeRequest asked = request("normal");

@@ -1,4 +1,4 @@
-// Pictures of baked maps: channels by kind, rows the right way up, values as they are.
+// Images of baked maps: channels by kind, row order, unchanged values.
 #include "realtime/bake/bake.h"
 #include "realtime/bake/baked_map_picture.h"
 #include "scenes/image/exr_file.h"

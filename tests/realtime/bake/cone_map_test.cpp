@@ -21,9 +21,9 @@ BakedMap bake(const HeightMap& map, const std::string& kind) {
     return bakeMap(map, request);
 }
 
-/// Texels outside a clamped map that cells must look at: those a quadrant's edge may run past. (Those wholly
-/// in the quadrant repeat a point nearer by on its edge or in the map, which has pairs of its own.) Texels'
-/// pairs are looked at everywhere.
+/// Whether a texel outside a clamped map must be considered for cells: those that a quadrant's edge may
+/// intersect. (Texels entirely inside the quadrant repeat a nearer point on its edge or in the map, whose
+/// pairs are considered anyway.) For texel cones, all pairs are considered.
 bool looksOutside(const ConePairs& pairs, int i, int j, const Vec2i& offset, int sector) {
     const HeightMap& map = pairs.map();
     const bool outside = (map.wrapS() == Wrap::Clamp && (i < 0 || i >= map.width())) ||
@@ -35,8 +35,9 @@ bool looksOutside(const ConePairs& pairs, int i, int j, const Vec2i& offset, int
     return !beyondSide;
 }
 
-/// The definition: every pair within reach, repeated images and repeated borders included. phi may be less
-/// than the offset by half a texel's diagonal, at most 0.71 tiles, where offsets of 1.23 tiles have slope 1.
+/// The definition: every pair within reach, including repeated images and repeated borders. phi may be
+/// smaller than the offset by half a texel's diagonal, at most 0.71 tiles, so offsets of up to 1.23 tiles can
+/// reach slope 1.
 float steepestOfAllPairs(const ConePairs& pairs, int column, int row, int sector) {
     const HeightMap& map = pairs.map();
     const int reachS = map.width() * 5 / 4 + 1, reachT = map.height() * 5 / 4 + 1;
@@ -58,8 +59,8 @@ int following(int i, int size, Wrap wrap) {
     return wrap == Wrap::Repeat ? (i + 1) % size : std::min(i + 1, size - 1);
 }
 
-/// A cell's ratio from all pairs of its corners and from nearSlope. (Border cells of a clamped quad map: the
-/// least of all.)
+/// A cell's ratio from all pairs of its corners and from nearSlope (for border cells of a clamped quad map,
+/// the minimum of all sectors).
 float cellRatio(const ConePairs& pairs, int i, int j, int sector) {
     const HeightMap& map = pairs.map();
     float slope = keptSlopeSquared(std::pow(nearSlope(map, pairs.rule(), i, j, sector, 0), 2));
@@ -101,14 +102,13 @@ TEST(ConeMap, EveryRatio_IsMinimumOfAllPairs) {
         }
 }
 
-/// A direction's quadrant: E, W, N, S.
+/// The quadrant of a direction: E, W, N, S.
 int quadrant(const Vec2& direction) {
     if (std::abs(direction.x) >= std::abs(direction.y)) return direction.x >= 0 ? 0 : 1;
     return direction.y >= 0 ? 2 : 3;
 }
 
-/// The claim of slice 1 on the surface itself: points drawn at all distances, and on the creases where the
-/// surface turns.
+/// The guarantee of slice 1, checked on the surface: random points at all distances, and on creases.
 TEST(ConeMap, Cones_ContainNoSurface) {
     constexpr int kPairs = 200000;
     for (const char* kind : {"cone_step", "cone_step_quad"})
@@ -133,7 +133,7 @@ TEST(ConeMap, Cones_ContainNoSurface) {
                 const float c = cones.at(
                     0, kConeCells, index(cell.x, map.width(), map.wrapS()),
                     index(cell.y, map.height(), map.wrapT()))[cones.channels == 1 ? 0 : quadrant(y - x)];
-                // Depths are good to 1e-16; a slope of 1e-7 st is then good to 1e-9.
+                // Depths are accurate to 1e-16, so a slope over 1e-7 st is accurate to 1e-9.
                 const double room = glm::length(y - x) - c * (map.depth(x) - map.depth(y));
                 ASSERT_GE(room, -1e-14) << "from " << x.x << ", " << x.y << " to " << y.x << ", " << y.y;
                 tightest = std::max(tightest, c * (map.depth(x) - map.depth(y)) / glm::length(y - x));
@@ -142,8 +142,9 @@ TEST(ConeMap, Cones_ContainNoSurface) {
         }
 }
 
-/// The lemma under slice 1: phi, interpolated between whole offsets, is nowhere above the length, beyond the
-/// squares that touch 0. Nor is it far below: at least cos 45 degrees of it, and from four texels on 3 %.
+/// The lemma for slice 1: phi, interpolated between integer offsets, never exceeds the length outside the
+/// squares that touch 0. It isn't much smaller either: at least cos 45 degrees times the length, and within 3
+/// % from four texels on.
 TEST(ConeMap, Phi_IsBelowDistance) {
     for (const Vec2i size :
          {Vec2i(8, 8), Vec2i(1, 64), Vec2i(16, 40), Vec2i(5, 3), Vec2i(300, 2), Vec2i(1, 1)}) {
@@ -171,8 +172,8 @@ TEST(ConeMap, Phi_IsBelowDistance) {
     }
 }
 
-/// A wall of depth 0 on a floor of depth 1, at texel 2 of 8: floor texels k away have k / 8; the wall itself
-/// has 1.
+/// A wall of depth 0 on a floor of depth 1, at texel 2 of 8: floor texels at distance k have the ratio k / 8;
+/// the wall has 1.
 TEST(ConeMap, Wall_RatiosAreDistances) {
     const HeightMap map("wall", 8, 1, {1, 1, 0, 1, 1, 1, 1, 1});
     const double distances[] = {2, 1, 8, 1, 2, 3, 4, 3}; // to the nearest image
@@ -225,9 +226,9 @@ TEST(ConeMap, RelaxedCones_AreAtLeastAsWide) {
     }
 }
 
-/// Listing 18-2 with its errata mended (an exit is a sample that is outside again; steps of 1/32 of a texel):
-/// from depth 0 over p through each texel center q and on until the ray leaves. The exit lies between the
-/// last sample inside and the first outside: two ratios.
+/// Listing 18-2 with its errata corrected (an exit is the first sample outside after one inside; steps of
+/// 1/32 of a texel): from depth 0 above p through each texel center q until the ray exits. The exit is
+/// between the last sample inside and the first one outside, which gives two ratios.
 struct MarchedRatio {
     double least = 1, most = 1;
 };
@@ -256,9 +257,9 @@ MarchedRatio ratioByMarching(const HeightMap& map, int column, int row) {
     return ratio;
 }
 
-/// The marched exits hold those at texel centers that the criterion finds, and others between texels next to
-/// them. So single ratios may differ, mostly by less than the two texels that lie between an exit and the
-/// texels around it, and their means agree within the marching's own step.
+/// The marched exits include those at texel centers that the criterion finds, and others between adjacent
+/// texels. So individual ratios may differ, mostly by less than two texels, and their means agree within the
+/// marching step.
 TEST(ConeMap, Criterion2007_EqualsListingsMarch) {
     constexpr int kSize = 32;
     for (const char* kind : {"cobbles", "waves", "pyramids", "noise"}) {

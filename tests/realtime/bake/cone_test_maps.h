@@ -15,7 +15,7 @@ struct TestMap {
     HeightMap map;
 };
 
-/// Depths drawn independently; a share of them at 0 and 1.
+/// Independent random depths, some of them 0 and 1.
 inline HeightMap randomMap(int width, int height, unsigned seed, Wrap wrapS, Wrap wrapT) {
     std::vector<float> depths;
     for (int j = 0; j < height; ++j)
@@ -26,7 +26,7 @@ inline HeightMap randomMap(int width, int height, unsigned seed, Wrap wrapS, Wra
     return HeightMap("random", width, height, std::move(depths), wrapS, wrapT);
 }
 
-/// Flat at depth 1 but for a few texels at depth 0.
+/// Flat at depth 1 except for a few texels at depth 0.
 inline HeightMap needleMap(int width, int height, Wrap wrap) {
     std::vector<float> depths(static_cast<size_t>(width) * static_cast<size_t>(height), 1.0f);
     for (size_t i = 3; i < depths.size(); i += 67)
@@ -34,7 +34,7 @@ inline HeightMap needleMap(int width, int height, Wrap wrap) {
     return HeightMap("needles", width, height, std::move(depths), wrap, wrap);
 }
 
-/// A low-contrast smooth map with a slope everywhere: many pairs nearly tie.
+/// A smooth low-contrast map with a slope everywhere, so that many pairs have nearly equal slopes.
 inline HeightMap smoothMap(int width, int height, Wrap wrapS, Wrap wrapT) {
     std::vector<float> depths;
     for (int j = 0; j < height; ++j)

@@ -1,5 +1,4 @@
-// Distances on a grid: by their definition, in closed form, and that no surface is nearer than the bound
-// says.
+// The distance field compared with its definition and with closed forms, and its lower bound.
 #include "realtime/bake/bake.h"
 #include "tests/realtime/bake/awkward_maps.h"
 
@@ -19,14 +18,14 @@ BakedMap fieldOf(const HeightMap& map, const BakeScale& scale, int slices) {
     return bakeMap(map, {.kind = "distance_field", .scale = scale, .slices = slices});
 }
 
-/// Voxels between two on one axis, by the nearest copy.
+/// Distance of two voxels on one axis, using the nearest repetition.
 int stepsApart(int a, int b, int size, Wrap wrap) {
     const int apart = std::abs(a - b);
     return wrap == Wrap::Repeat ? std::min(apart, size - apart) : apart;
 }
 
-/// Least of the bilinear depths at a 3 x 3 of the corners of the pieces a texel's box is made of.
-double leastInBox(const HeightMap& map, int i, int j) {
+/// Minimum of the bilinear depths at the 3 x 3 corners of the four pieces of a texel's box.
+double minInBox(const HeightMap& map, int i, int j) {
     double least = 1;
     for (const int x : {-1, 0, 1})
         for (const int y : {-1, 0, 1})
@@ -36,7 +35,7 @@ double leastInBox(const HeightMap& map, int i, int j) {
     return least;
 }
 
-/// The definition: the least over all solid voxels, one after the other.
+/// The definition: the minimum over all solid voxels.
 BakedMap definition(const HeightMap& map, const BakeScale& scale, int slices) {
     const int width = map.width(), height = map.height();
     const double sideS = 1 / (width * (scale.depth / scale.s)),
@@ -49,8 +48,8 @@ BakedMap definition(const HeightMap& map, const BakeScale& scale, int slices) {
     for (int solidJ = 0; solidJ < height; ++solidJ)
         for (int solidI = 0; solidI < width; ++solidI)
             for (int solidK = 0; solidK <= slices; ++solidK) {
-                const bool below = solidK == slices; // the ground: solid for the centers' field
-                const bool solidBox = !below && leastInBox(map, solidI, solidJ) * slices <= solidK + 1;
+                const bool below = solidK == slices; // the ground, which is solid for the center field
+                const bool solidBox = !below && minInBox(map, solidI, solidJ) * slices <= solidK + 1;
                 const bool solidCenter =
                     below || static_cast<double>(map.texel(solidI, solidJ)) * slices <= solidK + 0.5;
                 for (int k = 0; k < slices; ++k)
@@ -108,8 +107,8 @@ TEST(DistanceField, SeveralBlocks_EqualDefinition) {
         }
 }
 
-// A floor at depth 1/2 under 8 slices, each 1/8: the floor touches slices 3 and 4, so slice k is 3 - k - 1
-// slices away from the first solid one; centers: slice 4 is the first whose center, 9/16, is below 1/2.
+// A floor at depth 1/2 with 8 slices of 1/8. The floor touches slices 3 and 4, so slice k is 3 - k - 1 slices
+// away from the first solid one. For centers, slice 4 is the first whose center, 9/16, is below 1/2.
 TEST(DistanceField, FlatFloor_HasClosedForm) {
     const BakedMap field = fieldOf(HeightMap("floor", 6, 5, std::vector<float>(30, 0.5f)), {1, 1, 0.2}, 8);
     EXPECT_EQ(field.slices, 8);
@@ -149,11 +148,11 @@ TEST(DistanceField, OneThread_GivesEqualBits) {
     EXPECT_TRUE(sameBits(make().levels[0].values, onOneThread(make).levels[0].values));
 }
 
-// -------- No surface is nearer than the bound --------
+// -------- the lower bound --------
 
-/// A point of relief space and what a technique reads there: the nearest voxel, wrapped or clamped, at any
+/// A point of relief space and the technique's lookup there: the nearest voxel, wrapped or clamped, at any
 /// depth.
-struct Looker {
+struct FieldLookup {
     const HeightMap& map;
     const BakedMap& field;
     BakeScale scale;
@@ -188,7 +187,7 @@ TEST(DistanceField, Bound_IsBelowDistance) {
     for (const HeightMap& map : mapsForRandomPoints())
         for (const BakeScale& scale : {BakeScale{1, 1, 0.1}, BakeScale{1, 3, 2}}) {
             const BakedMap field = fieldOf(map, scale, 12);
-            const Looker look{map, field, scale};
+            const FieldLookup look{map, field, scale};
             for (int n = 0; n < 3000; ++n) {
                 const Vec3 point(place(random), place(random), depth(random));
                 const Vec2 st = n % 2 == 0 ? Vec2(place(random), place(random))
@@ -201,21 +200,21 @@ TEST(DistanceField, Bound_IsBelowDistance) {
         }
 }
 
-// Sphere tracing by the bound alone never gets to the wrong side of the surface, above the top included.
+// Sphere tracing with the bound never passes through the surface, also from above the top.
 TEST(DistanceField, RandomRays_NeverPassSurface) {
     std::mt19937 random(72);
     std::uniform_real_distribution<double> place(-0.3, 1.3), tilt(-3, 3);
     for (const HeightMap& map : mapsForRandomPoints()) {
         const BakeScale scale{1, 1, 0.4};
         const BakedMap field = fieldOf(map, scale, 16);
-        const Looker look{map, field, scale};
+        const FieldLookup look{map, field, scale};
         for (int n = 0; n < 300; ++n) {
             Vec3 point(place(random), place(random), -0.2);
             const Vec3 direction(tilt(random), tilt(random), 1);
             const double length = look.distance(direction, Vec3(0));
             for (int step = 0; step < 40; ++step) {
                 const double bound = look.bound(point);
-                // All the way to the end of the step, not at it alone.
+                // Along the whole step, not only at its end.
                 for (int part = 1; part <= 8; ++part) {
                     const Vec3 passed = point + direction * (bound / length * part / 8);
                     ASSERT_LE(passed.z, map.depth(Vec2(passed)) + kRounding) << describe(map);

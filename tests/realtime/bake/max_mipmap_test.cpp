@@ -1,5 +1,4 @@
-// Bounds of blocks of the bilinear surface: sizes, exactness, and that nothing of the surface is outside
-// them.
+// Bounds of blocks of the bilinear surface: sizes, exactness, and that they contain the surface.
 #include "realtime/bake/bake.h"
 #include "tests/realtime/bake/awkward_maps.h"
 
@@ -16,7 +15,7 @@ BakedMap pyramidOf(const HeightMap& map) {
     return bakeMap(map, {.kind = "max_mipmap", .scale = {}, .slices = 1});
 }
 
-/// The cell of a level that holds cell i of the finest, which is how a technique finds it.
+/// The cell of a level that contains cell i of the finest level, computed as in a technique.
 int cellAt(int i, int level, int cells) {
     return std::min(i >> level, cells - 1);
 }
@@ -32,8 +31,8 @@ TEST(MaxMipmap, Levels_HalveToOneCell) {
         EXPECT_EQ(std::pair(pyramid.levels[k].width, pyramid.levels[k].height), sizes[k]);
 }
 
-// A row of depths 0 .2 .4 .6 .8: cells between neighbors, the last one back to the first under repeat and
-// flat under clamp; above them the blocks {0 1} and {2 3 4}, above these all of it.
+// A row of depths 0 .2 .4 .6 .8: cells between neighbors, where the last one connects to the first under
+// repeat and is flat under clamp; the next level has the blocks {0 1} and {2 3 4}, the last level one block.
 TEST(MaxMipmap, OneRow_EqualsHandComputed) {
     for (const Wrap wrap : {Wrap::Repeat, Wrap::Clamp}) {
         const HeightMap row("row", 5, 1, {0.0f, 0.2f, 0.4f, 0.6f, 0.8f}, wrap, wrap);
@@ -71,7 +70,7 @@ TEST(MaxMipmap, Bounds_AreExtremesOfCells) {
     }
 }
 
-// Also outside [0,1], where a clamped map goes on as its border: the nearest cell bounds it.
+// Also outside [0,1], where a clamped map continues its border, which the nearest cell bounds.
 TEST(MaxMipmap, Surface_StaysWithinBounds) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> anywhere(-0.5, 1.5);

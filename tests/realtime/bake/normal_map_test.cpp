@@ -36,9 +36,10 @@ TEST(NormalMap, FlatRelief_PointsOutward) {
     }
 }
 
-// Depths 1/8 a texel along s on 4 columns, so D_s = 1/2 a map width; on a tile 2 x 5 world units, 3 deep, the
-// relief falls by 3/2 on 2 units: z = -(3/4) x, normal (3/4, 0, 1). Likewise along t. The clamped border has
-// half the slope, the repeated one a jump of -3/8 against 1/8: (-3/8 + 1/8)/2 = -1/8 a texel.
+// The depth increases by 1/8 per texel along s on 4 columns, so D_s = 1/2 per map width. On a tile of 2 x 5
+// world units with depth 3, the relief descends by 3/2 over 2 units: z = -(3/4) x, normal (3/4, 0, 1).
+// Likewise along t. The clamped border has half the slope, the repeated one a jump of -3/8 against 1/8: (-3/8
+// + 1/8)/2 = -1/8 a texel.
 TEST(NormalMap, LinearRelief_HasClosedForm) {
     std::vector<float> depths;
     for (int j = 0; j < 3; ++j)
@@ -54,7 +55,7 @@ TEST(NormalMap, LinearRelief_HasClosedForm) {
         expectNormal(repeated.at(0, 0, 0, j), {-0.75, 0, 1});
         expectNormal(repeated.at(0, 0, 2, j), {0.75, 0, 1});
     }
-    // Turned by a quarter: 4 rows, 3 columns, the tile 5 along s and 2 along t.
+    // Rotated by 90 degrees: 4 rows, 3 columns, the tile 5 along s and 2 along t.
     std::vector<float> turned;
     for (int j = 0; j < 4; ++j)
         turned.insert(turned.end(), 3, static_cast<float>(j) / 8);
@@ -63,8 +64,8 @@ TEST(NormalMap, LinearRelief_HasClosedForm) {
     expectNormal(alongT.at(0, 0, 1, 2), {0, 0.75, 1});
 }
 
-// The gradient of the exact bilinear surface on both sides of a texel's center, of which the central
-// difference is the mean.
+// The central difference is the mean of the exact bilinear surface's gradients on both sides of a texel
+// center.
 TEST(NormalMap, Texel_IsMeanOfSurroundingSlopes) {
     for (const HeightMap& map : awkwardMaps()) {
         SCOPED_TRACE(describe(map));

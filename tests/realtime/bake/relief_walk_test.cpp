@@ -27,7 +27,7 @@ TEST(ReliefWalk, Slope_IsEnteredAtExactPlace) {
 }
 
 /// A ridge of depth 0.2 at s = 1/2, down to 1 within 1/3: D = 0.2 + 2.4 |x|, x = s - 1/2. On d = 0.5 + x/10
-/// the ray goes in at x = -0.3/2.5, out at x = 0.3/2.3, and is 0.3 below the ridge.
+/// the ray enters at x = -0.3/2.5, leaves at x = 0.3/2.3, and passes 0.3 below the ridge.
 TEST(ReliefWalk, Ridge_IsEnteredAndLeft) {
     const HeightMap map("ridge", 3, 1, {1, 0.2f, 1}, Wrap::Clamp, Wrap::Clamp);
     const double ridge = 0.2f; // as a float stores it
@@ -38,9 +38,9 @@ TEST(ReliefWalk, Ridge_IsEnteredAndLeft) {
     EXPECT_NEAR(intervals[0].deepest, 0.5 - ridge, 1e-12);
 }
 
-/// One saddle, D = 1 - 4 x (1 - x) / 2 along its diagonal (x from one texel center to the next): a parabola a
-/// chord at d = 0.75 cuts where x (1 - x) = 1/8, and which it goes 0.25 below at x = 1/2. The chord must
-/// descend: by 1e-9 over the cell.
+/// One saddle, D = 1 - 4 x (1 - x) / 2 along its diagonal (x from one texel center to the next): a parabola
+/// that a chord at d = 0.75 intersects where x (1 - x) = 1/8, passing 0.25 below it at x = 1/2. The chord
+/// must descend, here by 1e-9 over the cell.
 TEST(ReliefWalk, Patch_GivesBothRoots) {
     const HeightMap map("saddle", 2, 2, {1, 0, 0, 1}, Wrap::Clamp, Wrap::Clamp);
     const double flat = 1e-9;
@@ -83,8 +83,8 @@ TEST(ReliefWalk, RandomRays_AgreeWithDenseSamples) {
                 if (j > 0) {
                     ASSERT_GT(intervals[j].begin, intervals[j - 1].end);
                 }
-                // Between two samples the relief changes by its gradient: at most 1 per texel along both
-                // axes.
+                // Between two samples the relief changes by at most its largest gradient: 1 per texel along
+                // both axes.
                 const double change = 1 + slope * (test.map.width() + test.map.height());
                 ASSERT_GE(deepest[j], intervals[j].deepest - change / kSamples);
             }

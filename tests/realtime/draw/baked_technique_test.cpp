@@ -1,4 +1,4 @@
-// Searches in baked maps against exact_cells, the perfect search on the same base.
+// Compares searches in baked maps with exact_cells, the ground truth on the same base.
 #include "realtime/technique/technique.h"
 #include "scenes/maps/generate_map.h"
 #include "tests/errors.h"
@@ -29,8 +29,8 @@ struct Oblique {
     Wrap wrap = Wrap::Repeat;
 };
 
-/// A square of side 2 seen from the side, so that every pixel of a covered row has a ray of its own way
-/// through the relief.
+/// A square of side 2 seen obliquely, so that every pixel of a covered row has a different ray through the
+/// relief.
 Scene sceneOf(const Oblique& view) {
     SceneObject object = squareObject(2, generated(view.kind, view.wrap), view.depth);
     object.relief->tile = view.tile;
@@ -47,8 +47,8 @@ const std::vector<Oblique> kViews{{"cobbles", 0, 0.2, {1, 1}},
                                   {"noise", 40, 0.5, {1, 1}, Wrap::Clamp},
                                   {"pins", 85, 0.05, {1, 2}}};
 
-/// Pixels whose depth differs by more than `tolerance` relief depths, or whose coverage does, of those
-/// covered by either.
+/// Of the pixels covered in either frame, those whose coverage differs, or whose depth differs by more than
+/// `tolerance` relief depths.
 struct Difference {
     size_t different = 0, pixels = 0;
     double share() const { return static_cast<double>(different) / static_cast<double>(pixels); }
@@ -79,15 +79,15 @@ TEST(MaxMipmap, Hits_EqualExactCells) {
             const Frame found = draw(scene, std::string("max_mipmap") + surface);
             const Difference difference = differenceOf(exact, found, view.depth, 1e-4);
             EXPECT_GT(difference.pixels, 1000u);
-            // A ray that touches an edge finds it or doesn't by the last bit, and blocks are entered at other
-            // numbers than cells.
+            // Whether a ray hits an edge that it touches depends on the last bit, which differs between
+            // blocks and cells.
             EXPECT_LE(difference.different, 3u) << named(view) << surface;
         }
 }
 
 TEST(MaxMipmap, FlatRelief_NeedsFewLookUps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Depth 1 everywhere but for one wall: 60 cells to cross at a grazing angle, a few blocks.
+    // Depth 1 except for one wall: a grazing ray crosses 60 cells but only a few blocks.
     std::vector<float> depths(128, 1);
     depths[5] = 0;
     Scene scene = sceneOf({"waves", 80, 0.3, {1, 1}});
@@ -108,9 +108,9 @@ TEST(MaxMipmap, FlatRelief_NeedsFewLookUps) {
 
 TEST(ConeStepping, ManySteps_ConvergeToExactCells) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Steps end short of the relief by a share that falls with each: 1000 steps or a clearance of 1e-3,
-    // whichever comes first. Along a crest a ray may pass below that clearance without a hit: the error is
-    // the crest's then.
+    // Each step reduces the remaining clearance by a factor; the search ends after 1000 steps or at a
+    // clearance of 1e-3. Along a crest, a ray may pass within that clearance without an intersection and then
+    // hits the crest.
     for (const Oblique& view : kViews)
         for (const char* technique :
              {"cone_step", "cone_step_quad", "cone_step@quadric", "cone_step_quad@quadric"}) {
@@ -127,7 +127,7 @@ TEST(ConeStepping, ManySteps_ConvergeToExactCells) {
 
 TEST(ConeStepping, AnyRay_NeverPassesFirstHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Whatever the number of steps: short of the hit, never behind it.
+    // For any number of steps, the result is in front of the first hit, never behind it.
     for (const Oblique& view : kViews)
         for (const char* technique :
              {"cone_step:cone_steps=5", "cone_step:cone_steps=40", "cone_step_quad:cone_steps=20"}) {
@@ -138,7 +138,7 @@ TEST(ConeStepping, AnyRay_NeverPassesFirstHit) {
                 behind += exact.channel("A")[i] > 0 &&
                           found.channel("Z")[i] > exact.channel("Z")[i] + 1e-4 * view.depth;
             EXPECT_LE(behind, 2u) << named(view) << " "
-                                  << technique; // a ray that touches an edge, decided by the last bit
+                                  << technique; // a ray that touches an edge, which the last bit decides
         }
 }
 
@@ -164,7 +164,8 @@ TEST(RelaxedConeStepping, RelaxedCones_TakeFewerSteps) {
             sum += count;
         return sum;
     };
-    // By cells 0.91 of them: the steepest slope in and around a cell bounds both. By texels 0.63.
+    // With cells a factor of 0.91, because the steepest slope in and around a cell bounds both ratios; with
+    // texels 0.63.
     const std::string settings = "cone_steps=400,tolerance=0.001,cone_lookup=";
     EXPECT_LT(rounds("cone_step_relaxed:refine_steps=0," + settings + "cell"),
               rounds("cone_step:" + settings + "cell"));
@@ -178,17 +179,17 @@ TEST(SphereTracing, VoxelField_FindsFirstHit) {
         const Scene scene = sceneOf(view);
         const Frame exact = draw(scene, "exact_cells");
         const Frame found = draw(scene, "sphere_tracing:sphere_steps=1000,binary_steps=16");
-        // Half a voxel is the step near the relief: a corner thinner than that is passed through.
+        // Near the relief the step is half a voxel, so thinner corners may be missed.
         const Difference difference = differenceOf(exact, found, view.depth, 2e-3);
         EXPECT_LE(difference.share(), 0.03) << named(view);
     }
 }
 
 TEST(SphereTracing, CurvedBase_IsRefusedWithReason) {
-    EXPECT_THAT(messageOf<InputError>([] { (void)resolveTechnique("sphere_tracing@quadric"); }),
-                HasSubstr("has no surface 'quadric': the search needs flat_base (a flat base, as a relief on "
-                          "a bent one has "
-                          "other distances)"));
+    EXPECT_THAT(
+        messageOf<InputError>([] { (void)resolveTechnique("sphere_tracing@quadric"); }),
+        HasSubstr("has no surface 'quadric': the search needs flat_base (a flat base, because distances "
+                  "differ on a curved one)"));
 }
 
 TEST(BakedTechniques, Shadows_EqualExactCells) {
@@ -206,14 +207,14 @@ TEST(BakedTechniques, Shadows_EqualExactCells) {
             shadowed += exact.channel("shadow.sun")[i] > 0;
         }
         EXPECT_GT(shadowed, 100u);
-        EXPECT_LT(different, 100u) << technique; // along the shadows' edges, of 9216 pixels
+        EXPECT_LT(different, 100u) << technique; // at shadow edges, of 9216 pixels
     }
 }
 
 TEST(SlopeParallax, RampAtAnyScaleAndTile_IsExact) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // D grows linearly along s but for the map's border: the plane through the point under the fragment is
-    // the relief itself. A normal baked at one scale and used at another would miss (TECHNIQUES E7).
+    // D is linear along s except at the map's border, so the plane through the point below the fragment is
+    // the relief. A normal baked for one scale and used at another would give a wrong hit (TECHNIQUES E7).
     std::vector<float> depths;
     for (int i = 0; i < 64; ++i)
         depths.push_back(0.2f + 0.6f * static_cast<float>(i) / 63);
@@ -228,7 +229,7 @@ TEST(SlopeParallax, RampAtAnyScaleAndTile_IsExact) {
                 if (exact.channel("A")[i] == 0) continue;
                 const Vec2 st = stAt(exact, i);
                 const double fragment =
-                    st.x - depth * tile.x; // where the ray began, at the most: inside of the ramp as well
+                    st.x - depth * tile.x; // bound of the ray's start, also inside the ramp
                 if (st.x < 0.05 || st.x > 0.95 || fragment < 0.05) continue;
                 ++compared;
                 ASSERT_NEAR(found.channel("Z")[i], exact.channel("Z")[i], 1e-4 * depth)
@@ -248,8 +249,9 @@ TEST(BakedInput, UnreadInput_IsRefused) {
               "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
     const std::string path = (folder.path() / "mine").string();
     EXPECT_THAT(messageOf<InputError>([&] { draw(sceneOf(kViews[0]), path); }),
-                HasSubstr("technique.toml: asks for input 'cone_step', which the shader never reads"));
-    // Without asking for it there is no such function, and the compiler says so in the author's line.
+                HasSubstr("technique.toml: declares input 'cone_step', which the shader never reads"));
+    // If the input isn't declared, the function doesn't exist, and the compiler reports it at the author's
+    // line.
     writeFile(folder / "mine/technique.toml",
               "title = 'Mine'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
     writeFile(folder / "mine/mine.glsl",

@@ -1,4 +1,4 @@
-// Runs a GLSL function over a list of arguments on the GPU, so that it can be compared with its C++ twin.
+// Runs a GLSL function over a list of arguments on the GPU, so that it can be compared with the C++ version.
 #pragma once
 
 #include "realtime/gl/gl_program.h"

@@ -1,4 +1,4 @@
-// The control technique on micro-meshes made by hand.
+// The control technique on small hand-made micro-meshes.
 #include "tests/realtime/gl_fixture.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace plumbline {
 namespace {
 
-/// One grid over [-1, 1]^2 in the plane y = 0 with the heights given, row by row along -z; normal up, st =
+/// One grid over [-1, 1]^2 in the plane y = 0 with the given heights, row by row along -z; normal up, st =
 /// (column, row).
 MicroMesh gridMesh(int columns, int rows, const std::vector<float>& heights) {
     MicroMesh mesh;
@@ -35,7 +35,7 @@ Scene squareScene(const Vec3& cameraPosition) {
 TEST(MicroTriangles, Diagonal_JoinsSecondAndThirdCorner) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Corner d (column 1, row 1) is raised by 1. Triangle a b c stays in y = 0, and d c b rises linearly from
-    // the diagonal: y = (x - z) / 2 where x > z. The other diagonal would lift the middle to 1/2.
+    // the diagonal: y = (x - z) / 2 where x > z. The other diagonal would raise the center to 1/2.
     const Scene scene = squareScene({0, 5, 0});
     const Frame frame = drawMicro(scene, {gridMesh(2, 2, {0, 0, 0, 1})});
     EXPECT_EQ(coveredPixels(frame), 32u * 32u);
@@ -46,8 +46,7 @@ TEST(MicroTriangles, Diagonal_JoinsSecondAndThirdCorner) {
         ASSERT_NEAR(frame.channel("Z")[i], 5 - point.y, 1e-5);
         ASSERT_EQ(frame.channel("id")[i], 1);
     }
-    // Left to right and bottom to top as in the picture: pixel (16, 16) is 1/16 inside the square's upper
-    // left corner.
+    // Oriented as in the image: pixel (16, 16) is 1/16 inside the square's upper left corner.
     EXPECT_NEAR(stAt(frame, pixelAt(frame, 16, 16)).x, 1.0 / 64, 1e-5);
     EXPECT_NEAR(stAt(frame, pixelAt(frame, 16, 16)).y, 63.0 / 64, 1e-5);
 }
@@ -60,7 +59,7 @@ TEST(MicroTriangles, BothSides_AreSeenAndShadowedPerSide) {
         const Frame frame = drawMicro(scene, {gridMesh(2, 2, {0, 0, 0, 0})});
         EXPECT_EQ(coveredPixels(frame), 32u * 32u);
         const size_t pixel = pixelAt(frame, 32, 32);
-        EXPECT_EQ(vectorAt(frame, "N", pixel), Vec3(0, 1, 0)); // not turned
+        EXPECT_EQ(vectorAt(frame, "N", pixel), Vec3(0, 1, 0)); // not flipped
         EXPECT_EQ(frame.channel("shadow.above")[pixel], side > 0 ? 0 : 1);
         EXPECT_NEAR(frame.channel("R")[pixel], 0.8 * (kAmbient + (side > 0 ? 1 : 0)), 1e-6);
     }
@@ -68,8 +67,8 @@ TEST(MicroTriangles, BothSides_AreSeenAndShadowedPerSide) {
 
 TEST(MicroTriangles, ManyGrids_CoverWithoutGapsOrOverlaps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // More vertices than one chunk holds, in grids of three sizes side by side: every pixel once, and no
-    // seam.
+    // More vertices than fit in one chunk, in adjacent grids of three sizes: every pixel is covered once,
+    // without gaps.
     MicroMesh mesh;
     const int strips = 1200;
     for (int strip = 0; strip < strips; ++strip) {
@@ -90,7 +89,7 @@ TEST(MicroTriangles, ManyGrids_CoverWithoutGapsOrOverlaps) {
     const Scene scene = squareScene({0, 5, 0});
     const Frame frame = drawMicro(scene, {mesh});
     EXPECT_EQ(coveredPixels(frame), 32u * 32u);
-    // Two runs are equal although grids of one size are drawn together.
+    // Two runs give equal results although grids of equal size are drawn together.
     const Frame again = drawMicro(scene, {mesh});
     for (size_t i = 0; i < frame.pixelCount(); ++i)
         if (frame.channel("A")[i] > 0) {

@@ -1,4 +1,4 @@
-// Outlines over bent bases against the closed form of the quadric model.
+// Compares silhouettes over curved bases with the closed form of the quadric model.
 #include "tests/realtime/gl_fixture.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kPixels = 512;
 
-/// Around Y, radius 1, 256 sides, a relief of constant relief depth `d`, depth `depth`.
+/// A cylinder around Y with radius 1 and 256 sides, with a relief of constant d and depth `depth`.
 Scene cylinderScene(float d, double depth) {
     SceneObject object;
     object.name = "cylinder";
@@ -19,7 +19,7 @@ Scene cylinderScene(float d, double depth) {
     return sceneOf(object, orthographicCamera({0, 0, 5}, {0, 1, 0}, 2.4, kPixels));
 }
 
-/// Half of the covered width of the middle row, world units.
+/// Half of the covered width in the middle row, world units.
 double halfWidth(const Frame& frame) {
     int covered = 0;
     for (int x = 0; x < kPixels; ++x)
@@ -30,15 +30,15 @@ double halfWidth(const Frame& frame) {
 TEST(QuadricOutline, Cylinder_HasOutlineOfOsculatingParabola) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Fragment at angle a from the viewing direction: v_d = cos a / h, f = sin^2 a / (2 R h) for a relief h
-    // deep. The ray gets no deeper than v_d^2 / (4 f) = R cos^2 a / (2 h sin^2 a); it meets the depth D if
-    // that is >= D, so the outline is at sin a = 1 / sqrt(1 + 2 D h / R) (the true one, of the radius R - D
-    // h, is at 1 - D h / R). Errors: one pixel (0.0047) of the outline, the linear search (1000 steps: D is
-    // passed only for an instant there, 1e-3 of the way).
+    // deep. The ray gets no deeper than v_d^2 / (4 f) = R cos^2 a / (2 h sin^2 a); it reaches the depth D if
+    // that is >= D, so the silhouette is at sin a = 1 / sqrt(1 + 2 D h / R) (the true one, of the radius R -
+    // D h, is at 1 - D h / R). Errors: one pixel (0.0047), and the linear search (1000 steps, because the ray
+    // is below D only for a short interval, 1e-3 of its length).
     for (const auto& [d, depth] : {std::pair(0.5f, 0.2), std::pair(1.0f, 0.1), std::pair(0.25f, 0.6)}) {
         const Frame frame = draw(cylinderScene(d, depth), "linear_binary@quadric:linear_steps=1000");
         const double expected = 1 / std::sqrt(1 + 2 * d * depth);
         EXPECT_NEAR(halfWidth(frame), expected, 0.005) << d << " " << depth;
-        // On the flat surface the outline is the polygon's.
+        // On the flat surface the silhouette is the polygon's.
         EXPECT_NEAR(halfWidth(draw(cylinderScene(d, depth), "linear_binary")), 1, 0.003);
     }
 }
@@ -56,14 +56,14 @@ TEST(QuadricFrame, Positions_LieOnParabola) {
         // tau = 2 D h / (cos a + sqrt(cos^2 a - 2 sin^2 a D h)), and z = cos a - tau.
         const double sine = (x + 0.5) * 2.4 / kPixels - 1.2, cosine = std::sqrt(1 - sine * sine);
         const double root = cosine * cosine - 2 * sine * sine * d * h;
-        if (root < 0.02) continue; // at the outline itself tau is ill-conditioned
+        if (root < 0.02) continue; // at the silhouette tau is ill-conditioned
         const double tau = 2 * d * h / (cosine + std::sqrt(root));
         ++compared;
-        // The fit on a 256-gon is 0.01 % off the curvature, its facets sag by 1 - cos(pi / 256) = 7.5e-5,
-        // which moves a fragment by up to 7.5e-5 / cos a along the ray.
+        // The curvature fitted to a 256-gon has an error of 0.01 %. Its facets are up to 1 - cos(pi / 256) =
+        // 7.5e-5 below the circle, which moves a fragment by up to 7.5e-5 / cos a along the ray.
         EXPECT_NEAR(vectorAt(frame, "P", pixel).z, cosine - tau, 6e-4 / cosine) << sine;
-        // Its normal is N + 2 A x T with x = -tau sin a in the plane of the fragment: turned toward the
-        // axis' side.
+        // Its normal is N + 2 A x T with x = -tau sin a in the plane of the fragment: rotated toward the
+        // axis.
         const Vec3 normal = vectorAt(frame, "N", pixel);
         const Vec3 fragmentNormal(sine, 0, cosine), tangent(cosine, 0, -sine);
         const Vec3 expected = glm::normalize(fragmentNormal + tangent * (tau * sine));
@@ -74,11 +74,11 @@ TEST(QuadricFrame, Positions_LieOnParabola) {
 
 TEST(QuadricOutline, DistanceVariants_HaveTheirOutlines) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The same cylinder. The ray touches the relief where it runs at a right angle to the base's normal
-    // there, so that D_U and D_n agree: D_U gets to D h if cos^2 a >= 4 k D h sin a with k = 1 / (2 R), that
-    // is sin a <= sqrt(1 + x^2) - x with x = D h / R, nearer to the true 1 - x than D_z's 1 / sqrt(1 + 2 x).
-    // Errors as above; of 200 steps one lies within a hundredth of the way of the deepest point, and there d
-    // is short by 1e-4 at most.
+    // The same cylinder. The ray is tangent to the relief where it is orthogonal to the base's normal, so
+    // that D_U and D_n agree there: D_U reaches D h if cos^2 a >= 4 k D h sin a with k = 1 / (2 R), that is
+    // sin a <= sqrt(1 + x^2) - x with x = D h / R, closer to the true 1 - x than D_z's 1 / sqrt(1 + 2 x).
+    // Errors as above; of 200 steps one is within 1/100 of the interval of the deepest point, where d is at
+    // most 1e-4 too small.
     for (const auto& [d, depth] : {std::pair(1.0f, 0.1), std::pair(0.5f, 0.5)})
         for (const char* surface : {"quadric_perpendicular", "quadric_nearest"}) {
             const Frame frame = draw(cylinderScene(d, depth), std::string("linear_binary@") + surface +
@@ -89,7 +89,7 @@ TEST(QuadricOutline, DistanceVariants_HaveTheirOutlines) {
         }
 }
 
-/// A ridged square seen at 45 degrees and a bit from the side.
+/// A square with ridges seen at 45 degrees and slightly from the side.
 Scene planeScene(double depth) {
     const auto map = std::make_shared<HeightMap>("profile", 5, 1, std::vector<float>{0, 1, 0.3f, 0.7f, 1});
     return sceneOf(squareObject(2, map, depth), orthographicCamera({-3, 4, 1}, {0, 0, -1}, 1, 64));
@@ -97,8 +97,8 @@ Scene planeScene(double depth) {
 
 TEST(QuadricFrame, Plane_EqualsFlatSurface) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Nothing bends: curvature 0 exactly, so the same samples to a few roundings; only where shadows are cast
-    // the frames may differ.
+    // The curvature is exactly 0, so the samples agree up to a few rounding errors; the frames may only
+    // differ in cast shadows.
     const Frame flat = draw(planeScene(0.3), "linear_binary:shadow=none");
     for (const char* surface :
          {"quadric", "quadric_full", "quadric_nearest", "quadric_nearest:texture_from=ray",
@@ -112,8 +112,8 @@ TEST(QuadricFrame, Plane_EqualsFlatSurface) {
 
 TEST(QuadricFrame, PerpendicularDistanceOnPlane_IsShallowerBySine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // D_U of a plane is the depth over the sine between ray and normal, which all rays of this camera share:
-    // positions are those of a flat relief as deep as sz sine.
+    // D_U of a plane is the depth divided by the sine between ray and normal, which is equal for all rays of
+    // this camera: positions are those of a flat relief with depth sz sine.
     const double sine = std::sqrt(10.0 / 26);
     const Frame flat = draw(planeScene(0.3 * sine), "linear_binary:shadow=none"),
                 perpendicular = draw(planeScene(0.3), "linear_binary@quadric_perpendicular"),
@@ -125,14 +125,14 @@ TEST(QuadricFrame, PerpendicularDistanceOnPlane_IsShallowerBySine) {
             least =
                 std::max(least, std::abs(double(unscaled.channel(name)[i]) - perpendicular.channel(name)[i]));
         }
-    EXPECT_GT(least, 0.05); // it isn't the flat surface
+    EXPECT_GT(least, 0.05); // it differs from the flat surface
 }
 
 TEST(QuadricFrame, ConvexOutline_StaysInsidePolygons) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // No base of ours puts a fragment where the polygon has none, and all cut something off. The outline of a
-    // sphere of radius 1 whose relief is D h = 0.1 deep is at 0.9; the paraboloids' at 0.913 (D_z) and 0.905;
-    // fragments' curvature is fitted to a few per cent.
+    // No surface creates fragments outside the polygon, and all of them discard some. The silhouette of a
+    // sphere of radius 1 with a relief of depth D h = 0.1 is at 0.9, those of the paraboloids at 0.913 (D_z)
+    // and 0.905; the fragments' fitted curvature is accurate to a few per cent.
     SceneObject sphere;
     sphere.name = "sphere";
     sphere.mesh = makeSphere(1, 16);
@@ -172,8 +172,9 @@ TEST(QuadricFrame, ConvexOutline_StaysInsidePolygons) {
 
 TEST(QuadricFrame, Coefficients_AreThoseRequested) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The uvs of the saddle z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t the patch doesn't bend,
-    // across it does, by C = 0.6 or -0.6 in its middle. A proxy of two segments a face sees chords, 2 % off.
+    // The uvs of the saddle z = 0.3 (x^2 - y^2) are rotated by 45 degrees, so the patch has no curvature
+    // along s and t but a cross term C = 0.6 or -0.6 at its center. For a proxy with two segments per face,
+    // the chords give an error of 2 %.
     SceneObject object;
     object.name = "saddle";
     object.mesh = makeQuadric(0.3, -0.3, 1, 8);
@@ -183,7 +184,7 @@ TEST(QuadricFrame, Coefficients_AreThoseRequested) {
     object.relief =
         Relief{std::make_shared<HeightMap>(HeightMap::constant("constant", 0)), 0.1, 0, Vec2(1), Vec2(0)};
     const Scene scene = sceneOf(object, orthographicCamera({0, 0, 5}, {0, 1, 0}, 0.2, 32));
-    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}); // one for all: each draw is given its own
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}); // shared; each draw selects its coefficients
     const auto middle = [&](const char* technique, const char* channel) {
         const Frame frame = renderer.render(resolveTechnique(technique), nullptr).frame;
         return double(frame.channel(channel)[pixelAt(frame, 16, 16)]);
@@ -200,7 +201,7 @@ TEST(QuadricFrame, Coefficients_AreThoseRequested) {
         EXPECT_EQ(middle(twoTerms, "curvature.cross"), 0) << twoTerms;
         EXPECT_NEAR(middle(twoTerms, "curvature.a"), 0, 0.01) << twoTerms;
     }
-    // A cylinder, where A isn't 0 and both say the same.
+    // A cylinder, for which A isn't 0 and both are equal.
     const Scene cylinder = cylinderScene(0, 0.1);
     for (const char* technique : {"linear_binary@quadric", "linear_binary@quadric:coefficients=limit"}) {
         const Frame frame = draw(cylinder, technique);
@@ -213,9 +214,9 @@ TEST(QuadricFrame, Coefficients_AreThoseRequested) {
 
 TEST(QuadricFrame, SampledDepth_WorksOnEveryBase) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A constant map: the depth sampled is that of the hit, so that sampled_depth is a step of Newton's
-    // method with the ray's descent. Of a search without secants it leaves the square of the step, which is a
-    // small part of the whole, on every base.
+    // For a constant map, the sampled depth is that of the hit, so sampled_depth is a Newton step with the
+    // ray's descent. Without secant steps, the remaining error is quadratic in the step length, a small
+    // fraction of it, on every base.
     for (const char* surface : {"quadric", "quadric_full", "quadric_perpendicular", "quadric_nearest"}) {
         const std::string search = std::string("linear_secant@") + surface;
         const Frame hit = draw(cylinderScene(0.5f, 0.2),
@@ -225,7 +226,7 @@ TEST(QuadricFrame, SampledDepth_WorksOnEveryBase) {
                                    search + ":linear_steps=20,max_iterations=0,answer=sampled_depth");
         double ofStep = 0, ofSampled = 0;
         for (size_t i = 0; i < hit.pixelCount(); ++i) {
-            // Away from the outline, where rays hardly descend.
+            // Away from the silhouette, where rays hardly descend.
             if (hit.channel("A")[i] == 0 || hit.channel("P.Z")[i] < 0.5f) continue;
             ofStep += std::abs(step.channel("Z")[i] - hit.channel("Z")[i]);
             ofSampled += std::abs(sampled.channel("Z")[i] - hit.channel("Z")[i]);

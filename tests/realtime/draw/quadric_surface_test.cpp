@@ -1,5 +1,5 @@
-// Depth below a quadric by GLSL against the same thing in double, from the definition: the quadric as a
-// surface in space, no formula of the shaders.
+// Compares the depth below a quadric in GLSL with a double-precision computation from the definition, which
+// uses the quadric as a surface in space and none of the shaders' formulas.
 #include "realtime/technique/technique.h"
 #include "scenes/core/data_folder.h"
 #include "tests/realtime/draw/evaluate_glsl.h"
@@ -16,8 +16,8 @@ namespace {
 constexpr double kFloatEpsilon = 0x1p-23;
 constexpr std::array kAllQuadrics{"quadric_full", "quadric_perpendicular", "quadric_nearest"};
 
-/// A ray from a point of the base into the relief. Space: X along the tangent of s, Z along the normal,
-/// outward.
+/// A ray from a point of the base into the relief. Space: X along the tangent of s, Z along the outward
+/// normal.
 struct Case {
     double a = 0, b = 0, c = 0;
     double tangentCosine = 0; // between the tangents of s and t
@@ -47,7 +47,7 @@ double depthAlongNormal(const Case& at, const Vec3& point) {
 double depthPerpendicular(const Case& at, const Vec3& point, const Vec3& ray) {
     const Vec3 normal(0, 0, 1), up = glm::normalize(normal - glm::dot(normal, ray) * ray);
     const auto outside = [&](double sigma) { return -depthAlongNormal(at, point + sigma * up); };
-    // A quadratic in sigma, known from three places.
+    // A quadratic in sigma, determined from three values.
     const double c = outside(0), a = 0.5 * (outside(1) + outside(-1)) - c,
                  b = 0.5 * (outside(1) - outside(-1));
     if (std::abs(a) < 1e-14) return -c / b;
@@ -60,7 +60,7 @@ struct Foot {
     double distance = 0;
 };
 
-/// Nearest point of the base, by trying places ever closer together; positive inside.
+/// Nearest point of the base and signed distance, by a search with decreasing step size; positive inside.
 Foot nearestByTrying(const Case& at, const Vec3& point) {
     const double inside = depthAlongNormal(at, point);
     Vec2 best(point.x, point.y);
@@ -80,7 +80,7 @@ Foot nearestByTrying(const Case& at, const Vec3& point) {
     return {best, std::copysign(std::sqrt(least), inside)};
 }
 
-/// World distance a surface calls depth, `tau` along the ray.
+/// The world distance that a surface defines as depth, at `tau` along the ray.
 double trueDepth(const std::string& surface, const Case& at, double tau) {
     const Vec3 point = tau * at.ray();
     if (surface.starts_with("quadric_nearest")) return nearestByTrying(at, point).distance;
@@ -89,8 +89,8 @@ double trueDepth(const std::string& surface, const Case& at, double tau) {
     return depthAlongNormal(at, point);
 }
 
-/// GLSL of a surface; `texel` n of a case's column: curvature and tangentCosine; (s, t, d) per world unit;
-/// scales and depth.
+/// GLSL source of a surface. `texel` n of a case's column: curvature and tangentCosine; (s, t, d) per world
+/// unit; scales and depth.
 ShaderSource surfaceSource(const std::string& surface, const std::string& evaluate) {
     const Technique technique = resolveTechnique("linear_binary@" + surface);
     const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
@@ -139,8 +139,7 @@ std::vector<glm::vec4> evaluateCases(const std::string& surface, const std::vect
     });
 }
 
-/// At the t given of the way: d, length in world units, depth at the end; then st in zw where `st` asks for
-/// it.
+/// At the given t: d, length in world units, depth at the end; with `st`, st in zw.
 constexpr const char* kPosition =
     "vec4 evaluate(vec4 a) {\n"
     "  ReliefRay ray;\n"
@@ -186,7 +185,7 @@ TEST(QuadricDepth, KnownTable_IsReproduced) {
                 << surface;
         }
     }
-    // One point, three directions: D_U differs, the others don't.
+    // One point and three directions: only D_U depends on the direction.
     const Vec3 point(.3, 0, -.15);
     for (const auto& [degrees, expected] :
          {std::pair(10.0, .320), std::pair(40.0, .163), std::pair(70.0, .128)})
@@ -194,8 +193,8 @@ TEST(QuadricDepth, KnownTable_IsReproduced) {
                     5.1e-4);
     EXPECT_NEAR(depthAlongNormal(planar(10, .25), point), .1275, 1e-12);
     EXPECT_NEAR(nearestByTrying(planar(10, .25), point).distance, .1260, 5.1e-5);
-    // Over a concave base Eq. 7 takes over from Eq. 6 at tau = s^2 / (-4 a c), and depth jumps from
-    // s (1 - s^2 / 2) / (-2 a c^2) to s^2 / (-4 a) (1 + s^4 / (4 c^2)).
+    // Over a concave base, Eq. 7 replaces Eq. 6 from tau = s^2 / (-4 a c) on, where the depth jumps from s (1
+    // - s^2 / 2) / (-2 a c^2) to s^2 / (-4 a) (1 + s^4 / (4 c^2)).
     const Case concave = planar(20, -.25);
     const double turn = concave.sine * concave.sine / concave.cosine();
     EXPECT_NEAR(trueDepth("quadric_perpendicular", concave, turn * (1 - 1e-9)), .7293, 1e-3);
@@ -207,8 +206,8 @@ TEST(QuadricDepth, KnownTable_IsReproduced) {
     EXPECT_NEAR(beside[1].x, trueDepth("quadric_perpendicular", concave, 1.001 * turn), 1e-6);
 }
 
-/// Curvatures of either sign, tangents up to 45 degrees off a right angle, any direction, reliefs up to a
-/// quarter of the least radius.
+/// Curvatures of either sign, tangents up to 45 degrees from orthogonal, any direction, reliefs as deep as up
+/// to a quarter of the smallest radius of curvature.
 std::vector<Case> randomCases(size_t count, unsigned seed) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> sign(-1, 1), unit(0, 1);
@@ -225,7 +224,7 @@ std::vector<Case> randomCases(size_t count, unsigned seed) {
     return cases;
 }
 
-TEST(QuadricDepth, RandomQuadrics_EqualCppTwin) {
+TEST(QuadricDepth, RandomQuadrics_EqualCpp) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const std::vector<Case> cases = randomCases(4000, 5);
     std::mt19937 random(6);
@@ -247,8 +246,8 @@ TEST(QuadricDepth, RandomQuadrics_EqualCppTwin) {
             if (surface == "quadric_perpendicular" && std::abs(discriminant) < 0.01 * at.sine * at.sine)
                 continue;
             ++compared;
-            // All are differences of tau c and k s^2 tau^2, over sz; a dozen roundings of the larger one,
-            // which D_U's division by sine and root magnifies.
+            // All depths are differences of tau c and k s^2 tau^2 divided by sz, with about a dozen rounding
+            // errors of the larger term, which D_U's division by sine and root magnifies.
             const double terms = tau * (at.cosine() + std::abs(k) * at.sine * at.sine * tau) / at.depth;
             const double magnified =
                 surface == "quadric_perpendicular" && discriminant > 0 ? 2 / std::sqrt(discriminant) : 1;
@@ -256,19 +255,19 @@ TEST(QuadricDepth, RandomQuadrics_EqualCppTwin) {
             SCOPED_TRACE(testing::Message() << surface << " case " << i << " t " << t[i] << " tau " << tau
                                             << " k " << k << " s " << at.sine << " depth " << at.depth);
             ASSERT_NEAR(found[i].x, trueDepth(surface, at, tau) / at.depth, tolerance);
-            // The slope against a difference quotient of the definition.
+            // Compares the slope with a difference quotient of the definition.
             const double step = 1e-4 * found[i].y;
             const double slope = (trueDepth(surface, at, tau + step) - trueDepth(surface, at, tau - step)) /
                                  (2 * step) * found[i].y / at.depth;
             ASSERT_NEAR(found[i].w, slope, 1e-3 * (1 + std::abs(slope)) * std::max(1.0, magnified));
-            // st: of the foot, else of the ray.
+            // st: of the foot point, otherwise of the ray.
             const Vec3 point = tau * ray;
             const Vec2 place =
                 surface == "quadric_nearest" ? nearestByTrying(at, point).place : Vec2(point.x, point.y);
             const Vec2 st = at.oblique(place.x, place.y) / at.scale;
             const double size = tau * (1 + 1 / at.tangentSine());
-            // The trying ends at 1e-9 of the depth, where the distance's square no longer changes: 1e-4 for
-            // its place.
+            // The search ends at 1e-9 of the depth, where the squared distance no longer changes, so the
+            // position is accurate to 1e-4.
             const double placeTolerance =
                 32 * kFloatEpsilon * size + (surface == "quadric_nearest" ? 3e-4 * at.depth : 0);
             ASSERT_NEAR(a[i].x * at.scale.x, st.x * at.scale.x, placeTolerance / at.tangentSine());
@@ -278,13 +277,12 @@ TEST(QuadricDepth, RandomQuadrics_EqualCppTwin) {
     }
 }
 
-/// What the end of a search interval has to be: d is what is claimed there, and nothing before it ends the
-/// search.
+/// Checks the end of a search interval: d has the returned value there, and the search doesn't end earlier.
 void checkEnd(const std::string& surface, const Case& at, const glm::vec4& found, double tolerance) {
     const double end = found.y;
     ASSERT_TRUE(std::isfinite(end));
     ASSERT_GT(end, 0);
-    EXPECT_EQ(found.x, found.z); // d at t = 1 is endDepth to the bit
+    EXPECT_EQ(found.x, found.z); // d at t = 1 is exactly endDepth
     EXPECT_NEAR(trueDepth(surface, at, end) / at.depth, found.z, tolerance);
     for (int i = 1; i < 50; ++i) {
         const double d = trueDepth(surface, at, end * i / 50) / at.depth;
@@ -307,8 +305,9 @@ TEST(QuadricEnd, EveryCurvature_EndsAtFirstRoot) {
                 cases.push_back(at);
             }
     }
-    // Of a relief more than a radius deep three steps don't find the nearest point; sixteen do over a concave
-    // base, up to 200 radii. Deeper than the radius of a convex one there is none.
+    // For a relief deeper than the radius of curvature, three steps don't find the nearest point; sixteen do
+    // over a concave base, for up to 200 radii. Over a convex base there is no unique nearest point at such
+    // depths.
     constexpr const char* kManySteps = "quadric_nearest:newton_steps=16";
     for (const std::string surface : {kAllQuadrics[0], kAllQuadrics[1], kAllQuadrics[2], kManySteps}) {
         const auto found = evaluateCases(surface, cases, std::vector<double>(cases.size(), 1), kPosition);
@@ -316,9 +315,9 @@ TEST(QuadricEnd, EveryCurvature_EndsAtFirstRoot) {
             const Case& at = cases[i];
             const double tau = found[i].y, f = at.a * at.sine * at.sine;
             SCOPED_TRACE(testing::Message() << surface << " a " << at.a << " f " << f << " sine " << at.sine);
-            // The root is known to a few roundings of float, the discriminant to one of its larger term,
-            // which the root magnifies; a rounding of tau changes D_z by c + 2 |f| tau, D_U by that over its
-            // own root.
+            // The root has a few float rounding errors, the discriminant one of its larger term, which the
+            // square root magnifies; a rounding error of tau changes D_z by c + 2 |f| tau, and D_U by that
+            // divided by its own root.
             const double limit = surface == "quadric_perpendicular"
                                      ? std::sqrt(std::abs(at.sine * at.sine + 4 * at.a * at.cosine() * tau))
                                      : 1;
@@ -355,8 +354,8 @@ TEST(QuadricEnd, RandomQuadrics_EndAtFirstRoot) {
     }
 }
 
-/// Where D_z comes to 1, or else to 0, world units; and where the ray is back on the base, infinity if
-/// nowhere.
+/// Where D_z reaches 1, or otherwise 0, in world units, and where the ray returns to the base, infinity if it
+/// doesn't.
 struct VerticalEnd {
     double deep, back;
 };
@@ -368,13 +367,13 @@ VerticalEnd verticalEnd(const Case& at) {
 
 TEST(QuadricEnd, Saddle_EndsNearNearestPoint) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Around the asymptotes of saddles, where the base bends away from the ray (f > 0), toward it (f < 0) or
-    // not at all, D_z comes to 1 and D_n often doesn't: there it stays below 1 for ever, f <= 0, or until the
-    // ray is back on the base, at c / f, however far. Up to four times the way of D_z counts, and beyond that
-    // the end of D_z.
+    // Near the asymptotes of saddles, where the base curves away from the ray (f > 0), toward it (f < 0) or
+    // not at all, D_z reaches 1 but D_n often doesn't: it stays below 1 forever (f <= 0) or until the ray
+    // returns to the base at c / f, however far. Roots count up to four times the length of D_z's interval;
+    // otherwise the search ends at the end of D_z.
     std::vector<Case> cases;
     for (const double ratio : {1.0, 0.3})
-        for (const double depth : {0.1, 0.3, 0.5}) // times twice the larger curvature: in radii
+        for (const double depth : {0.1, 0.3, 0.5}) // in radii of curvature
             for (const double degrees : {30.0, 50.0, 60.0, 65.0, 70.0, 75.0, 80.0, 85.0})
                 for (const double beside : {-0.2, -0.05, -1e-3, 0.0, 1e-6, 1e-3, 0.02, 0.05, 0.1, 0.2, 0.4}) {
                     Case at = planar(degrees, 0.5);
@@ -397,7 +396,7 @@ TEST(QuadricEnd, Saddle_EndsNearNearestPoint) {
         double deepest = 0;
         for (int step = 1; step < 200; ++step)
             deepest = std::max(deepest, trueDepth(surface, at, furthest * step / 200) / at.depth);
-        if (std::abs(deepest - 1) < 1e-3) continue; // barely
+        if (std::abs(deepest - 1) < 1e-3) continue; // too close to decide
         checkEnd(surface, at, found[i], 2e-4);
         if (deepest > 1) {
             ++deep;
@@ -417,11 +416,10 @@ TEST(QuadricEnd, Saddle_EndsNearNearestPoint) {
     EXPECT_GT(cut, 30u);
 }
 
-// --- the frame at the hit
-// ------------------------------------------------------------------------------------------------
+// --- the frame at the hit ------------------------------------------------------------------------
 
-/// The point of the relief of constant depth `d` over the place (x, y) of the base: displaced along the
-/// base's own normal, or along Z.
+/// The point of the relief of constant depth at the point (x, y) of the base, displaced along the base's
+/// normal or along Z.
 Vec3 displaced(const Case& at, const Vec2& st, double depth, bool alongOwnNormal) {
     const auto surface = [&](const Vec2& p) { // oblique coordinates
         const double x = p.x + at.tangentCosine * p.y, y = at.tangentSine() * p.y;
@@ -464,8 +462,8 @@ TEST(QuadricFrameAtTheHit, ConstantDepth_GivesFrameFromDerivatives) {
                 return (displaced(at, st + way, depth, nearest) - displaced(at, st - way, depth, nearest)) /
                        (2 * step);
             };
-            // Difference quotients of step 1e-4 are good to 1e-8 of the third derivative, and to 1e-11 /
-            // 1e-4.
+            // Difference quotients with step 1e-4 have errors of 1e-8 times the third derivative and of 1e-11
+            // / 1e-4.
             ASSERT_LT(glm::length(Vec3(byS[i]) / at.scale.x - slope(alongS)),
                       2e-5 * (1 + glm::length(slope(alongS))));
             ASSERT_LT(glm::length(Vec3(byT[i]) / at.scale.y - slope(alongT)),

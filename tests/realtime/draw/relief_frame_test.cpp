@@ -1,4 +1,4 @@
-// Frames whose pixels can be worked out by hand.
+// Frames whose pixels can be derived by hand.
 #include "tests/realtime/gl_fixture.h"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ Camera fromAbove(double viewHeight, int pixels = kPixels) {
     return orthographicCamera({0, 5, 0}, {0, 0, -1}, viewHeight, pixels);
 }
 
-/// In the xy plane, `angle` from the normal of the square, +z up: rays go down and toward +x.
+/// A camera in the xy plane at `angle` from the square's normal, +z up: rays go down and toward +x.
 Camera fromTheSide(double angleDegrees, double viewHeight, int pixels = kPixels) {
     return orthographicCamera(5.0 *
                                   Vec3(-std::sin(radians(angleDegrees)), std::cos(radians(angleDegrees)), 0),
@@ -65,11 +65,11 @@ TEST(ReliefFrame, ConstantDepth_IsPlaneBelowPolygon) {
             ASSERT_NEAR(stAt(frame, pixel).y, (1 - expected.z) / 2, 2e-6);
             ASSERT_LT(glm::length(vectorAt(frame, "N", pixel) - Vec3(0, 1, 0)), 1e-6);
             ASSERT_EQ(frame.channel("id")[pixel], 1);
-            // 5 linear + 6 binary for the eye; the shadow ray finds the same plane in as many.
+            // 5 linear + 6 binary steps for the view ray, and as many for the shadow ray.
             ASSERT_EQ(frame.channel("cost.fetches")[pixel], 22);
             ASSERT_EQ(frame.channel("shadow.sun")[pixel], 0);
         });
-        EXPECT_EQ(hits, size_t(kPixels * kPixels)); // the square fills the picture
+        EXPECT_EQ(hits, size_t(kPixels * kPixels)); // the square fills the image
     }
 }
 
@@ -90,7 +90,7 @@ TEST(ReliefFrame, Shading_EqualsFormula) {
     scene.lights = {directionalLight("a", {0, 1, 0}), directionalLight("b", {0, 3, 4}),
                     directionalLight("below", {0, -1, 0})};
     const Frame frame = draw(scene, "linear_binary");
-    const double light = kAmbient + 1 + 0.6; // N.L = 1, 3/5; the last one is below: shadow
+    const double light = kAmbient + 1 + 0.6; // N.L = 1, 3/5; the last light is below: in shadow
     const size_t pixel = pixelAt(frame, 10, 10);
     EXPECT_NEAR(frame.channel("R")[pixel], 0.2 * light, 1e-6);
     EXPECT_NEAR(frame.channel("G")[pixel], 0.4 * light, 1e-6);
@@ -102,8 +102,8 @@ TEST(ReliefFrame, Shading_EqualsFormula) {
 TEST(ReliefFrame, Ramp_IsPlaneWithItsNormal) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Two clamped texels 0 and 1: between their centers D = 2 (s - 1/4). With s = (x + 1) / 2 and depth 0.3
-    // the surface is y = -0.3 (x + 1/2) for |x| < 1/2, its normal (0.3, 1, 0) normalized. 16 bisections of a
-    // 64th leave an error of 2.4e-7 of the depth.
+    // the surface is y = -0.3 (x + 1/2) for |x| < 1/2, its normal (0.3, 1, 0) normalized. After 16 bisections
+    // of 1/64, the error is 2.4e-7 of the depth.
     const Camera camera = fromTheSide(35, 0.5);
     const Frame frame = draw(sceneOf(squareObject(2, profileMap({0, 1}, Wrap::Clamp), 0.3), camera),
                              "linear_binary:linear_steps=64,binary_steps=16");
@@ -132,7 +132,7 @@ TEST(ReliefFrame, DepthAndTile_ScaleNormals) {
 
 TEST(ReliefFrame, MirroredAndShearedSt_KeepNormalOutward) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // uv = M (x, -z) with any M: the ramp falls along the world direction grad s = M's first row; at depth
+    // uv = M (x, -z) with any M: the ramp descends along the world direction grad s = M's first row; at depth
     // 0.3 with D = 2 (s - 1/4) the surface is y = -0.6 (s - 1/4), the normal (0.6 ds/dx, 1, 0.6 ds/dz).
     struct Matrix {
         double sx, sz, tx, tz;
@@ -162,9 +162,9 @@ TEST(ReliefFrame, MirroredAndShearedSt_KeepNormalOutward) {
 
 TEST(ReliefFrame, TwoRidges_FirstIsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Two ridges, tops at s = 3/16 and 11/16 of a tile, as deep valleys between. Every ray at 60 degrees runs
-    // from the polygon to the floor over 0.2 tan 60 = 0.35 = 0.17 tiles and must stop at the first place
-    // where d(t) >= D: found here by marching the exact map in steps of 1e-5 of the way.
+    // Two ridges with tops at s = 3/16 and 11/16 of a tile, with equally deep valleys between them. Every ray
+    // at 60 degrees crosses 0.2 tan 60 = 0.35 = 0.17 tiles from the polygon to the floor and must stop at the
+    // first point with d(t) >= D, found here by marching the exact map with steps of 1e-5 of the ray.
     const auto map = profileMap({1, 0, 1, 1, 1, 0, 1, 1}, Wrap::Repeat);
     const double depth = 0.4;
     const Camera camera = fromTheSide(60, 0.9);
@@ -188,9 +188,9 @@ TEST(ReliefFrame, TwoRidges_FirstIsHit) {
 TEST(ReliefFrame, Step_CastsShadowOfItsHeight) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A step down from depth 0 to 1 at x = 0, 0.2 high, between two of 512 texels of a square 2 wide; light
-    // from -x at 45 degrees. A point on the floor is in shadow if its ray enters left of the edge: up to x =
-    // 0.2. The edge is a ramp one texel (0.0039) wide, a step of the search 0.2 / 512 and a pixel 0.8 / 256 =
-    // 0.0031.
+    // from -x at 45 degrees. A point on the floor is in shadow if its ray enters left of the edge, that is,
+    // up to x = 0.2. The edge is a ramp one texel (0.0039) wide, a search step is 0.2 / 512, and a pixel 0.8
+    // / 256 = 0.0031.
     std::vector<float> depths(512, 0);
     std::fill(depths.begin() + 256, depths.end(), 1.0f);
     Scene scene = sceneOf(squareObject(2, profileMap(depths, Wrap::Clamp), 0.2), fromAbove(0.8, 256));
@@ -206,14 +206,14 @@ TEST(ReliefFrame, Step_CastsShadowOfItsHeight) {
             EXPECT_EQ(left[pixel], 1) << xWorld;
         }
         if (std::abs(xWorld) > 0.005) {
-            EXPECT_EQ(right[pixel], 0) << xWorld; // nothing stands there
+            EXPECT_EQ(right[pixel], 0) << xWorld; // no occluder there
         }
         if (xWorld < -0.005) {
             EXPECT_EQ(left[pixel], 0) << xWorld;
         }
     }
     EXPECT_NEAR(lastShadow, 0.2, 0.0039 / 2 + 0.2 / 512 + 0.0031);
-    // Without cast shadows only the wall itself, one texel wide, turns away from the light on the left.
+    // Without cast shadows, only the wall, one texel wide, faces away from the light on the left.
     const Frame without = draw(scene, "linear_binary:linear_steps=64,binary_steps=8,shadow=none");
     size_t shadowed = 0;
     for (int x = 0; x < 256; ++x)
@@ -224,9 +224,10 @@ TEST(ReliefFrame, Step_CastsShadowOfItsHeight) {
 
 TEST(ReliefFrame, Bias_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A ramp is a plane: it shadows nothing. Both searches end up to 1/640 of the depth below it. Toward
-    // this light the ramp falls by 0.5 of the depth while a ray rises by 1, so that it is still inside one
-    // step back for half of the pixels: without a bias they shadow themselves. 0.02 is many times that error.
+    // A ramp is a plane, which casts no shadow on itself. Both searches end up to 1/640 of the depth below
+    // it. Toward this light the ramp descends by 0.5 of the depth while a ray rises by 1, so for half of the
+    // pixels the shadow ray is still inside one step back and, without a bias, shadows them. 0.02 is many
+    // times that error.
     Scene scene = sceneOf(squareObject(2, profileMap({0, 1}, Wrap::Clamp), 0.3), fromAbove(0.5));
     scene.lights = {directionalLight("sun", {-1, 0.6, 0})};
     const auto shadowed = [&](const char* technique) {
@@ -242,7 +243,7 @@ TEST(ReliefFrame, Bias_PreventsSelfShadowing) {
 
 TEST(ReliefFrame, BackFacingNormal_StaysOnPolygonOrDiscards) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The polygon faces the camera, its shading normal doesn't: the ray rises out of the relief.
+    // The polygon is front-facing but its shading normal isn't, so the ray rises out of the relief.
     SceneObject object = squareObject(2, profileMap({0, 1, 0.3f}, Wrap::Repeat), 0.3);
     object.mesh.normals = {glm::normalize(Vec3(1, 0.2, 0))};
     object.mesh.faceNormals.assign(object.mesh.faceVertices.size(), 0);
@@ -286,8 +287,8 @@ TEST(ReliefFrame, ZeroDepth_IsPolygon) {
 TEST(ReliefFrame, MissesAndHits_HoldDefinedValues) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto map = profileMap({0, 1, 0.3f, 0.7f, 1}, Wrap::Repeat);
-    // Head-on, grazing, from behind, from inside the plane; a torus has every angle at once, a sphere many
-    // frames.
+    // Perpendicular, grazing, from behind, in the plane; a torus has all angles at once, a sphere many
+    // tangent frames.
     std::vector<Scene> scenes;
     for (const double angle : {0.0, 89.0, 89.99, 90.0, 100.0})
         scenes.push_back(sceneOf(squareObject(2, map, 0.3), fromTheSide(angle, 3)));
@@ -327,8 +328,8 @@ TEST(ReliefFrame, MissesAndHits_HoldDefinedValues) {
 
 TEST(ReliefFrame, LargeSt_KeepsDigits) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The same relief 1000 tiles further on: equal but for st. Float has 1/8192 of a tile there; 1/64 of the
-    // map's smallest feature would be lost if the shader worked with it.
+    // The same relief at st larger by 1000 tiles: equal except for st. The resolution of a float there is
+    // 1/8192 of a tile, which would lose 1/64 of the map's smallest feature if the shader used it.
     const auto map = profileMap({0, 1, 0.3f, 0.7f, 1}, Wrap::Repeat);
     Scene near = sceneOf(squareObject(2, map, 0.3), fromTheSide(40, 0.8)), far = near;
     far.objects[0].relief->uvOffset = Vec2(1000, -500);
@@ -368,8 +369,8 @@ TEST(ReliefFrame, FarTinyAndHugeScenes_RenderEqual) {
                 const bool same = (std::isinf(a) && std::isinf(b)) || std::abs(a - b / scale) < 1e-4;
                 different += !same;
             }
-            // Rounding decides a pixel here and there: at an outline, or where one search step more or less
-            // finds a ridge.
+            // A few pixels depend on rounding: at a silhouette, or where a ridge is found in one search step
+            // more or less.
             EXPECT_LE(different, expected.pixelCount() / 500)
                 << technique << " scale " << scale << " at " << shift.x;
         }
@@ -378,9 +379,9 @@ TEST(ReliefFrame, FarTinyAndHugeScenes_RenderEqual) {
 
 TEST(ReliefFrame, TriangleBounds_DiscardHitsOutside) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A floor of constant depth 1 below a square, seen at 45 degrees: the hit lies 0.3 further along s than
-    // the fragment, in world units 0.3 of the 2 the square is wide. What is left is where it still lies over
-    // the fragment's own triangle.
+    // A floor of constant depth 1 below a square, seen at 45 degrees: the hit is 0.3 world units, of the
+    // square's width of 2, farther along s than the fragment. The remaining pixels are those whose hit is
+    // inside the fragment's triangle.
     const Scene scene =
         sceneOf(squareObject(2, std::make_shared<HeightMap>(HeightMap::constant("floor", 1)), 0.3),
                 fromTheSide(45, 3));
@@ -398,18 +399,18 @@ TEST(ReliefFrame, TriangleBounds_DiscardHitsOutside) {
             ++dropped;
         }
     }
-    // Each triangle, legs 1 in st, loses what a shift by 0.15 moves out of it: the one whose leg faces the
-    // shift 0.15 - 0.15^2/2 of 1/2, the other one the same. Hits in the neighbor are dropped, too: together
-    // 2 (0.15 - 0.01125) = 0.2775.
+    // Each triangle, with legs of 1 in st, loses the area that a shift by 0.15 moves out of it: 0.15 -
+    // 0.15^2/2 of 1/2. Hits in the neighboring triangle are discarded too, so in total 2 (0.15 - 0.01125) =
+    // 0.2775.
     const double share = static_cast<double>(dropped) / static_cast<double>(kept + dropped);
-    EXPECT_NEAR(share, 0.2775, 0.02); // pixels along edges: 64 a side
+    EXPECT_NEAR(share, 0.2775, 0.02); // pixels along edges: 64 per side
     const Frame off = draw(scene, "linear_binary:triangle_bounds=false");
     EXPECT_EQ(coveredPixels(off), coveredPixels(whole));
 }
 
 TEST(ReliefFrame, DepthCorrection_OrdersReliefs) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The relief's floor is at y = -0.2, a plain square at -0.1: the plain one is seen where the relief is
+    // The relief's floor is at y = -0.2, a plain square at -0.1, which is visible where the relief is
     // deepest.
     SceneObject plain = squareObject(2, nullptr, 0);
     plain.translate = Vec3(0, -0.1, 0);
@@ -431,9 +432,9 @@ TEST(ReliefFrame, DepthCorrection_OrdersReliefs) {
 TEST(ReliefFrame, NoDepthCorrection_OrdersPolygons) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Seen from above: "high", its polygon at y = 0, its relief everywhere 0.2 below; "low", its polygon at y
-    // = -0.05, its relief 0.2 below on the left and on top on the right. By the hits "high" is at -0.2 and
-    // "low" at -0.25 and -0.05, so that "low" is seen on the right; by the polygons "high" hides it
-    // everywhere. Six bisections of a tenth leave 0.2 / 640.
+    // = -0.05, its relief 0.2 below on the left and on top on the right. According to the hits, "high" is at
+    // -0.2 and "low" at -0.25 and -0.05, so "low" is visible on the right; according to the polygons, "high"
+    // occludes it everywhere. After six bisections of a tenth, the error is 0.2 / 640.
     std::vector<float> depths(512, 1);
     std::fill(depths.begin() + 256, depths.end(), 0.0f);
     Scene scene = sceneOf(squareObject(2, constantMap(1), 0.2), fromAbove(0.8));
@@ -450,7 +451,7 @@ TEST(ReliefFrame, NoDepthCorrection_OrdersPolygons) {
         EXPECT_NEAR(corrected.channel("Z")[pixel], right ? 5.05 : 5.2, 0.2 / 640 + 1e-5);
         EXPECT_EQ(polygons.channel("id")[pixel], 1);
         EXPECT_NEAR(polygons.channel("Z")[pixel], 5, 1e-5);
-        EXPECT_NEAR(vectorAt(polygons, "P", pixel).y, -0.2, 1e-5); // the hit's, as normal, st and light are
+        EXPECT_NEAR(vectorAt(polygons, "P", pixel).y, -0.2, 1e-5); // the hit's, as are normal, st and light
     }
 }
 

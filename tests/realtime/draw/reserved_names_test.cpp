@@ -14,7 +14,7 @@
 namespace plumbline {
 namespace {
 
-/// One that is put into every file of the harness: any baked map, a base that is bent.
+/// One that is put into every file of the harness: any baked map, a curved base.
 Technique techniqueOfEverything() {
     Technique technique = resolveTechnique("linear_binary@quadric_nearest");
     for (const BakedFamily& family : bakedFamilies())

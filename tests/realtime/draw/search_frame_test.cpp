@@ -1,4 +1,4 @@
-// Searches in whole frames: odd scales, every angle, bent bases, shadows.
+// Searches in whole frames: unusual scales, all angles, curved bases, shadows.
 #include "tests/realtime/draw/search_rays.h"
 
 #include <cstring>
@@ -6,8 +6,7 @@
 namespace plumbline {
 namespace {
 
-// --- frames
-// ------------------------------------------------------------------------------------------------------------
+// --- frames --------------------------------------------------------------------------------------
 
 /// In the xy plane, `angle` from the normal of the square: rays go down and toward +x, turned about +y by
 /// `turn`.
@@ -29,8 +28,8 @@ ReliefLine lineOf(const Ray& ray, const SceneObject& square, double side) {
 
 TEST(SearchFrames, OddScales_ShowRelief) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Tiles that aren't square, of a map that isn't either; two depths. A linear step is 1/128 of the depth:
-    // the hit is at most so much too deep, but for features it steps over.
+    // Non-square tiles of a non-square map, with two depths. A linear step is 1/128 of the depth, so the hit
+    // is at most that much too deep, except for missed features.
     const auto waves = std::make_shared<HeightMap>(generated("waves", 64));
     const auto texels = std::make_shared<HeightMap>(randomMap(8, 4, Wrap::Repeat, Wrap::Repeat));
     for (const auto& map : {waves, texels})
@@ -64,8 +63,8 @@ TEST(SearchFrames, OddScales_ShowRelief) {
 
 TEST(SearchFrames, EveryAngle_GivesFiniteValues) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Straight from above (E4: a slope would be infinite) to along the surface; draw() looks for NaN. On a
-    // flat base nothing is missed.
+    // From perpendicular (E4: a slope would be infinite) to grazing views; draw() checks for NaN. On a flat
+    // base every ray hits.
     const auto map = std::make_shared<HeightMap>(randomMap(7, 5, Wrap::Repeat, Wrap::Repeat));
     for (const double angle : {0.0, 45.0, 89.0, 89.9, 89.995, 90.0}) {
         const Scene scene = sceneOf(squareObject(2, map, 0.3), fromTheSide(angle, 20, 2.2, 24));
@@ -94,7 +93,7 @@ TEST(SearchFrames, CurvedBases_GiveFiniteValues) {
     EXPECT_LT(exact, polygons);
     for (const std::string& search : kSearches) {
         EXPECT_EQ(coveredPixels(draw(scene, search)), polygons) << search;
-        // Whatever a coarse search hits lies inside the relief, and so an exact one hits something as well.
+        // Every hit of a coarse search is inside the relief, so the exact search has a hit too.
         EXPECT_LE(coveredPixels(draw(scene, search + "@quadric")), exact) << search;
     }
     EXPECT_GE(coveredPixels(draw(scene, "linear@quadric:linear_steps=500")), exact * 99 / 100);
@@ -139,8 +138,8 @@ TEST(ParallaxFrames, Offsets_AreTangentAndSine) {
 
 TEST(SearchFrames, ExactCells_CastsExactShadows) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A wall 0.2 high at x = 0 lit at 45 degrees shades the floor to x = 0.2; a fin one texel wide at x =
-    // -0.6 to x = -0.4, which ten steps miss. A texel is 2 / 512 wide; pixel 0.8 / 256.
+    // A wall 0.2 high at x = 0 lit at 45 degrees shadows the floor up to x = 0.2; a fin one texel wide at x =
+    // -0.6, which ten steps miss, up to x = -0.4. A texel is 2 / 512 wide, a pixel 0.8 / 256.
     std::vector<float> depths(512, 1);
     depths[102] = 0; // center x = 102.5 / 256 - 1 = -0.5996
     Scene scene = sceneOf(squareObject(2, std::make_shared<HeightMap>(profile(depths, Wrap::Clamp)), 0.2),
@@ -156,7 +155,7 @@ TEST(SearchFrames, ExactCells_CastsExactShadows) {
         begin = std::min(begin, xWorld);
         end = std::max(end, xWorld);
     }
-    // From the fin's far flank to where the ray over its top lands.
+    // From the fin's far side to where the ray over its top hits the floor.
     EXPECT_NEAR(begin, -0.6, 0.0039 + 0.0031);
     EXPECT_NEAR(end, -0.4, 0.0039 + 0.0031);
 }

@@ -1,4 +1,4 @@
-// How fast searches converge: errors by steps, and what the errata say of the secant.
+// Convergence rates of searches, and the errata on the secant method.
 #include "tests/realtime/draw/search_rays.h"
 
 #include <algorithm>
@@ -7,11 +7,10 @@
 namespace plumbline {
 namespace {
 
-// --- rates
-// -------------------------------------------------------------------------------------------------------------
+// --- rates ---------------------------------------------------------------------------------------
 
-/// Mean |t - truth| over the rays whose first hit was found, i.e. is nearer than `step`; and how many those
-/// are.
+/// Mean |t - ground truth| over the rays whose first hit was found, that is, within `step`; and the number of
+/// these rays.
 struct Error {
     double mean;
     size_t rays;
@@ -33,9 +32,9 @@ Error errorOf(const std::string& technique, const HeightMap& map, const std::vec
 
 TEST(Convergence, MoreSteps_ConvergeWithExpectedOrder) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Waves of 512 texels: smooth over a step of 1/8 to 1/32 of rays 0.2 tiles long (13 to 3 texels).
-    // Doubling the steps halves the errors of a linear search and of one that bisects a fixed number of
-    // times, and quarters that of one secant.
+    // Waves of 512 texels, which are smooth over steps of 1/8 to 1/32 of rays 0.2 tiles long (13 to 3
+    // texels). Doubling the steps halves the error of a linear search and of one with a fixed number of
+    // bisections, and quarters that of one secant step.
     const HeightMap map = generated("waves", 512);
     const std::vector<ReliefLine> lines = raysOfLength(0.2f, 3000);
     const struct {
@@ -67,8 +66,7 @@ TEST(Convergence, MoreSteps_ConvergeWithExpectedOrder) {
                     0.5 / 32 * std::exp2(-halvings), 0.05 / 32 * std::exp2(-halvings));
 }
 
-// --- the secant's errata
-// -----------------------------------------------------------------------------------------------
+// --- the secant's errata -------------------------------------------------------------------------
 
 struct Iterations {
     double mean;
@@ -93,7 +91,7 @@ Iterations iterationsOf(const std::string& technique, const HeightMap& map,
 
 TEST(Secant, Walls_FreezeRegulaFalsiNotIllinois) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // E1, with the document's 5 linear steps and |gap| <= 0.01, no cap that matters.
+    // E1, with the paper's 5 linear steps and |gap| <= 0.01, and no effective limit of iterations.
     const auto print = [](const char* name, const Iterations& n) {
         testing::Test::RecordProperty(name, std::to_string(n.mean) + " p99 " + std::to_string(n.p99) +
                                                 " max " + std::to_string(n.most) + " over ten " +
@@ -109,15 +107,15 @@ TEST(Secant, Walls_FreezeRegulaFalsiNotIllinois) {
     print("regula_falsi_bricks", printed);
     print("illinois_bricks", illinois);
     print("binary_bricks", halved);
-    // Found: 5.55, p99 21, 10 % over ten; 4.55, p99 10, 0.8 %; 5.88, p99 9. The bands leave room for another
-    // map.
+    // Measured: 5.55, p99 21, 10 % over ten; 4.55, p99 10, 0.8 %; 5.88, p99 9. The tolerances allow for
+    // another map.
     EXPECT_GT(printed.mean, illinois.mean * 1.1);
     EXPECT_GT(printed.p99, 1.5 * illinois.p99);
     EXPECT_GT(printed.overTen, 0.05);
     EXPECT_LT(illinois.overTen, 0.02);
     EXPECT_GT(printed.p99, 1.5 * halved.p99); // the worst cases aren't equal
-    // On smooth maps the claim of the document holds, two to three against five to eight, but for the
-    // latter: 1.96 and 3.76.
+    // On smooth maps the paper's claim, two to three iterations instead of five to eight, is confirmed for
+    // the former: 1.96 and 3.76.
     const Iterations printedSmooth = iterationsOf(common + "regula_falsi", smooth, lines);
     const Iterations illinoisSmooth = iterationsOf(common + "illinois", smooth, lines);
     const Iterations halvedSmooth = iterationsOf(binary, smooth, lines);
@@ -131,10 +129,10 @@ TEST(Secant, Walls_FreezeRegulaFalsiNotIllinois) {
 
 TEST(Secant, EitherEnd_CanFreeze) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A ray over the whole map of 64 texels, D against t = s. Five steps leave the bracket [0.8, 1]. Once the
-    // relief runs 0.05 below the ray up to a wall that rises at 0.97: the gap outside stays small and the
-    // inside end stays. Once it drops at 0.82 from the floor to 0.02 above the ray: the outside end stays.
-    // Found: 37 rounds and 14, 25 and 8.
+    // A ray over the whole map of 64 texels, D as a function of t = s. Five steps leave the interval [0.8,
+    // 1]. In the first map the relief is 0.05 below the ray up to a wall at 0.97, so the outside gap is small
+    // and the inside end doesn't move. In the second it rises at 0.82 from the floor to 0.02 above the ray,
+    // so the outside end doesn't move. Measured: 37 iterations and 14, 25 and 8.
     std::vector<float> late(64), early(64);
     for (size_t i = 0; i < 64; ++i) {
         const float s = (static_cast<float>(i) + 0.5f) / 64;
@@ -165,7 +163,7 @@ TEST(Secant, SteepRelief_SampledDepthIsWorseThanIntersection) {
         double worse = 0, count = 0, errorOfPoint = 0, errorOfSampled = 0;
         for (size_t i = 0; i < lines.size(); ++i) {
             const double a = std::abs(point[i].t - truth[i].t), b = std::abs(sampled[i].t - truth[i].t);
-            if (a > 0.1 || a < 1e-6) continue; // another hit; nothing to multiply
+            if (a > 0.1 || a < 1e-6) continue; // another hit, or no error to multiply
             worse += b > a;
             ++count;
             errorOfPoint += a;

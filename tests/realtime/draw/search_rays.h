@@ -1,4 +1,4 @@
-// Maps and rays the tests of the searches share.
+// Maps and rays shared by the tests of the searches.
 #pragma once
 
 #include "scenes/maps/generate_map.h"
@@ -24,7 +24,7 @@ inline HeightMap profile(std::vector<float> depths, Wrap wrap = Wrap::Repeat) {
     return {"profile", width, 1, std::move(depths), wrap, wrap};
 }
 
-/// `size` texels of depth 1 but for those from `begin` to `end`, which are of depth 0.
+/// `size` texels of depth 1, except for the ranges `ridges` of depth 0.
 inline HeightMap ridge(int size, std::vector<std::pair<int, int>> ridges) {
     std::vector<float> depths(static_cast<size_t>(size), 1);
     for (const auto& [begin, end] : ridges)
@@ -45,7 +45,7 @@ inline HeightMap generated(const std::string& kind, int size) {
     return generateMap(kind, size, 3, Wrap::Repeat, Wrap::Repeat);
 }
 
-/// Rays from anywhere, as long on the map as `travel` tiles, in any direction.
+/// Rays with random origins and directions that cross `travel` tiles of the map.
 inline std::vector<ReliefLine> raysOfLength(float travel, size_t count, float low = 0, float high = 1) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> anywhere(low, high), angle(0, 6.2831853f);

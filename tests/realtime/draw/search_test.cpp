@@ -1,4 +1,4 @@
-// The searches of realtime/techniques/ that need the height map alone, over rays whose hits are known.
+// The searches of realtime/techniques/ that only use the height map, with rays whose hits are known.
 #include "tests/realtime/draw/search_rays.h"
 
 #include <algorithm>
@@ -7,16 +7,15 @@
 namespace plumbline {
 namespace {
 
-// --- roots known by hand
-// -----------------------------------------------------------------------------------------------
+// --- roots known by hand -------------------------------------------------------------------------
 
 TEST(KnownRoots, ConstantDepth_IsExact) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map = HeightMap::constant("constant", 0.37f);
     const ReliefLine line{{0.2f, 0.7f}, {0.4f, -0.3f}};
     // Steps of 1/10: the first at or below 0.37 is 0.4. Halvings of [0,1]: 24/64 = 0.375. Of [0.3, 0.4]:
-    // 0.1/64 each, 45 of which are 0.0703. The others cut a straight line. Look-ups: steps up to the hit, one
-    // more for those that need the gap at t = 0, and one a refinement.
+    // 0.1/64 each, 45 of which are 0.0703. The others intersect a straight line. Lookups: the steps up to the
+    // hit, one more for searches that need the gap at t = 0, and one per refinement.
     const struct {
         const char* technique;
         double t, tolerance;
@@ -55,14 +54,14 @@ TEST(KnownRoots, Ramp_IsExact) {
     EXPECT_NEAR(traceOne("linear", map, line).t, 0.2, kFloatEpsilon);
     EXPECT_NEAR(traceOne("linear_binary", map, line).t, 0.125, 0.1 / 64);
     EXPECT_NEAR(traceOne("binary", map, line).t, 0.125, 1.0 / 64);
-    // Beyond the border the map goes on at depth 0 on the left and 1 on the right, however far.
+    // Beyond the border the map continues at depth 0 on the left and 1 on the right, at any distance.
     EXPECT_EQ(traceOne("exact_cells", map, {{-40, 0.5f}, {0.1f, 0}}).t, 0);
     EXPECT_EQ(traceOne("exact_cells", map, {{40, 0.5f}, {-0.1f, 0}}).t, 1);
-    // On the relief from the start, at D = 0, though it falls away faster than the ray.
+    // The ray starts on the relief, at D = 0, although the relief descends faster than the ray.
     EXPECT_EQ(traceOne("exact_cells", map, {{0.25f, 0.5f}, {2, 0}}).t, 0);
-    // Out to the right over 80 tiles: beyond the border there is but one cell.
+    // To the right over 80 tiles: beyond the border there is only one cell.
     EXPECT_EQ(traceOne("exact_cells", map, {{0.5f, 0.5f}, {80, 0}}).iterations, 2);
-    // In from the right over 80 tiles: D = 2 (s - 1/4) = t at s = 40 - 80 t gives t = 79.5 / 161, in 2 cells.
+    // From the right over 80 tiles: D = 2 (s - 1/4) = t at s = 40 - 80 t gives t = 79.5 / 161, in 2 cells.
     const TracedHit in = traceOne("exact_cells", map, {{40, 0.5f}, {-80, 0}});
     EXPECT_NEAR(in.t, 79.5 / 161, 1e-6);
     EXPECT_EQ(in.iterations, 2);
@@ -70,9 +69,9 @@ TEST(KnownRoots, Ramp_IsExact) {
 
 TEST(KnownRoots, Step_IsHitOnItsWall) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Down at s = 0.1, up again at s = 0.5: a ray from s = 0.3 runs against the wall between texels 31 and 32
-    // of 64, whose centers are at s = 31.5/64 and 32.5/64. D = 1 - (64 s - 31.5) there, with s = 0.3 + 0.4 t:
-    // D = t at t = 13.3 / 26.6.
+    // Depth 1 from s = 0.1 to s = 0.5: a ray from s = 0.3 hits the wall between texels 31 and 32 of 64, whose
+    // centers are at s = 31.5/64 and 32.5/64. D = 1 - (64 s - 31.5) there, with s = 0.3 + 0.4 t: D = t at t =
+    // 13.3 / 26.6.
     std::vector<float> depths(64, 0);
     std::fill(depths.begin() + 6, depths.begin() + 32, 1.0f);
     const HeightMap map = profile(depths);
@@ -90,7 +89,7 @@ TEST(KnownRoots, TwoBumps_FirstIsHitExceptByBisection) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // Ridges between texels 20 and 24, and 44 and 50, of 64; the ray crosses the whole map. It enters the
     // first where D falls from 1 to 0 between the centers of texels 19 and 20: 1 - (64 t - 19.5) = t, t
-    // = 20.5 / 65. The middle is between the ridges, so that bisection goes on in the second half: it meets
+    // = 20.5 / 65. The midpoint is between the ridges, so bisection continues in the second half and finds
     // the second ridge at 44.5 / 65.
     const HeightMap map = ridge(64, {{20, 24}, {44, 50}});
     const ReliefLine line{{0, 0.5f}, {1, 0}};
@@ -128,7 +127,7 @@ TEST(KnownRoots, FloorAndTop_AreHit) {
             const double firstStep = search == "linear" ? 0.1 : search == "binary" ? 1.0 / 64 : 0.1 / 64;
             EXPECT_TRUE(top.hit && top.t <= firstStep + kFloatEpsilon) << search << " " << top.t;
         }
-    // A ray that leaves the layer again meets no floor.
+    // A ray that leaves the layer doesn't reach the floor.
     for (const std::string& search : kSearches)
         EXPECT_FALSE(traceOne(search, HeightMap::constant("floor", 1), lines[0], {0, 3.5f}).hit) << search;
 }
@@ -142,8 +141,7 @@ TEST(KnownRoots, PrematureBisectionAsPrinted_StaysNearTop) {
     EXPECT_NEAR(traceOne("binary", map, {{0, 0}, {0, 0}}).t, 0.7, 1.0 / 64);
 }
 
-// --- exact_cells against double
-// ----------------------------------------------------------------------------------------
+// --- exact_cells against double ------------------------------------------------------------------
 
 struct ExactCase {
     const char* name;
@@ -165,9 +163,9 @@ std::vector<ExactCase> exactCases() {
 
 TEST(ExactCells, AnyRay_EqualsDoubleRootUnlessGrazing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // The depth it ends at is off by less than 1e-5 of the relief, unless the gap falls by less than 0.05 per
-    // unit of t at the hit or came within 1e-5 of 0 at a turning point before: there a rounding of the gap, a
-    // few 1e-7, moves the hit by more.
+    // The error of the hit's depth is below 1e-5 of the relief, unless the gap decreases by less than 0.05
+    // per unit of t at the hit or came within 1e-5 of 0 at an earlier extremum: then rounding errors of the
+    // gap, a few 1e-7, move the hit by more.
     size_t compared = 0, grazing = 0;
     double largest = 0;
     for (const ExactCase& c : exactCases())
@@ -201,7 +199,7 @@ TEST(ExactCells, AnyRay_EqualsDoubleRootUnlessGrazing) {
 
 TEST(ExactCells, AnyRay_VisitsOnlyCrossedCells) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A floor at depth 1: the whole ray is walked, a look-up a cell.
+    // A floor at depth 1: the whole ray is traversed with one lookup per cell.
     const HeightMap map("floor", 16, 8, std::vector<float>(128, 1));
     for (const ReliefLine& line : raysOfLength(1.7f, 300, -2, 3)) {
         const auto cellAt = [&](double t, int axis) {
@@ -212,7 +210,7 @@ TEST(ExactCells, AnyRay_VisitsOnlyCrossedCells) {
                                                std::abs(cellAt(1, 1) - cellAt(0, 1)));
         const TracedHit hit = traceOne("exact_cells", map, line);
         ASSERT_NEAR(hit.iterations, cells, 1)
-            << line.st.x << " " << line.st.y; // an end on a border is either's
+            << line.st.x << " " << line.st.y; // an end on a border belongs to either cell
         ASSERT_EQ(hit.lookups, hit.iterations);
     }
 }
@@ -220,7 +218,7 @@ TEST(ExactCells, AnyRay_VisitsOnlyCrossedCells) {
 TEST(ExactCells, CellBudget_StopsSearch) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map("floor", 16, 1, std::vector<float>(16, 1));
-    // 4 cells of the 16 from s = 0: the first ends after half a texel, at t = 3.5/16 the fifth begins.
+    // 4 of the 16 cells from s = 0: the first ends after half a texel, and the fifth begins at t = 3.5/16.
     const TracedHit hit = traceOne("exact_cells:most_cells=4", map, {{0, 0}, {1, 0}});
     EXPECT_TRUE(hit.hit);
     EXPECT_NEAR(hit.t, 3.5 / 16, kFloatEpsilon);
@@ -229,7 +227,7 @@ TEST(ExactCells, CellBudget_StopsSearch) {
 
 TEST(ExactCells, ManyTiles_AreFollowed) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Grazing rays over 7 tiles of 512 texels, far from 0: one needle on the way, one texel wide.
+    // Grazing rays over 7 tiles of 512 texels, far from 0, with one needle, one texel wide, on the way.
     std::vector<float> depths(512 * 512, 1);
     depths[200 * 512 + 100] = 0;
     const HeightMap map("needle", 512, 512, std::move(depths));
@@ -255,7 +253,7 @@ TEST(ExactCells, ManyTiles_AreFollowed) {
 
 TEST(Bisection, Tolerance_StopsSearch) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // D = 0.37 at [0.3, 0.4]: middles 0.35, 0.375: |gap| 0.005 <= 0.01 after two.
+    // D = 0.37 at [0.3, 0.4]: midpoints 0.35, 0.375: |gap| 0.005 <= 0.01 after two steps.
     const HeightMap map = HeightMap::constant("constant", 0.37f);
     const TracedHit hit = traceOne("linear_binary:tolerance=0.01", map, {{0, 0}, {0.1f, 0}});
     EXPECT_EQ(hit.iterations, 2);
@@ -264,7 +262,8 @@ TEST(Bisection, Tolerance_StopsSearch) {
 
 TEST(LinearSteps, Angle_AdaptsSteps) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Premecz: lerp(2N, N, cosine), rounded up. A floor at depth 1 takes them all: 10, 15, 20; 16.3 is 17.
+    // Premecz: lerp(2N, N, cosine), rounded up. A floor at depth 1 needs all of them: 10, 15, 20; 16.3 is
+    // rounded up to 17.
     const HeightMap floor = HeightMap::constant("floor", 1);
     for (const auto& [cosine, steps] : {std::pair(1.0f, 10), {0.5f, 15}, {0.0f, 20}, {0.37f, 17}})
         EXPECT_EQ(
@@ -286,9 +285,9 @@ TEST(LinearSteps, NoEarlyExit_GivesSameHitAtFullCost) {
     }
 }
 
-TEST(BentRays, EverySearch_FindsHitOrLeavesLayer) {
+TEST(CurvedRays, EverySearch_FindsHitOrLeavesLayer) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // With 256 steps on a smooth map, up to a step and but for a few rays that graze a wave.
+    // With 256 steps on a smooth map, accurate to a step except for a few rays that graze a wave.
     const HeightMap map = generated("waves", 64);
     const std::vector<ReliefLine> lines = raysOfLength(0.5f, 1000);
     for (const ReliefPath& path :
@@ -306,7 +305,7 @@ TEST(BentRays, EverySearch_FindsHitOrLeavesLayer) {
                 wrong += truth.hit && found[i].hit && std::abs(found[i].t - truth.hit->t) > 1.0 / 256 + 1e-4;
             }
             SCOPED_TRACE(testing::Message() << search << " end " << path.endDepth << " bend " << path.bend);
-            EXPECT_EQ(inventedHits, 0u); // what is inside somewhere is a hit
+            EXPECT_EQ(inventedHits, 0u); // every ray that enters the relief has a hit
             if (std::string(search) == "binary") continue;
             EXPECT_LE(missedHits, 10u);
             EXPECT_LE(wrong, 10u);

@@ -1,4 +1,4 @@
-// Cast shadows by maps drawn from the lights, against shadows worked out by hand.
+// Compares shadows from shadow maps with shadows derived by hand.
 #include "realtime/draw/baked_input.h"
 #include "realtime/draw/shadow_maps.h"
 #include "realtime/draw/technique_program.h"
@@ -26,16 +26,15 @@ Camera fromAbove(double viewHeight) {
     return orthographicCamera({0, 5, 0}, {0, 0, -1}, viewHeight, kPixels);
 }
 
-// --- where a shadow falls
-// --------------------------------------------------------------------------------------------
+// --- where a shadow falls ------------------------------------------------------------------------
 
 TEST(ShadowMap, Sun_CastsPoleShadowOfFormula) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A pole 0.1 thick and 1 tall on a plain floor, the sun at 45 degrees from +x: a point at height y
-    // shadows the floor at x - y. A receiver reads a texel whose center is up to half of its diagonal away,
-    // across the rays: times sqrt(2) along the floor. Near the pole's foot the bias lets light through:
-    // nothing nearer to the point than h (1 + tan 45) along the ray shadows it, which the pole is for x >
-    // -0.05 - 2 h / sqrt(2).
+    // shadows the floor at x - y. A receiver uses a texel whose center is up to half of its diagonal away,
+    // orthogonal to the rays, which is sqrt(2) times that along the floor. Near the pole's foot the bias
+    // causes light leaks: occluders closer than h (1 + tan 45) along the ray are ignored, which applies to
+    // the pole for x > -0.05 - 2 h / sqrt(2).
     const Scene scene =
         sceneOfObjects({plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})},
                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
@@ -57,10 +56,10 @@ TEST(ShadowMap, Sun_CastsPoleShadowOfFormula) {
 TEST(ShadowMap, Lamp_CastsPoleShadowOfFormula) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // The same pole under a lamp at (1, 2, 0): a point at height y shadows the floor at the lamp + (point -
-    // lamp) 2 / (2 - y). Its foot stays, its top's square comes to x in [-1.1, -0.9], |z| < 0.1; the shadow
-    // is the hull of both. A receiver's texel lies up to h = sqrt(2) / size times the distance along the
-    // face's axis away, at most 2.1 to 4.2 here, and as much longer along the floor as the rays are oblique
-    // there, cosine 2 / 3.6 at least.
+    // lamp) 2 / (2 - y). Its base stays, its top's square is projected to x in [-1.1, -0.9], |z| < 0.1; the
+    // shadow is the convex hull of both. A receiver's texel is up to h = sqrt(2) / size times the distance
+    // along the face's axis away, at most 2.1 to 4.2 here, and farther along the floor for oblique rays, with
+    // cosines of at least 2 / 3.6.
     const Scene scene =
         sceneOfObjects({plateObject("floor", 4, 0), boxObject("pole", {0.1, 1, 0.1}, {0, 0.5, 0})},
                        {pointLight("lamp", {1, 2, 0})}, fromAbove(3));
@@ -70,8 +69,8 @@ TEST(ShadowMap, Lamp_CastsPoleShadowOfFormula) {
         // The hull's side from (0.05, 0.05) to (-0.9, 0.1).
         const double side = 0.05 + 0.05 * (0.05 - p.x) / 0.95;
         const double outside = std::max({p.x - 0.05, -1.1 - p.x, std::abs(p.z) - (p.x < -0.9 ? 0.1 : side)});
-        const bool foot =
-            std::abs(p.x) < 0.05 + 4 * edge && std::abs(p.z) < 0.05 + edge; // under the bias, as above
+        const bool foot = std::abs(p.x) < 0.05 + 4 * edge &&
+                          std::abs(p.z) < 0.05 + edge; // light leak due to the bias, as above
         if (foot || std::abs(outside) < edge) return Expected::Either;
         return outside > 0 ? Expected::Lit : Expected::Shadow;
     });
@@ -82,7 +81,7 @@ TEST(ShadowMap, Lamp_CastsPoleShadowOfFormula) {
 TEST(ShadowMap, PlainObject_ShadowsReliefAtHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A plate 0.4 wide at y = 0.4 over a relief floor 0.1 below its polygon; the sun at 45 degrees. The
-    // shadow moves by 0.5 to x in [-0.7, -0.3]; looked up from the polygon it would move by 0.4.
+    // shadow moves by 0.5 to x in [-0.7, -0.3]; with lookups from the polygon it would move by 0.4.
     const Scene scene =
         sceneOfObjects({plateObject("floor", 4, 0, constantMap(0.5f), 0.2), plateObject("plate", 0.4, 0.4)},
                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
@@ -92,7 +91,7 @@ TEST(ShadowMap, PlainObject_ShadowsReliefAtHit) {
     });
     EXPECT_GT(decided, size_t(kPixels * kPixels * 9 / 10));
     EXPECT_GT(countShadows(frame, "sun", 1).shadowed, 500u);
-    // The depth buffer's depth has nothing to do with it.
+    // The depth correction has no effect on it.
     const Frame uncorrected = draw(scene, kMap + ",depth_correction=false");
     for (size_t i = 0; i < frame.pixelCount(); ++i)
         ASSERT_EQ(frame.channel("shadow.sun")[i], uncorrected.channel("shadow.sun")[i]);
@@ -101,8 +100,8 @@ TEST(ShadowMap, PlainObject_ShadowsReliefAtHit) {
 TEST(ShadowMap, Relief_ShadowsBehindItsHit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A relief plate 0.4 wide, its polygon at y = 0.7, its surface at 0.5. The light's rays through the
-    // polygon meet a plain plate at height y around (-0.7 + y, 0): at 0.6, before the relief stops them, and
-    // at 0.3, behind it.
+    // polygon hit a plain plate at height y around (-0.7 + y, 0): at 0.6 before the relief stops them, at 0.3
+    // behind it.
     for (const double height : {0.6, 0.3}) {
         const Scene scene = sceneOfObjects(
             {plateObject("relief", 0.4, 0.7, constantMap(1), 0.2), plateObject("plain", 2, height)},
@@ -120,8 +119,7 @@ TEST(ShadowMap, Relief_ShadowsBehindItsHit) {
 
 TEST(ShadowMap, Relief_ShadowsRelief) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Polygons at y = 0.5 and 0, surfaces at 0.4 and -0.1: the plate's outline, 0.4 wide, is shadowed 0.6
-    // further on.
+    // Polygons at y = 0.5 and 0, surfaces at 0.4 and -0.1: the plate's shadow, 0.4 wide, is 0.6 farther.
     const Scene scene = sceneOfObjects({plateObject("floor", 4, 0, constantMap(0.5f), 0.2),
                                         plateObject("plate", 0.4, 0.5, constantMap(0.5f), 0.2)},
                                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
@@ -135,8 +133,8 @@ TEST(ShadowMap, Relief_ShadowsRelief) {
 
 TEST(ShadowMap, PlainSheetsAndReliefs_CastFromTheirSides) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Plates 0.4 wide at y = 0.4, turned over, so that the sun sees their backs; a relief lies behind the
-    // front of its polygons.
+    // Plates 0.4 wide at y = 0.4, flipped so that their back faces are toward the sun; a relief is behind its
+    // polygons' front faces.
     for (const bool relief : {false, true}) {
         SceneObject plate = plateObject("plate", 0.4, 0.4, relief ? constantMap(0.5f) : nullptr, 0.1);
         plate.rotateDegrees = Vec3(180, 0, 0);
@@ -149,15 +147,14 @@ TEST(ShadowMap, PlainSheetsAndReliefs_CastFromTheirSides) {
     }
 }
 
-// --- no shadow where nothing stands
-// ----------------------------------------------------------------------------------
+// --- no shadow where nothing stands --------------------------------------------------------------
 
 TEST(ShadowMap, BiasOnPlanes_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A plain square, lights from head-on to 86 degrees from its normal; coarse and fine maps. The derivation
-    // holds for every texel: wherever N.L is at least the 0.05 up to which the bias grows, not one pixel may
-    // be in shadow. Without a bias about half are, those whose texel's center is nearer to the light; under a
-    // head-on sun rounding decides.
+    // is valid for every texel: where N.L is at least 0.05, up to which the bias grows, no pixel may be in
+    // shadow. Without a bias about half of them are, those whose texel center is nearer to the light; under a
+    // perpendicular sun it depends on rounding.
     for (const double angle : {0.0, 20.0, 45.0, 70.0, 86.0})
         for (const int size : {16, 100, 1024}) {
             const Vec3 toLight(std::sin(radians(angle)), std::cos(radians(angle)), 0.03);
@@ -187,8 +184,8 @@ TEST(ShadowMap, BiasOnPlanes_PreventsSelfShadowing) {
 
 TEST(ShadowMap, BiasOnRelief_PreventsSelfShadowing) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A ramp, two clamped texels, is a plane; it falls by 0.3 per unit away from the light. The exact search:
-    // no error but the map's.
+    // A ramp of two clamped texels is a plane that descends by 0.3 per unit away from the light. With the
+    // exact search, only the map has errors.
     SceneObject ramp = squareObject(
         2, std::make_shared<HeightMap>("ramp", 2, 1, std::vector<float>{0, 1}, Wrap::Clamp, Wrap::Clamp),
         0.3);
@@ -199,16 +196,15 @@ TEST(ShadowMap, BiasOnRelief_PreventsSelfShadowing) {
     EXPECT_EQ(shadowed("exact_cells:shadow=map,shadow_bias=0"), 0u);
     EXPECT_GT(shadowed("exact_cells:shadow=map,shadow_bias=0,shadow_map_bias=0"),
               size_t(kPixels * kPixels / 5));
-    // Ten steps end up to a tenth of the depth behind the surface, from the camera and from the light at
-    // different places: that is the search's error, which shadow_bias is for. A point a tenth below the ramp
-    // has it 3.9 tenths away along these rays, N.L = 0.25: as far as a point below the polygon, N.L = 0.51,
-    // is with a margin of two tenths.
+    // Ten steps end up to a tenth of the depth below the surface, at different points for camera and light.
+    // This is the search's error, for which shadow_bias is intended. A point a tenth below the ramp is 3.9
+    // tenths away from it along these rays (N.L = 0.25), as far as a point below the polygon (N.L = 0.51)
+    // with a margin of two tenths.
     EXPECT_GT(shadowed("linear:shadow=map,shadow_bias=0"), size_t(kPixels * kPixels / 20));
     EXPECT_EQ(shadowed("linear:shadow=map,shadow_bias=0.2"), 0u);
 }
 
-// --- lights
-// ----------------------------------------------------------------------------------------------------------
+// --- lights --------------------------------------------------------------------------------------
 
 /// A box seen from inside.
 SceneObject roomObject(double side) {
@@ -222,10 +218,10 @@ SceneObject roomObject(double side) {
 
 TEST(ShadowMap, Lamp_ReachesAllSixFaces) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A lamp in the middle of a room 2 wide, a plate in front of each wall, halfway and off the middle by
-    // (0.1, 0.05) along the next two axes, 0.2 wide: its shadow on the wall is 0.4 wide, off by (0.2, 0.1).
-    // Two cameras in opposite corners see three walls each. Nothing else is in shadow, edges and corners of
-    // the cube of faces included. A texel's half diagonal is sqrt(2) / 1024 at the wall.
+    // A lamp at the center of a room 2 wide, with a plate halfway to each wall, 0.2 wide and displaced from
+    // the center by (0.1, 0.05) along the next two axes: its shadow on the wall is 0.4 wide and displaced by
+    // (0.2, 0.1). Two cameras in opposite corners see three walls each. Nothing else is in shadow, including
+    // at the edges and corners of the cube map. Half a texel's diagonal is sqrt(2) / 1024 at the wall.
     std::vector<SceneObject> objects{roomObject(2)};
     for (int axis = 0; axis < 3; ++axis)
         for (const double sign : {1.0, -1.0}) {
@@ -272,7 +268,7 @@ TEST(ShadowMap, NoLights_EqualsFrameWithoutMaps) {
 
 TEST(ShadowMap, NoCasters_LeaveAllLit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A lamp beside the floor: five of its six faces see nothing. One far off sees all of the scene in a
+    // A lamp beside the floor: five of its six faces are empty. A distant lamp has the whole scene in one
     // texel.
     const Scene scene =
         sceneOfObjects({plateObject("floor", 2, 0)},
@@ -282,7 +278,7 @@ TEST(ShadowMap, NoCasters_LeaveAllLit) {
         EXPECT_GT(countShadows(frame, light).pixels, 1000u);
         EXPECT_EQ(countShadows(frame, light).shadowed, 0u) << light;
     }
-    // Nothing in the picture, nothing in the scene's depth: a square seen by the sun from its edge.
+    // No extent in the map: a square seen edge-on by the sun.
     const Scene edgeOn =
         sceneOfObjects({plateObject("floor", 2, 0)}, {directionalLight("sun", {1, 0, 0})}, fromAbove(3));
     EXPECT_EQ(countShadows(draw(edgeOn, kMap), "sun").shadowed,
@@ -291,12 +287,12 @@ TEST(ShadowMap, NoCasters_LeaveAllLit) {
 
 TEST(ShadowMap, HitsBeyondRange_AreLit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A relief floor 2 wide, its surface 0.2 below the polygon; both lights look along -x at 15 to 20
-    // degrees, the camera at 5: what it sees ends 0.2 / tan 5 = 2.29 beyond the polygon's rim, out of the
-    // range of distances with its margin (half a diagonal, 1.6). Behind the rim light rays enter the polygon
-    // up to 0.2 / tan 20 = 0.55 further in and meet the very points; beyond that their texels are empty. A
-    // box 1 tall, which makes room on the map for the latter, throws the only shadow: x down to -3.4, as wide
-    // as itself under the sun, up to 1.4 times as far from z = 0 under the lamp.
+    // A relief floor 2 wide, its surface 0.2 below the polygon; both lights shine along -x at 15 to 20
+    // degrees, the camera looks at 5 degrees. The visible surface extends 0.2 / tan 5 = 2.29 beyond the
+    // polygon's edge, outside the distance range with its margin (half a diagonal, 1.6). Light rays that
+    // enter the polygon up to 0.2 / tan 20 = 0.55 before its edge hit these points; beyond that their texels
+    // are empty. A box 1 tall, which enlarges the map for the latter, casts the only shadow: x down to -3.4,
+    // as wide as the box under the sun, up to 1.4 times as far from z = 0 under the lamp.
     Camera camera = orthographicCamera({5 * std::cos(radians(5.0)), 5 * std::sin(radians(5.0)), 0}, {0, 1, 0},
                                        1.9, kPixels);
     const Vec3 toLight(std::cos(radians(20.0)), std::sin(radians(20.0)), 0);
@@ -347,15 +343,14 @@ TEST(ShadowMap, SixteenLights_HaveMapEach) {
     }
 }
 
-// --- with the rest
-// ---------------------------------------------------------------------------------------------------
+// --- with the rest -------------------------------------------------------------------------------
 
 TEST(ShadowMap, EverySearchAndSurface_Composes) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A plate 0.6 wide at y = 0.6 over a relief 0.1 deep: wherever a technique finds the relief, the points
-    // around x = -0.6 are in shadow, and those at x > 0.5 have nothing above them but the relief, whose
-    // slopes are less than the sun's 45 degrees. Half of the relief's depth as margin: parallax mapping
-    // answers something else from the light than from the camera.
+    // A plate 0.6 wide at y = 0.6 above a relief 0.1 deep: for any technique, the points around x = -0.6 are
+    // in shadow, and those at x > 0.5 are only below the relief, whose slopes are less than the sun's 45
+    // degrees. The margin is half of the relief's depth, because parallax mapping gives different results
+    // from the light and from the camera.
     const auto waves = std::make_shared<HeightMap>("waves", 4, 1, std::vector<float>{0.4f, 0.5f, 0.6f, 0.5f},
                                                    Wrap::Repeat, Wrap::Repeat);
     const Scene scene =
@@ -391,9 +386,9 @@ TEST(ShadowMap, ShadowLookUps_AreNotCounted) {
 
 TEST(ShadowMap, FlatRelief_AgreesWithShadowRays) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Bumps of 1/8 of a square 2 wide, 0.1 deep, the exact search. The two differ along the edges of shadows,
-    // where the map has a texel (0.003) and the bias and the ray 0.02 of the depth: measured 2.9 % of the
-    // pixels at 256 texels a side, 0.7 % at 1024.
+    // Bumps of 1/8 of a square 2 wide, 0.1 deep, the exact search. The two differ along shadow edges, where
+    // the map has an error of a texel (0.003) plus the bias, and the ray of 0.02 of the depth: measured 2.9 %
+    // of the pixels with 256 texels per side, 0.7 % with 1024.
     const auto bumps = std::make_shared<HeightMap>(
         "bumps", 4, 4,
         std::vector<float>{0, 1, 0.3f, 0.7f, 1, 0.2f, 0, 0.9f, 0.4f, 0.1f, 1, 0, 0.5f, 0.8f, 0.6f, 0.2f},
@@ -418,8 +413,8 @@ TEST(ShadowMap, FlatRelief_AgreesWithShadowRays) {
 
 TEST(ShadowMap, Sampler_HasOwnUnit) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // Also where no map is read: the declaration is there, and a driver that keeps it finds two kinds of
-    // sampler at unit 0. llvmpipe drops it.
+    // Also if no map is read: the sampler is declared, and a driver that doesn't eliminate it, unlike
+    // llvmpipe, finds two types of samplers at unit 0.
     for (const BakedFamily& family : bakedFamilies())
         EXPECT_NE(family.unit, unitBehindBaked()) << family.sampler;
     const auto context = createGlContext({});
@@ -447,8 +442,8 @@ TEST(ShadowMap, Sampler_HasOwnUnit) {
 
 TEST(ShadowMap, TooManyLayers_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // A scene has 16 lights, 96 layers, at most: the maps are asked alone, for one light more than there are
-    // layers.
+    // A scene has at most 16 lights, that is, 96 layers, so ShadowMaps is tested directly, with one more
+    // light than supported layers.
     const auto context = createGlContext({});
     const CurrentContext current(*context);
     GLint most = 0;
@@ -467,10 +462,10 @@ TEST(ShadowMap, TooManyLayers_IsMachineError) {
 
 TEST(ShadowMap, TooMuchMemory_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasterizer draws in the memory we
-    // can ask about.
+    // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasterizer uses main memory, whose
+    // size is known.
     const bool software = createGlContext({})->softwareRasterizer();
-    if (!software) GTEST_SKIP() << "a GPU's memory isn't asked for before it is used up";
+    if (!software) GTEST_SKIP() << "the free memory of a GPU can't be queried";
     if (freeMemoryBytes() > uint64_t(24) << 30)
         GTEST_SKIP() << "24 GiB of shadow maps would fit this machine";
     Scene scene = sceneOfObjects({plateObject("floor", 2, 0, constantMap(0.5f), 0.1)}, {}, fromAbove(3));

@@ -1,4 +1,4 @@
-// Where the texels of shadow maps lie: no OpenGL.
+// Projections of shadow maps, without OpenGL.
 #include "realtime/draw/shadow_projection.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(ShadowProjection, Sun_EnclosesBoundsTightly) {
             highClip = glm::max(highClip, clipped(light.layers[0], corner - origin));
             EXPECT_NEAR(place.z, -glm::dot(glm::normalize(toLight), corner), 1e-5); // along the light's rays
         }
-        // Float matrices. Front and back leave room for clipping, a thousandth.
+        // Matrices are float. Front and back have a clipping margin of 1/1000.
         for (int axis = 0; axis < 2; ++axis) {
             EXPECT_NEAR(low[axis], 0, 1e-5);
             EXPECT_NEAR(high[axis], 1, 1e-5);
@@ -77,8 +77,8 @@ TEST(ShadowProjection, Sun_EnclosesBoundsTightly) {
 }
 
 TEST(ShadowProjection, Sun_TakesSmallestRectangle) {
-    // Against 1000 rectangles around the light. Width and height of the map: those of its texel, from two of
-    // its places.
+    // Compared with 1000 rectangles rotated around the light. The map's width and height follow from the
+    // mapping of two points.
     const Bounds bounds = boxOf({-3, 0, 0}, {1, 1, 2});
     for (const Vec3& direction : {Vec3(1, 2, 3), Vec3(5, 1, 0.3), Vec3(-1, 1, 1)}) {
         const Vec3 toLight = glm::normalize(direction);
@@ -110,12 +110,12 @@ TEST(ShadowProjection, Lamp_HasFaceForEveryDirection) {
     EXPECT_EQ(lights[1].firstLayer, 1);
     EXPECT_EQ(lights[2].firstLayer, 7);
     EXPECT_EQ(layerCount(lights), 13);
-    EXPECT_EQ(lights[1].nearest, 0);                  // it stands inside
-    const double margin = 0.5 * glm::length(Vec3(6)); // the camera's
+    EXPECT_EQ(lights[1].nearest, 0);                  // the light is inside
+    const double margin = 0.5 * glm::length(Vec3(6)); // as for the camera
     EXPECT_NEAR(lights[2].nearest, glm::length(Vec3(6)) - margin, 1e-9);
     EXPECT_NEAR(lights[1].farthest, glm::length(Vec3(3.5, 4, 5)) + margin, 1e-9);
     EXPECT_NEAR(lights[1].halfDiagonal, std::sqrt(2.0) / 100, 1e-12);
-    // Each direction is inside of exactly one face: in front of it and between -1 and 1.
+    // Each direction is inside exactly one face: in front of it and between -1 and 1.
     for (int i = 0; i < 500; ++i) {
         const double height = -1 + (i + 0.5) / 250, angle = 2.399963 * i; // points of a Fibonacci sphere
         const double across = std::sqrt(1 - height * height);

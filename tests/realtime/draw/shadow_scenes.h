@@ -1,4 +1,4 @@
-// Scenes whose shadows can be worked out by hand.
+// Scenes whose shadows can be derived by hand.
 #pragma once
 
 #include "realtime/draw/shadow_projection.h"
@@ -18,7 +18,7 @@ inline Light pointLight(const std::string& name, const Vec3& position) {
     return light;
 }
 
-/// A plain one, centered.
+/// A box without relief, centered at `center`.
 inline SceneObject boxObject(const std::string& name, const Vec3& size, const Vec3& center) {
     SceneObject object;
     object.name = name;
@@ -50,7 +50,7 @@ struct ShadowCount {
     size_t pixels = 0, shadowed = 0;
 };
 
-/// Pixels of an object (0: of any), and those in shadow.
+/// Counts the pixels of an object (0: of all objects), and those in shadow.
 inline ShadowCount countShadows(const Frame& frame, const std::string& light, int id = 0) {
     const auto ids = frame.channel("id"), shadow = frame.channel("shadow." + light);
     ShadowCount count;
@@ -62,10 +62,10 @@ inline ShadowCount countShadows(const Frame& frame, const std::string& light, in
     return count;
 }
 
-/// How a point lies to a shadow known by a formula.
+/// The expected state of a point relative to a shadow given by a formula.
 enum class Expected { Shadow, Lit, Either };
 
-/// Compares every pixel of an object; returns how many were not left open.
+/// Compares every pixel of an object; returns the number of pixels that were not Either.
 inline size_t expectShadows(const Frame& frame, const std::string& light, int id,
                             const std::function<Expected(const Vec3& positionWorld)>& formula) {
     const auto ids = frame.channel("id"), shadow = frame.channel("shadow." + light);
@@ -85,7 +85,7 @@ inline size_t expectShadows(const Frame& frame, const std::string& light, int id
     return decided;
 }
 
-/// A rectangle of shadow, its edges known to within `margin`.
+/// A rectangular shadow whose edges are known to within `margin`.
 inline Expected inRectangle(double x, double y, const Vec2& low, const Vec2& high, double margin) {
     const double outside = std::max({low.x - x, x - high.x, low.y - y, y - high.y});
     return outside > margin ? Expected::Lit : outside < -margin ? Expected::Shadow : Expected::Either;

@@ -1,4 +1,4 @@
-// Parallax mapping that knows the relief's slope, over reliefs that are planes.
+// Parallax mapping with slope information, on planar reliefs.
 #include "tests/realtime/gl_fixture.h"
 
 #include <cmath>
@@ -8,7 +8,7 @@ namespace plumbline {
 namespace {
 
 constexpr int kPixels = 16;
-// Depth of the relief over its map, 64 x 64 texels, between the centers of the outermost ones.
+// The relief's depth is linear over its map of 64 x 64 texels, between the centers of the outermost texels.
 constexpr double kDepthAtCorner = 0.1, kSlopeS = 0.5, kSlopeT = 0.3;
 
 std::shared_ptr<const HeightMap> slopingMap() {
@@ -20,18 +20,18 @@ std::shared_ptr<const HeightMap> slopingMap() {
     return std::make_shared<HeightMap>("slope", 64, 64, std::move(depths), Wrap::Clamp, Wrap::Clamp);
 }
 
-/// A ray on the square, 2 wide, and the relief's plane, `scale` times as deep.
+/// A ray on the square, 2 wide, and the relief's plane with its depth multiplied by `scale`.
 struct PlaneCase {
     double depth0;    // below the fragment
-    double rise;      // of the depth from t = 0 to 1: grad D . stTravel
+    double rise;      // change of the depth from t = 0 to 1: grad D . stTravel
     double cosine;    // between ray and polygon's normal
     double normalOut; // of the relief's unit normal, along the polygon's
     /// n . E, by the identity n . E = (1 - rise) n_z cosine.
     double facing() const { return (1 - rise) * normalOut * cosine; }
 };
 
-/// Draws a square of `depth` seen `angle` degrees from its normal and calls `check` with every pixel's case
-/// and the t it hit at.
+/// Draws a square of `depth` seen at `angle` degrees from its normal and calls `check` with every pixel's
+/// case and its hit's t.
 void forEachPixel(const std::string& technique, double angle, double turn, double depth, double scale,
                   const std::function<void(const PlaneCase&, double)>& check) {
     const double a = radians(angle), b = radians(turn);
@@ -55,7 +55,7 @@ void forEachPixel(const std::string& technique, double angle, double turn, doubl
         }
 }
 
-// Float positions 5 units from the eye, over a depth of 0.3 at least.
+// For float positions 5 units from the eye, relative to a depth of at least 0.3.
 constexpr double kTolerance = 1e-5;
 
 TEST(SlopeParallax, Plane_IsHitExactly) {
@@ -80,7 +80,7 @@ TEST(SlopeParallax, SafeForm_OmitsDivision) {
 
 TEST(SlopeParallax, BackFacingPlane_IsHitBySafeForm) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // 2 deep over 2 wide, seen at 80 degrees: the plane falls by more than the ray.
+    // 2 deep and 2 wide, seen at 80 degrees: the plane descends faster than the ray.
     forEachPixel("parallax_slope_exact", 80, 0, 2, 1, [](const PlaneCase& plane, double t) {
         ASSERT_LT(plane.facing(), 0);
         ASSERT_NEAR(t, plane.depth0 * plane.normalOut * plane.cosine, kTolerance);
@@ -89,7 +89,7 @@ TEST(SlopeParallax, BackFacingPlane_IsHitBySafeForm) {
 
 TEST(SlopeParallax, PrintedCode_MissesNormalScale) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // E7: a plane 0.4 times as deep, cut as if it were as steep as the stored one.
+    // E7: the plane scaled by 0.4 is intersected as if it had the slope of the stored one.
     forEachPixel("parallax_slope_exact:rescale_normal=false,scale=0.4", 50, 0, 0.5, 0.4,
                  [](const PlaneCase& plane, double t) {
                      ASSERT_NEAR(t, plane.depth0 / (1 - plane.rise / 0.4), kTolerance);
@@ -99,7 +99,7 @@ TEST(SlopeParallax, PrintedCode_MissesNormalScale) {
 
 TEST(IterativeParallax, EachIteration_LeavesOneMinusCosine) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    // E8: from t = 0 the error is the whole way to the hit, then (1 - n . E) times as much a round.
+    // E8: at t = 0 the error is the distance to the hit; each iteration multiplies it by (1 - n . E).
     for (const double turn : {0.0, 130.0})
         for (const int rounds : {0, 1, 2, 4, 9})
             forEachPixel("parallax_iterative:iterations=" + std::to_string(rounds), 50, turn, 0.5, 1,

@@ -1,4 +1,4 @@
-// Techniques as data: what a user's folder can do, and what happens when it is wrong.
+// Techniques as data: techniques in user folders, and their errors.
 #include "realtime/technique/technique.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/data_folder.h"
@@ -52,7 +52,7 @@ class UserTechnique : public testing::Test {
         writeFile(*folder_ / "mine/mine.glsl", shader);
     }
     std::string path() const { return (folder_->path() / "mine").string(); }
-    /// Message of drawing it; empty if it works.
+    /// The error message of drawing it; empty if it works.
     std::string message() const {
         return messageOf<InputError>([&] { draw(bumpyScene(), path()); });
     }
@@ -82,12 +82,12 @@ TEST_F(UserTechnique, CompileError_NamesFileAndLine) {
     EXPECT_THAT(message(), HasSubstr("nonsense"));
     write("ReliefHit traceRelief(ReliefRay ray) {\n    return missed()\n}\n");
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:3: "));
-    write("ReliefHit traceRelief(ReliefRay ray) { return missed();\n\n"); // a brace short
+    write("ReliefHit traceRelief(ReliefRay ray) { return missed();\n\n"); // a missing brace
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:"));
     write("\n#error boo\nReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:2: "));
     EXPECT_THAT(message(), HasSubstr("boo"));
-    // What the harness has already is reported where the author says it again.
+    // A redefinition of a harness function is reported at the author's line.
     write("\nvoid main() {}\nReliefHit traceRelief(ReliefRay ray) { return missed(); }\n");
     EXPECT_THAT(message(), HasSubstr("/mine.glsl:2: "));
 }
@@ -98,7 +98,7 @@ TEST_F(UserTechnique, MissingEntryPoint_IsNamed) {
               path() +
                   "/mine.glsl: doesn't define traceRelief; expected ReliefHit traceRelief(ReliefRay ray) "
                   "{ … }");
-    write("ReliefHit traceRelief(ReliefRay ray, int i) { return missed(); }\n"); // another function: doesn't
+    write("ReliefHit traceRelief(ReliefRay ray, int i) { return missed(); }\n"); // an overload, so it doesn't
                                                                                  // link
     EXPECT_THAT(message(), HasSubstr("/mine.glsl"));
     EXPECT_THAT(message(), HasSubstr("traceRelief"));
@@ -120,9 +120,9 @@ TEST_F(UserTechnique, UnreadBakedMap_IsRefused) {
     };
     writeShader("// normalAndDepth\nReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0); }\n");
     EXPECT_EQ(message(),
-              path() + "/technique.toml: asks for input 'normal', which the shader never reads; expected a "
+              path() + "/technique.toml: declares input 'normal', which the shader never reads; expected a "
                        "shader that calls a function of normal_map.glsl");
-    // A look-up that a setting makes worthless is still one: compilers drop it.
+    // A lookup that is unused with the current settings still counts, although compilers eliminate it.
     writeShader(
         "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0 * normalAndDepth(ray, ray.st).w); }\n");
     EXPECT_EQ(message(), "");
@@ -148,8 +148,7 @@ TEST_F(UserTechnique, AfterFailure_RendererWorks) {
     EXPECT_TRUE(sameBytes(before, renderer.render(resolveTechnique("linear_binary"), nullptr).frame));
 }
 
-// --- results
-// ---------------------------------------------------------------------------------------------------------
+// --- results -------------------------------------------------------------------------------------
 
 TEST(TechniqueResult, Result_HasNameParametersAndTime) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
@@ -169,7 +168,7 @@ TEST(TechniqueResult, Result_HasNameParametersAndTime) {
     EXPECT_GE(result.msRuns, 1);
     EXPECT_FALSE(result.timer.empty());
     EXPECT_FALSE(result.renderer.empty());
-    // More steps, more look-ups; no pixel spends more than both searches can.
+    // More steps cause more lookups; no pixel needs more than the maximum of both searches.
     float most = 0;
     for (const float fetches : result.frame.channel("cost.fetches"))
         most = std::max(most, fetches);
@@ -198,8 +197,7 @@ TEST(TechniqueResult, EglAndOsmesa_GiveEqualBytes) {
     }
 }
 
-// --- what the machine can't do
-// -----------------------------------------------------------------------------------------
+// --- limits of the machine -----------------------------------------------------------------------
 
 TEST(Limits, TooManyLights_IsRefused) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
@@ -209,7 +207,7 @@ TEST(Limits, TooManyLights_IsRefused) {
         scene.lights.push_back(directionalLight("l" + std::to_string(i), {std::cos(i), 1, std::sin(i)}));
     const Frame frame = draw(scene, "linear_binary");
     EXPECT_EQ(frame.lightNames().size(), 16u);
-    // Each light has a channel of its own: alone it gives the same one.
+    // Each light has its own channel, which is the same if it is the only light.
     Scene alone = scene;
     alone.lights = {scene.lights[13]};
     const Frame one = draw(alone, "linear_binary");

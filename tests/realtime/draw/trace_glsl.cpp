@@ -13,7 +13,7 @@
 namespace plumbline {
 namespace {
 
-constexpr size_t kMostRaysAtOnce = 4096; // a row of a texture
+constexpr size_t kMaxRaysAtOnce = 4096; // a row of a texture
 
 ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
     const Technique technique = resolveTechnique(name);
@@ -25,7 +25,7 @@ ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
     source.addFile(folder / "shaders" / "relief_walk.glsl");
     source.addFile(folder / "shaders" / "quadric_base.glsl");
     source.addText("(parameters)", technique.glslConstants());
-    // Its reliefPosition is that of `flat` to the bit where endDepth is 1 and bend 0.
+    // Its reliefPosition is bit-identical to that of `flat` if endDepth is 1 and bend 0.
     source.addFile(folder / "surfaces" / "quadric" / "quadric.glsl");
     source.addFile(technique.search.shaderFile());
     source.addText(
@@ -51,7 +51,7 @@ void bindMap(const HeightMap& map, const GlTexture& texture, const GlProgram& pr
     glUniform2i(program.uniform("uHeightMapClamps"), map.wrapS() == Wrap::Clamp, map.wrapT() == Wrap::Clamp);
 }
 
-/// Every t in [0,1] at which the ray crosses a line of texel centers, with both ends, in order.
+/// All t in [0,1] at which the ray crosses a line of texel centers, including both ends, in order.
 std::vector<double> crossings(const HeightMap& map, const ReliefLine& line) {
     std::vector<double> places{0, 1};
     for (const int axis : {0, 1}) {
@@ -72,8 +72,7 @@ struct Quadratic {
     double at(double x) const { return c + x * (b + x * a); }
 };
 
-/// Where it falls through 0 between two places with gap > 0 >= gap: halved until double has no more places
-/// between.
+/// The root between two points with gap > 0 >= gap, bisected to the last bit.
 double bisect(const Quadratic& gap, double outside, double inside) {
     for (int i = 0; i < 100; ++i) {
         const double middle = 0.5 * (outside + inside);
@@ -90,9 +89,9 @@ std::vector<TracedHit> traceGlsl(const std::string& technique, const HeightMap& 
     const CurrentContext current(*context);
     GlTexture texture = GlTexture::make();
     std::vector<TracedHit> hits;
-    for (size_t first = 0; first < lines.size(); first += kMostRaysAtOnce) {
+    for (size_t first = 0; first < lines.size(); first += kMaxRaysAtOnce) {
         std::vector<glm::vec4> arguments;
-        for (size_t i = first; i < std::min(first + kMostRaysAtOnce, lines.size()); ++i)
+        for (size_t i = first; i < std::min(first + kMaxRaysAtOnce, lines.size()); ++i)
             arguments.emplace_back(lines[i].st, lines[i].stTravel);
         for (const glm::vec4& value :
              evaluateGlsl(searchSource(technique, path), arguments,
@@ -125,7 +124,7 @@ TrueTrace trueFirstHit(const HeightMap& map, const ReliefLine& line, const Relie
             result.nearMiss = std::min(result.nearMiss, gap.at(turn));
         }
         if (last <= 0) return hitAt(bisect(gap, 0, 1));
-        // A fold of the relief is a turning point as well.
+        // A crease of the relief can be a local minimum too.
         result.nearMiss = std::min(result.nearMiss, last);
     }
     if (path.endDepth >= 1) result.hit = TrueHit{1, kInfinity, result.nearMiss};

@@ -22,7 +22,7 @@ TEST(GlContext, OpenContext_ReportsBackendAndRenderer) {
     EXPECT_THAT(context->version(), testing::MatchesRegex("4\\.[1-9].*"));
 }
 
-/// Clears a pixel and reads it back: the functions glad holds belong to the context that is current.
+/// Clears a pixel and reads it back, to check that glad's functions belong to the current context.
 void drawPixel(GlContext& context) {
     const CurrentContext current(context);
     GLuint texture = 0, framebuffer = 0;
@@ -57,7 +57,7 @@ TEST(GlContext, TwoEglContexts_OutliveEachOther) {
     PLUMBLINE_NEEDS_GL(GlBackend::Egl);
     auto first = createGlContext({GlBackend::Egl, -1});
     const auto second = createGlContext({GlBackend::Egl, -1});
-    first.reset(); // must not terminate the display both share
+    first.reset(); // must not terminate the shared display
     drawPixel(*second);
 }
 
@@ -80,16 +80,15 @@ TEST(GlContext, MissingBackend_ErrorListsAttempts) {
 }
 
 TEST(GlContextWithoutAnyDriver, NoDriver_ErrorListsEveryBackend) {
-    // Mesa's loader is told to look for drivers where there are none: every EGL context fails. GLVND reads
-    // its variable when it is first used, so this must be a process that hasn't drawn yet: a suite of its
-    // own.
+    // Mesa's loader is directed to a folder without drivers, so every EGL context fails. GLVND reads its
+    // variable on first use, so this needs a process that hasn't used EGL yet: a separate suite.
     const ScopedVariable noVendor("__EGL_VENDOR_LIBRARY_FILENAMES", "/dev/null");
     const std::string message = messageOf<MachineError>([] { createGlContext({GlBackend::Egl, -1}); });
     if (message.empty()) {
-        GTEST_SKIP() << "EGL has found its drivers already";
+        GTEST_SKIP() << "EGL has already loaded its drivers";
     }
     EXPECT_THAT(message, StartsWith("egl: EGL finds no driver"));
-    // Auto goes on to OSMesa, where there is one.
+    // Auto falls back to OSMesa if it is available.
     if (missingGl(GlBackend::Osmesa).empty()) {
         EXPECT_EQ(createGlContext({})->backend(), "osmesa");
     } else {

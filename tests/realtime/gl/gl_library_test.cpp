@@ -1,4 +1,4 @@
-// Libraries of the GL stack that aren't there, or aren't what they are taken for.
+// Missing or wrong libraries of the GL stack.
 #include "realtime/gl/gl_library.h"
 #include "tests/errors.h"
 

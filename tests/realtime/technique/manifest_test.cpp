@@ -160,8 +160,7 @@ TEST(Settings, BadSetting_MessageNamesChoices) {
     EXPECT_THAT(message("./no/such/folder"), HasSubstr("no folder"));
 }
 
-// --- manifests of a user
-// ---------------------------------------------------------------------------------------------
+// --- manifests of a user -------------------------------------------------------------------------
 
 constexpr const char* kGood = "title = 'Mine'\n"
                               "citation = 'me'\n"
@@ -179,7 +178,7 @@ constexpr const char* kShader =
     "// steps: not a use\n"
     "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 1.0 / float(steps)); }\n";
 
-/// Message for a manifest in the folder "mine"; empty if it is good.
+/// The error message for a manifest in the folder "mine"; empty if it is valid.
 std::string manifestMessage(const std::string& toml, const std::string& shader = kShader) {
     const TemporaryFolder folder;
     writeFile(folder / "mine/technique.toml", toml);
@@ -194,7 +193,7 @@ TEST(Manifest, ValidManifest_IsReadInFull) {
     EXPECT_EQ(manifestMessage(kGood), "");
 }
 
-/// `kGood` and `kParameter` with one piece of text replaced.
+/// `kGood` and `kParameter` with one text fragment replaced.
 std::string with(const std::string& old, const std::string& replacement) {
     std::string toml = std::string(kGood) + kParameter;
     const size_t at = toml.find(old);
@@ -204,16 +203,16 @@ std::string with(const std::string& old, const std::string& replacement) {
 
 TEST(Manifest, Mistakes_NameTheirLine) {
     EXPECT_EQ(manifestMessage(with("title = 'Mine'\n", "titel = 'Mine'\n")),
-              "technique.toml:1: title: is missing; expected a text of one line");
+              "technique.toml:1: title: is missing; expected a single-line string");
     EXPECT_EQ(
         manifestMessage(with("limits = []", "limits = []\nlimit = []")),
         "technique.toml:6: limit: unknown field; expected channels, citation, geometry, inputs, limits, "
         "needs, parameter, shader, shadows or title; did you mean 'limits'?");
     EXPECT_THAT(manifestMessage(with("['height']", "[\n'hight']")),
-                AllOf(StartsWith("technique.toml:4: inputs: holds the text \"hight\"; expected height"),
+                AllOf(StartsWith("technique.toml:4: inputs: holds the string \"hight\"; expected height"),
                       EndsWith("did you mean 'height'?")));
     EXPECT_EQ(manifestMessage(with("needs = []", "needs = 'linear_st'")),
-              "technique.toml:4: needs: is the text \"linear_st\"; expected an array of texts");
+              "technique.toml:4: needs: is the string \"linear_st\"; expected an array of strings");
     EXPECT_EQ(manifestMessage(with("needs = []", "needs = ['linear_st', 'linear_st']")),
               "technique.toml:4: needs: holds \"linear_st\" twice; expected each once");
     EXPECT_THAT(manifestMessage(with("needs = []", "needs = ['linear_stt']")),
@@ -221,11 +220,11 @@ TEST(Manifest, Mistakes_NameTheirLine) {
     EXPECT_EQ(manifestMessage(with("limits = []", "limits = []\nshadows = []")),
               "technique.toml:6: shadows: is empty; expected relief or none");
     EXPECT_EQ(manifestMessage(with("'me'", "7")),
-              "technique.toml:2: citation: is 7; expected a text in quotes");
+              "technique.toml:2: citation: is 7; expected a string in quotes");
     EXPECT_THAT(manifestMessage(std::string(kGood) + "geometry = 'proxie'"),
                 HasSubstr("did you mean 'proxy'?"));
     EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Q']"),
-                HasSubstr("channels: holds the text \"Q\""));
+                HasSubstr("channels: holds the string \"Q\""));
     EXPECT_THAT(manifestMessage(std::string(kGood) + "channels = ['Z']"), HasSubstr("neither A nor id"));
     EXPECT_EQ(manifestMessage(std::string(kGood) + "channels = ['id', 'Z']"), "");
     EXPECT_THAT(manifestMessage("title = "), HasSubstr("technique.toml:1: "));
@@ -235,11 +234,12 @@ TEST(Manifest, Mistakes_NameTheirLine) {
 TEST(Manifest, ParameterMistakes_NameTheirLine) {
     EXPECT_EQ(
         manifestMessage(with("'int'", "'integer'")),
-        "technique.toml:8: parameter.type: is the text \"integer\"; expected int, float, bool or choice");
+        "technique.toml:8: parameter.type: is the string \"integer\"; expected int, float, bool or choice");
     EXPECT_EQ(manifestMessage(with("default = 3", "default = 30")),
               "technique.toml:9: parameter.default: is 30; expected a whole number from 1 to 9");
-    EXPECT_EQ(manifestMessage(with("default = 3", "default = '3'")),
-              "technique.toml:9: parameter.default: is the text \"3\"; expected a whole number from 1 to 9");
+    EXPECT_EQ(
+        manifestMessage(with("default = 3", "default = '3'")),
+        "technique.toml:9: parameter.default: is the string \"3\"; expected a whole number from 1 to 9");
     EXPECT_EQ(manifestMessage(with("default = 3", "default = 3.0")),
               "technique.toml:9: parameter.default: is 3.0; expected a whole number from 1 to 9");
     EXPECT_EQ(manifestMessage(with("[1, 9]", "[9, 1]")),
@@ -248,16 +248,16 @@ TEST(Manifest, ParameterMistakes_NameTheirLine) {
               "technique.toml:10: parameter.range: is inf; expected a whole number from -2147483647 to "
               "2147483647");
     EXPECT_EQ(manifestMessage(with("unit = 'steps'", "units = 'steps'")),
-              "technique.toml:6: parameter.unit: is missing; expected a text");
+              "technique.toml:6: parameter.unit: is missing; expected a string");
     EXPECT_THAT(manifestMessage(with("'steps'", "'shadow'")),
-                HasSubstr("technique.toml:7: parameter.name: 'shadow' belongs to the harness"));
-    EXPECT_THAT(manifestMessage(with("'steps'", "'float'")), HasSubstr("is a word of GLSL"));
+                HasSubstr("technique.toml:7: parameter.name: 'shadow' is used by the harness"));
+    EXPECT_THAT(manifestMessage(with("'steps'", "'float'")), HasSubstr("is reserved in GLSL"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'a b'")), HasSubstr("can't be a GLSL name"));
     EXPECT_THAT(manifestMessage(with("'steps'", "'gl_x'")), HasSubstr("can't be a GLSL name"));
     for (const char* name : {"kAmbient", "uHeightMap", "outColor", "gIterations", "cone_step", "ReliefWalk",
                              "bufferDepth", "verticalDescent", "shadow_map_bias"})
         EXPECT_THAT(manifestMessage(with("'steps'", "'" + std::string(name) + "'")),
-                    HasSubstr("belongs to the harness"));
+                    HasSubstr("is used by the harness"));
     EXPECT_THAT(manifestMessage(std::string(kGood) + kParameter + kParameter),
                 HasSubstr("technique.toml:14: parameter.name: 'steps' is declared twice"));
     EXPECT_THAT(manifestMessage(std::string(kGood) +
@@ -266,7 +266,7 @@ TEST(Manifest, ParameterMistakes_NameTheirLine) {
                 HasSubstr("parameter.range: is 1e+300; expected a number from"));
 }
 
-/// Message of the user's technique with these needs on a surface; empty if they compose.
+/// The error message for a technique with these needs on a surface; empty if they are compatible.
 std::string compositionMessage(const std::string& needs, const std::string& surface) {
     const TemporaryFolder folder;
     writeFile(folder / "mine/technique.toml", with("needs = []", "needs = [" + needs + "]"));
@@ -320,7 +320,7 @@ TEST(Manifest, SurfaceManifest_NamesQuadricAndVariant) {
         writeFile(folder / "bent/bent.glsl", "// nothing");
         return messageOf<InputError>([&] {
             const Manifest manifest = readSurfaceManifest(folder.path() / "bent");
-            EXPECT_TRUE(manifest.isBent());
+            EXPECT_TRUE(manifest.hasQuadricBase());
             EXPECT_EQ(manifest.variantOf, "quadric");
         });
     };
@@ -330,7 +330,7 @@ TEST(Manifest, SurfaceManifest_NamesQuadricAndVariant) {
     EXPECT_THAT(message("inputs = ['quadric', 'quadric_full']\n", variant),
                 HasSubstr("surface.toml:6: inputs: holds two quadrics; expected quadric or quadric_full"));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 'quadrik'\n"),
-                AllOf(HasSubstr("surface.toml:7: variant_of: is the text \"quadrik\""),
+                AllOf(HasSubstr("surface.toml:7: variant_of: is the string \"quadrik\""),
                       EndsWith("did you mean 'quadric'?")));
     EXPECT_THAT(message("inputs = ['quadric']\n", "variant_of = 3\n"),
                 HasSubstr("variant_of: is 3; expected flat"));
@@ -360,7 +360,7 @@ TEST(Settings, Coefficients_ChooseVertexQuadrics) {
     EXPECT_EQ(set("linear_binary@quadric_full:coefficients=limit"), CurvatureSet::LimitThreeTerms);
     EXPECT_EQ(nameOf("linear_binary@quadric:coefficients=limit"), "linear_binary@quadric:coefficients=limit");
     EXPECT_THAT(resolveTechnique("linear_binary").settingNames(),
-                Not(Contains("coefficients"))); // nothing bent
+                Not(Contains("coefficients"))); // no curved base
 }
 
 TEST(Manifest, ChoiceOfMapKinds_IsInput) {
@@ -375,12 +375,12 @@ TEST(Manifest, ChoiceOfMapKinds_IsInput) {
     EXPECT_THAT(kinds(""), ElementsAre("normal"));
     EXPECT_THAT(kinds(":which=max_mipmap"), ElementsAre("max_mipmap"));
     EXPECT_THAT(manifestMessage(with("['height']", "['steps']")),
-                HasSubstr("inputs: holds the text \"steps\""));
+                HasSubstr("inputs: holds the string \"steps\""));
 }
 
 TEST(Manifest, TwoMapsOfOneFamily_AreRefused) {
     EXPECT_THAT(manifestMessage(with("['height']", "['height', 'cone_step', 'cone_step_relaxed']")),
-                HasSubstr("takes both 'cone_step' and 'cone_step_relaxed', which are read in the same way"));
+                HasSubstr("takes both 'cone_step' and 'cone_step_relaxed', which belong to the same family"));
 }
 
 TEST(Manifest, UnusedParameter_IsRefused) {

@@ -1,4 +1,4 @@
-// The shaders stay in the common subset of GLSL 4.1 and GLSL ES 3.0, by the reference compiler's judgment.
+// The shaders are in the common subset of GLSL 4.1 and GLSL ES 3.0, according to the reference compiler.
 #include "realtime/technique/composition.h"
 #include "realtime/technique/stage_sources.h"
 #include "realtime/technique/technique_list.h"
@@ -18,7 +18,7 @@ bool haveValidator() {
     return std::system("glslangValidator --version >/dev/null 2>&1") == 0;
 }
 
-/// Adds to `folder` what the validator is to read, as GLSL 4.1 and as GLSL ES 3.0. Names end in the stage.
+/// Writes the validator's inputs to `folder`, as GLSL 4.1 and as GLSL ES 3.0. File names end in the stage.
 void addShaders(const TemporaryFolder& folder, const std::string& name, const StageSources& sources) {
     const char* preamble = "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
                            "precision highp sampler2DArray;";
@@ -29,7 +29,8 @@ void addShaders(const TemporaryFolder& folder, const std::string& name, const St
     }
 }
 
-/// One run for all: starting the validator takes longer than judging a shader. Its output names the files.
+/// One run for all files, because starting the validator takes longer than compiling a shader. Its output
+/// names the files.
 std::string validatorOutput(const TemporaryFolder& folder) {
     const std::string command =
         "cd '" + folder.path().string() + "' && glslangValidator *.vert *.frag >log 2>&1";
@@ -44,7 +45,7 @@ TEST(PortableGlsl, EveryTechnique_IsGlsl410AndGlslEs300) {
         ++programs;
         addShaders(folder, name, sources);
     };
-    // ES 3.0 promises four draw buffers only; with more lights the outputs go on as they do here.
+    // ES 3.0 guarantees only four draw buffers.
     for (const size_t lights : {0u, 1u, 3u}) {
         for (const bool shadowMaps : {false, true})
             check(plainSources(lights, shadowMaps),
@@ -65,7 +66,7 @@ TEST(PortableGlsl, EveryTechnique_IsGlsl410AndGlslEs300) {
             check(reliefLightSources(resolveTechnique({info.name, surface, {}}, {})),
                   info.name + "@" + surface + ", light pass");
     EXPECT_GE(programs, 3u * 5u);
-    EXPECT_EQ(folder.fileCount(), 4 * programs); // no name stands for two programs
+    EXPECT_EQ(folder.fileCount(), 4 * programs); // program names are unique
     EXPECT_EQ(validatorOutput(folder), "");
 }
 

@@ -1,4 +1,4 @@
-// From names to techniques, without OpenGL.
+// Resolving techniques by name, without OpenGL.
 #include "realtime/technique/technique.h"
 #include "tests/files.h"
 #include "tests/temporary_folder.h"

@@ -1,4 +1,4 @@
-// Whether the certificate is honest: what a finer run changes was marked.
+// Validity of the certificate: pixels changed by a finer run must have been marked as uncertain.
 #include "reference/reference.h"
 #include "scenes/maps/generate_map.h"
 #include "scenes/mesh/shapes/shapes.h"
@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kWidth = 200, kHeight = 150;
 
-/// A relief on one of the shapes, somewhere in front of a floor, lit by a sun and a lamp: everything from the
-/// seed.
+/// A random relief on one of the shapes in front of a floor, lit by a sun and a lamp; everything depends on
+/// the seed.
 Scene seededScene(unsigned seed) {
     std::mt19937 random(seed);
     const auto between = [&](double low, double high) {
@@ -24,7 +24,7 @@ Scene seededScene(unsigned seed) {
     const auto relief = [&](double depth) {
         const std::string kind = kinds[random() % kinds.size()];
         const auto map = std::make_shared<HeightMap>(generateMap(kind, 32, seed, Wrap::Repeat, Wrap::Repeat));
-        // Tiles that don't fall on the lattice.
+        // Tiles that aren't aligned with the lattice.
         return Relief{map, depth, between(-0.05, 0.05), Vec2(between(0.7, 3.3), between(0.7, 3.3)),
                       Vec2(between(0, 1), between(0, 1))};
     };
@@ -99,7 +99,7 @@ void addCoverage(const Frame& coarse, const Frame& fine, Tally& tally) {
         tally.add(a[i] != b[i], marked[i] != 0);
 }
 
-/// Where both show the same object, and that is certain.
+/// Compares pixels where both frames certainly show the same object.
 void addShadow(const Frame& coarse, const Frame& fine, const std::string& light, Tally& tally) {
     const auto a = coarse.channel(shadowChannel(light)), b = fine.channel(shadowChannel(light));
     const auto marked = coarse.channel(uncertainShadowChannel(light)), coverage = coarse.channel("uncertain");
@@ -108,8 +108,8 @@ void addShadow(const Frame& coarse, const Frame& fine, const std::string& light,
         if (idA[i] != 0 && idA[i] == idB[i] && coverage[i] == 0) tally.add(a[i] != b[i], marked[i] != 0);
 }
 
-// A pixel in 10^5 may be unmarked: where two contours that cross on the screen, each alone no change, open a
-// gap together.
+// One pixel in 10^5 may be unmarked: two contours that cross on the screen may open a gap together although
+// neither alone changes the pixel.
 constexpr double kUnmarkedShare = 1e-5;
 
 TEST(Certificate, PixelsChangedByFinerRun_AreUncertain) {
@@ -132,11 +132,11 @@ TEST(Certificate, PixelsChangedByFinerRun_AreUncertain) {
             total->marked += here->marked;
         }
     }
-    EXPECT_GT(coverage.differing, 1000u); // or the test shows nothing
+    EXPECT_GT(coverage.differing, 1000u); // otherwise the test proves nothing
     EXPECT_GT(shadow.differing, 1000u);
     EXPECT_LE(double(coverage.unmarked), kUnmarkedShare * double(coverage.compared)) << coverage.unmarked;
     EXPECT_LE(double(shadow.unmarked), kUnmarkedShare * double(shadow.compared)) << shadow.unmarked;
-    EXPECT_LT(coverage.marked, coverage.compared / 4); // marking everything would be no art
+    EXPECT_LT(coverage.marked, coverage.compared / 4); // marking everything must not pass
 }
 
 } // namespace

@@ -12,10 +12,10 @@ namespace {
 constexpr int kDirections = 16;
 constexpr double kNarrowestBandPx = 1.0 / 1024, kWidestBandPx = 8;
 constexpr size_t kLinesKept = 5;
-constexpr int kMostBands =
-    500; // pixels whose band is looked for: it takes a while where a frame is wrong all over
+constexpr int kMaxBands =
+    500; // maximum number of pixels whose band is computed, because it is slow for entirely wrong frames
 
-/// Places around one, at the radius and at half of it, until `visit` returns true.
+/// Visits points around a point, at the radius and at half of it, until `visit` returns true.
 template <typename Visit>
 bool anyAround(const Vec2& place, double radiusPx, Visit visit) {
     for (const double radius : {radiusPx, radiusPx / 2})
@@ -26,7 +26,7 @@ bool anyAround(const Vec2& place, double radiusPx, Visit visit) {
     return false;
 }
 
-/// Smallest power of two for which `holds` does, in pixels.
+/// The smallest power of two, in pixels, for which `holds` returns true.
 template <typename Holds>
 double smallestBand(Holds holds) {
     for (double radius = kNarrowestBandPx; radius <= kWidestBandPx; radius *= 2)
@@ -34,7 +34,7 @@ double smallestBand(Holds holds) {
     return kInfinity;
 }
 
-/// How far apart two depths are; two misses are the same.
+/// Difference of two depths; 0 for two misses.
 double depthGap(double a, double b) {
     return a == b ? 0 : std::abs(a - b);
 }
@@ -72,8 +72,9 @@ bool ExactPicture::shadowCouldFlip(const Vec2& place, size_t light, double radiu
     });
 }
 
-/// Halves the way from a to b, keeping the half over which the depth changes more: a slope soon changes by
-/// nothing, the square root of a fold's depth by 1e-7 of itself after 45 halvings, a jump by itself.
+/// Bisects the segment from a to b, keeping the half over which the depth changes more. The change tends to 0
+/// for a slope, to 1e-7 of its value after 45 bisections for the square root at a fold, and is constant for a
+/// jump.
 bool ExactPicture::depthJumpsBetween(Vec2 a, Vec2 b, double atLeast) const {
     double depthA = depthAt(a), depthB = depthAt(b);
     for (int halving = 0; halving < 45 && depthGap(depthA, depthB) > atLeast; ++halving) {
@@ -95,8 +96,8 @@ bool ExactPicture::depthCouldJumpTo(const Vec2& place, double radiusPx, double d
     return anyAround(place, radiusPx, [&](const Vec2& other) {
         const double there = depthAt(other);
         if (there == kInfinity) return false;
-        // The sheet on the other side goes on behind this one, or ends before it: twice the way there is far
-        // enough.
+        // The surface on the other side continues behind this one or ends in front of it; twice the distance
+        // to it is sufficient.
         const double reach = 2 * depthGap(here, there) + kSameDepth * here;
         return std::abs(depth - here) <= reach && depthJumpsBetween(place, other, kSameDepth * here);
     });
@@ -136,7 +137,7 @@ class FrameComparer {
         }
     }
 
-    /// False if the frame shows another part of the surface: then its shadow is another's too.
+    /// Returns false if the frame shows another part of the surface, whose shadow isn't comparable.
     bool compareDepth(int x, int y, double exact) {
         const Vec2 place(x + 0.5, y + 0.5);
         const double depth = frame_.channel("Z")[static_cast<size_t>(y * frame_.width() + x)];
@@ -196,7 +197,7 @@ class FrameComparer {
     const Frame& frame_;
     ExactPicture picture_;
     double jumpRadiusPx_;
-    int bandsLeft_ = kMostBands;
+    int bandsLeft_ = kMaxBands;
     Comparison result_;
 };
 

@@ -1,5 +1,5 @@
-// The picture of a scene that holds one flat relief, exact at any place of a pixel; and a frame compared with
-// it.
+// Ground truth for scenes with one flat relief, exact at any point of a pixel, and the comparison of a frame
+// with it.
 #pragma once
 
 #include "scenes/frame/frame.h"
@@ -13,21 +13,21 @@ namespace plumbline {
 
 class ExactPicture {
   public:
-    /// Places are in pixels, centers at + 0.5. The scene must outlive the picture.
+    /// Points are in pixels, with centers at + 0.5. The scene must outlive the picture.
     explicit ExactPicture(const Scene& scene);
 
-    /// Planar depth of what a place shows; infinite on a miss.
+    /// Planar depth at a point; infinite on a miss.
     double depthAt(const Vec2& place) const;
-    /// Whether each light is blocked from what a place shows; empty on a miss.
+    /// Whether each light is occluded at a point; empty on a miss.
     std::vector<bool> shadowsAt(const Vec2& place) const;
 
-    // Diagnostics: what an error of so many pixels could change. They look along 16 directions, at the radius
-    // and at half of it.
+    // Diagnostics of what an error of a given number of pixels could change. They sample 16 directions, at
+    // the radius and at half of it.
 
     bool coverageCouldFlip(const Vec2& place, double radiusPx) const;
     bool shadowCouldFlip(const Vec2& place, size_t light, double radiusPx) const;
-    /// Whether the depth jumps within the radius: is discontinuous, not merely steep; and by enough for
-    /// `depth` to come from the jump's other side.
+    /// Whether the depth is discontinuous within the radius, not merely steep, by enough for `depth` to be on
+    /// the other side of the discontinuity.
     bool depthCouldJumpTo(const Vec2& place, double radiusPx, double depth) const;
 
   private:
@@ -38,20 +38,20 @@ class ExactPicture {
     ExactPlaneTracer tracer_;
 };
 
-/// How a frame differs from the exact picture. Pixels the frame calls uncertain are counted and left out of
-/// the rest; a frame without those channels is certain everywhere.
+/// Differences between a frame and the exact picture. Pixels that the frame marks as uncertain are counted
+/// and excluded from the rest; a frame without these channels is certain everywhere.
 struct Comparison {
     int pixels = 0, covered = 0, uncertain = 0;
     int coverageWrong = 0;
     int depthCompared = 0, depthWrong = 0;
-    int depthJumped = 0;   // off, but the exact depth jumps within the radius allowed
-    double worstDepth = 0; // relative; of those neither wrong nor jumped
+    int depthJumped = 0;   // wrong, but the exact depth is discontinuous within the allowed radius
+    double worstDepth = 0; // relative; of the other pixels
     int shadowCompared = 0, shadowUncertain = 0, shadowWrong = 0; // all lights
-    /// Radius in pixels, a power of two, within which the exact picture shows what the frame shows at every
-    /// pixel whose coverage or shadow is wrong, or whose depth jumped (of the first 500); infinite if 8
-    /// pixels don't suffice. How wide a band the frame would have had to call uncertain.
+    /// Radius in pixels, a power of two, within which the exact picture contains the frame's value, for every
+    /// pixel whose coverage or shadow is wrong or whose depth jumped (of the first 500); infinite if 8 pixels
+    /// aren't sufficient. It is the width of the band that the frame should have marked as uncertain.
     double coverageBandPx = 0, depthBandPx = 0, shadowBandPx = 0;
-    std::vector<std::string> firstWrong; // a line each
+    std::vector<std::string> firstWrong; // one line each
     double uncertainShare() const { return double(uncertain) / pixels; }
     double shadowUncertainShare() const {
         return double(shadowUncertain) / std::max(1, shadowCompared + shadowUncertain);
@@ -59,11 +59,12 @@ struct Comparison {
     std::string summary() const;
 };
 
-/// Relative error of depth that is none: the reference's vertices and depths are float, good to 6e-8 of a
-/// world unit or two, and a polished hit is as good as the ray's crossing of the surface allows.
+/// Relative error of depth that counts as rounding: the reference's vertices and depths are floats, accurate
+/// to 6e-8 of one or two world units, and the accuracy of a refined hit depends on the angle between ray and
+/// surface.
 inline constexpr double kSameDepth = 1e-5;
 
-/// `jumpRadiusPx`: how far the frame may be off sideways where one part of the surface hides another.
+/// `jumpRadiusPx`: allowed lateral error of the frame where one part of the surface occludes another.
 Comparison compareWithExact(const Scene& scene, const Frame& frame, double jumpRadiusPx);
 
 } // namespace plumbline

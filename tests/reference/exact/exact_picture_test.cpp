@@ -1,5 +1,4 @@
-// What the comparison with the exact picture calls wrong: on a frame that is exact but for pixels changed by
-// hand.
+// Which errors the comparison with the exact picture detects, on an exact frame with pixels changed by hand.
 #include "tests/reference/exact/exact_picture.h"
 #include "tests/reference/test_scenes.h"
 
@@ -13,11 +12,11 @@ namespace {
 
 constexpr int kRow = 20; // of pixels, near the middle
 
-// A step: z = 0 for x < -0.01, -0.5 for x > 0.01, 100 texels over the side of 2. The camera looks along (1,
-// 0, -1) / sqrt 2 from (-4, 0, 4), so a point is (x + z) / sqrt 2 to the right of the middle, which is at 20
-// pixels of 0.1, at a depth of (x - z + 8) / sqrt 2. The step's edge (-0.01, 0) is at 20 - 0.0707; beyond it
-// the floor shows from x = 0.49 to its rim, (1, -0.5), at 20 + 3.5355. The light rises 1/2 a unit: behind the
-// edge it reaches the floor from x = 0.99 on, at 20 + 3.4648.
+// A step: z = 0 for x < -0.01 and -0.5 for x > 0.01, with 100 texels over the side of 2. The camera looks
+// along (1, 0, -1) / sqrt 2 from (-4, 0, 4), so a point is (x + z) / sqrt 2 to the right of the center, which
+// is at pixel 20 (pixels of 0.1), at a depth of (x - z + 8) / sqrt 2. The step's edge (-0.01, 0) is at 20 -
+// 0.0707. Beyond it the floor is visible from x = 0.49 to its boundary, (1, -0.5), at 20 + 3.5355. The
+// light's elevation is 1/2 per unit, so behind the edge the floor is lit from x = 0.99 on, at 20 + 3.4648.
 Scene stepScene() {
     std::vector<float> depths(100, 0.0f);
     std::fill(depths.begin() + 50, depths.end(), 1.0f);
@@ -28,12 +27,12 @@ Scene stepScene() {
     return scene;
 }
 
-/// Depth of the top, and of the floor, where a place shows them: x + z = across sqrt 2.
+/// Depth of the top and of the floor at a point, where x + z = across sqrt 2.
 double topDepth(double place) {
     return ((place - 20) * 0.1 * std::sqrt(2.0) + 8) / std::sqrt(2.0);
 }
 double floorDepth(double place) {
-    return topDepth(place) + 1 / std::sqrt(2.0); // z = -1/2 and so x greater by 1/2
+    return topDepth(place) + 1 / std::sqrt(2.0); // z = -1/2, so x is larger by 1/2
 }
 
 Frame exactFrame(const Scene& scene) {
@@ -87,8 +86,8 @@ TEST(ExactPicture, PixelError_MarksPixelsItCouldChange) {
     // Column 19 is 0.4293 px before the edge.
     EXPECT_TRUE(picture.depthCouldJumpTo(at(19.5), 0.43, floorDepth(19.5)));
     EXPECT_FALSE(picture.depthCouldJumpTo(at(19.5), 0.42, floorDepth(19.5)));
-    EXPECT_FALSE(picture.depthCouldJumpTo(at(19.5), 0.43, floorDepth(19.5) + 2)); // nothing is there
-    EXPECT_FALSE(picture.depthCouldJumpTo(at(18.0), 1.0, topDepth(18.5))); // it changes, but doesn't jump
+    EXPECT_FALSE(picture.depthCouldJumpTo(at(19.5), 0.43, floorDepth(19.5) + 2)); // no surface there
+    EXPECT_FALSE(picture.depthCouldJumpTo(at(18.0), 1.0, topDepth(18.5))); // it changes, but continuously
 }
 
 TEST_F(ComparisonOfStep, ExactFrame_HasNoError) {
@@ -134,7 +133,7 @@ TEST_F(ComparisonOfStep, WrongShadow_CountsUnlessUncertain) {
     pixel("uncertain.shadow.sun", 22) = 1;
     EXPECT_EQ(compare(0).shadowWrong, 1);
     EXPECT_EQ(compare(0).shadowUncertain, 1);
-    pixel("shadow.sun", 18) = kNanF; // no answer isn't lit
+    pixel("shadow.sun", 18) = kNanF; // missing isn't lit
     EXPECT_EQ(compare(0).shadowWrong, 2);
 }
 

@@ -1,5 +1,5 @@
-// The exact tracer against marching in very small steps, on maps, tiles and rays drawn at random, and where
-// rounding hurts most.
+// Compares the exact tracer with ray marching in very small steps, on random maps, tiles and rays, and in
+// numerically difficult cases.
 #include "scenes/surface/displaced_surface.h"
 #include "tests/reference/exact/exact_plane_tracer.h"
 #include "tests/reference/test_scenes.h"
@@ -18,7 +18,8 @@ Ray rayFrom(const Vec3& origin, const Vec3& direction) {
     return {origin, glm::normalize(direction)};
 }
 
-/// How high a world point is over the relief, by the scene's own definitions alone; NaN beside the rectangle.
+/// Height of a world point above the relief, computed only from the scene's definitions; NaN outside the
+/// rectangle.
 class HeightOver {
   public:
     explicit HeightOver(const FlatRelief& plane)
@@ -83,7 +84,7 @@ FlatRelief randomPlane(Random& random) {
     SceneObject object = squareScene(nullptr, 0).objects[0];
     if (random() % 2)
         for (Vec2& uv : object.mesh.uvs)
-            uv.x = 1 - uv.x; // mirrored: u x v points inward
+            uv.x = 1 - uv.x; // mirrored, so u x v points inward
     object.rotateDegrees = {uniform(random, -180, 180), uniform(random, -90, 90), uniform(random, -180, 180)};
     object.translate = {uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)};
     const Wrap wrapS = wrap(), wrapT = wrap();
@@ -97,7 +98,7 @@ FlatRelief randomPlane(Random& random) {
     return flatRelief(object);
 }
 
-/// From anywhere around toward a place in the layer, a third of them at grazing angles.
+/// A ray from a random origin toward a point in the layer; a third of the rays are at grazing angles.
 Ray randomRay(Random& random, const FlatRelief& plane) {
     const auto place = [&](double height) {
         return plane.corner + uniform(random, -0.2, 1.2) * plane.edgeU +
@@ -109,8 +110,7 @@ Ray randomRay(Random& random, const FlatRelief& plane) {
     return rayFrom(origin, through - origin);
 }
 
-/// Whether a place is this many texels or less from a crease between patches, where the surface has no
-/// normal.
+/// Whether a point is within this many texels of a crease between patches, where the normal is undefined.
 bool nearCrease(const FlatRelief& plane, const Vec2& st, double texels) {
     const Vec2 x = st * Vec2(plane.relief.map->width(), plane.relief.map->height()) - 0.5;
     const Vec2 away = glm::abs(x - glm::round(x));
@@ -120,8 +120,8 @@ bool nearCrease(const FlatRelief& plane, const Vec2& st, double texels) {
 TEST(ExactPlane, RandomRays_AgreeWithMarching) {
     constexpr int kCases = 600, kSteps = 100000;
     constexpr double kReach = 8;
-    // Of the distance. Heights are good to 2^-50: a root that crosses at a sine above 1e-6 is better than
-    // this.
+    // Relative to the distance. Heights are accurate to 2^-50, so a root crossed at a sine above 1e-6 is more
+    // accurate than this.
     constexpr double kSame = 1e-9;
     // Central differences over 2e-6: patches are at most quadratic, heights rounded to 1e-15.
     constexpr double kStep = 1e-6, kSameNormal = 1e-7;
@@ -143,7 +143,8 @@ TEST(ExactPlane, RandomRays_AgreeWithMarching) {
             ++normals;
         }
         if (marched && std::abs(exact->distance - *marched) <= kSame * *marched) continue;
-        // Marching may step over two roots at once, or one close to the rim: then the tracer's comes before.
+        // Marching may step over two roots at once, or over one near the boundary; then the tracer's hit is
+        // nearer.
         if (marched) {
             EXPECT_LT(exact->distance, *marched);
         }
@@ -156,7 +157,8 @@ TEST(ExactPlane, RandomRays_AgreeWithMarching) {
     EXPECT_LE(steppedOver, kCases / 100);
 }
 
-/// The place (a,b) moved to a crease along s, and along t too if `both`: to the nearest texel center.
+/// The point (a,b) moved to the nearest crease along s; if `both`, also along t, that is, to the nearest
+/// texel center.
 Vec2 movedToCrease(const FlatRelief& plane, const Vec2& ab, bool both) {
     const Vec2 mapSize(plane.relief.map->width(), plane.relief.map->height());
     const Vec2 uvEdges(plane.uvAlongU.x, plane.uvAlongV.y); // the others are 0
@@ -166,9 +168,9 @@ Vec2 movedToCrease(const FlatRelief& plane, const Vec2& ab, bool both) {
     return {moved.x, both ? moved.y : ab.y};
 }
 
-// A ray that starts over the layer and ends under it, both within the rectangle, can't miss: no root may be
-// lost to rounding, on borders between cells least of all, so every other ray is aimed at a crease and every
-// fourth at a texel's center.
+// A ray that starts above the layer and ends below it, both within the rectangle, can't miss. No root may be
+// lost to rounding, especially on borders between cells, so every second ray is aimed at a crease and every
+// fourth at a texel center.
 TEST(ExactPlane, RandomRays_NeverPassSheet) {
     constexpr int kPlanes = 300, kRays = 500;
     for (unsigned seed = 0; seed < kPlanes; ++seed) {
@@ -183,7 +185,7 @@ TEST(ExactPlane, RandomRays_NeverPassSheet) {
             Vec3 target = plane.corner + ab.x * plane.edgeU + ab.y * plane.edgeV;
             target -= height(target) * plane.normal; // onto the surface
             Vec3 through = 1.01 * plane.relief.depth * plane.normal;
-            if (k % 3 != 0) // else vertical
+            if (k % 3 != 0) // otherwise vertical
                 through +=
                     uniform(random, -0.05, 0.05) * plane.edgeU + uniform(random, -0.05, 0.05) * plane.edgeV;
             if (k % 5 < 2) through = -through;
@@ -195,8 +197,8 @@ TEST(ExactPlane, RandomRays_NeverPassSheet) {
     }
 }
 
-// Rays that run in the borders between cells, or hit their corners again and again, in both directions: what
-// a walk over cells does wrong first. Side 2 and 8 texels: centers at (i + 1/2) / 4 - 1.
+// Rays along the borders between cells, or through many of their corners, in both directions, which are the
+// most difficult cases for a traversal of cells. Side 2 and 8 texels: centers at (i + 1/2) / 4 - 1.
 TEST(ExactPlane, RaysOnCellBordersAndCorners_AreExact) {
     std::mt19937 random(11);
     std::uniform_real_distribution<float> depth(0, 1);

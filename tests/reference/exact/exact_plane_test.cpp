@@ -1,5 +1,5 @@
-// Frames of the reference against the exact tracer: where the reference doesn't call itself uncertain, it
-// must be right.
+// Compares frames of the reference with the exact tracer: pixels that aren't marked as uncertain must be
+// correct.
 #include "reference/reference.h"
 #include "tests/reference/exact/exact_picture.h"
 #include "tests/reference/exact/exact_scenes.h"
@@ -11,32 +11,34 @@
 namespace plumbline {
 namespace {
 
-// Calling everything uncertain must not pass. In these scenes 1.5 to 3 % of all pixels are within half a
-// pixel of the silhouette, and at the finest rate micro-triangles are off by less than that. Of the covered
-// pixels up to 15 % are within 1/8 pixel of a shadow's edge, and up to 28 % within 1/4; a light 5 degrees
-// above the plane carries an error 11 times as far. The bounds are those of a grid of 16 x 16 micro-cells, a
-// few times the error of most places in it.
-constexpr double kMostUncertain = 0.03;
-constexpr double kMostShadowUncertain = 0.4;
-// Nor must a frame with another part of the surface everywhere: fins at 85 degrees have 1.5 % such pixels.
-constexpr double kMostJumped = 0.03;
+// Marking everything as uncertain must not pass. In these scenes 1.5 to 3 % of all pixels are within half a
+// pixel of the silhouette, and at the finest rate the error of micro-triangles is smaller. Of the covered
+// pixels, up to 15 % are within 1/8 pixel of a shadow's edge and up to 28 % within 1/4; a light 5 degrees
+// above the plane magnifies an error 11 times. The error bounds are per grid of 16 x 16 micro-cells and a few
+// times larger than the error at most of its points.
+constexpr double kMaxUncertain = 0.03;
+constexpr double kMaxShadowUncertain = 0.4;
+// A frame that shows another part of the surface everywhere must not pass either: fins at 85 degrees have 1.5
+// % such pixels.
+constexpr double kMaxJumped = 0.03;
 
-// With two segments a texel, or a third of one, creases are cut off and needles lost: much is uncertain, of
-// the shadows of needles all, and must be called so.
+// With two segments per texel, or a third of one, creases are cut off and needles are lost. Many pixels are
+// uncertain, including all shadows of needles, and must be marked.
 constexpr int kCoarseRate = 128;
-constexpr double kMostUncertainWhenCoarse = 0.25;
-constexpr double kMostWrongDepthWhenCoarse = 0.02;
+constexpr double kMaxUncertainWhenCoarse = 0.25;
+constexpr double kMaxWrongDepthWhenCoarse = 0.02;
 
-// Where one part of the surface hides another, the edge may be off by what the certificate says; twice that,
-// as it is measured in the cells seen, and the edge's may be the next ones; and never less than what rounding
-// rays to float moves them.
+// Where one part of the surface occludes another, the edge may be displaced by the certificate's error; twice
+// that, because the error is measured in the visible cells and the edge may be in the adjacent ones; but at
+// least by the displacement of rays rounded to float.
 constexpr double kJumpPerCertificate = 2;
 constexpr double kRayRoundingPx = 1.0 / 256;
 
 class ExactPlaneFrame : public testing::TestWithParam<ExactScene> {
   protected:
-    /// Renders at a rate, compares, prints the counts; fails for anything wrong where the frame is certain.
-    void holdAgainstExact(int rate) {
+    /// Renders at a rate, compares with the exact picture and prints the counts; fails for any error in a
+    /// certain pixel.
+    void compareWithExactTracer(int rate) {
         const Scene& scene = GetParam().scene;
         ReferenceOptions options;
         options.rate = rate;
@@ -47,13 +49,13 @@ class ExactPlaneFrame : public testing::TestWithParam<ExactScene> {
             compareWithExact(scene, frame, std::max(kRayRoundingPx, kJumpPerCertificate * certificatePx));
         std::printf("%s, rate %d, certificate %.3g px: %s\n", GetParam().name.c_str(), rate, certificatePx,
                     comparison.summary().c_str());
-        ASSERT_TRUE(frame.has("uncertain")) << "the reference doesn't say where it is uncertain";
+        ASSERT_TRUE(frame.has("uncertain")) << "the reference has no channel 'uncertain'";
         for (const Light& light : scene.lights)
             ASSERT_TRUE(frame.has(uncertainShadowChannel(light.name)))
-                << "the reference doesn't say where that shadow is";
+                << "the reference doesn't mark uncertain pixels of that shadow";
         EXPECT_EQ(comparison.coverageWrong, 0) << lines();
         EXPECT_EQ(comparison.shadowWrong, 0) << lines();
-        EXPECT_GT(comparison.covered, comparison.pixels / 10) << "the scene shows too little to say anything";
+        EXPECT_GT(comparison.covered, comparison.pixels / 10) << "the scene covers too few pixels";
     }
 
     std::string lines() const {
@@ -67,18 +69,18 @@ class ExactPlaneFrame : public testing::TestWithParam<ExactScene> {
 };
 
 TEST_P(ExactPlaneFrame, CertainPixels_AreRight) {
-    ASSERT_NO_FATAL_FAILURE(holdAgainstExact(GetParam().fineRate));
+    ASSERT_NO_FATAL_FAILURE(compareWithExactTracer(GetParam().fineRate));
     EXPECT_EQ(comparison.depthWrong, 0) << lines();
-    EXPECT_LT(comparison.uncertainShare(), kMostUncertain);
-    EXPECT_LT(comparison.shadowUncertainShare(), kMostShadowUncertain);
-    EXPECT_LT(comparison.depthJumped, kMostJumped * comparison.covered);
+    EXPECT_LT(comparison.uncertainShare(), kMaxUncertain);
+    EXPECT_LT(comparison.shadowUncertainShare(), kMaxShadowUncertain);
+    EXPECT_LT(comparison.depthJumped, kMaxJumped * comparison.covered);
 }
 
 TEST_P(ExactPlaneFrame, CertainPixelsOfCoarseRun_AreRight) {
-    ASSERT_NO_FATAL_FAILURE(holdAgainstExact(kCoarseRate));
-    // Depth has no mark of its own where another part of the same object could be seen.
-    EXPECT_LT(comparison.depthWrong, kMostWrongDepthWhenCoarse * comparison.depthCompared) << lines();
-    EXPECT_LT(comparison.uncertainShare(), kMostUncertainWhenCoarse);
+    ASSERT_NO_FATAL_FAILURE(compareWithExactTracer(kCoarseRate));
+    // Depth has no separate mark where another part of the same object may be visible.
+    EXPECT_LT(comparison.depthWrong, kMaxWrongDepthWhenCoarse * comparison.depthCompared) << lines();
+    EXPECT_LT(comparison.uncertainShare(), kMaxUncertainWhenCoarse);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, ExactPlaneFrame, testing::ValuesIn(exactScenes()),

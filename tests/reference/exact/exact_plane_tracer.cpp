@@ -8,15 +8,15 @@ namespace plumbline {
 
 namespace {
 
-// Corners of a mesh that is a rectangle but for rounding, as a fraction of its size.
+// Tolerance for the corners of a rectangular mesh, as a fraction of its size.
 constexpr double kAffineTolerance = 1e-12;
 
-// The layer in which roots are looked for is this much thicker than the relief, as a fraction of all heights
-// in play: far above rounding (2^-52), and free, as it costs at most a cell more.
+// Margin by which the searched layer is thicker than the relief, as a fraction of all heights involved: far
+// above rounding (2^-52), and cheap, because it adds at most one cell.
 constexpr double kLayerMargin = 1e-6;
 
-// A shadow ray starts this far off its hit, as a fraction of the base's size: above the rounding of a hit,
-// far below anything a picture shows.
+// Offset of a shadow ray's origin from the hit, as a fraction of the base's size: above the rounding error of
+// a hit and far below anything visible.
 constexpr double kLeaveSurface = 1e-9;
 
 /// a b - c d without cancellation (Kahan's algorithm: W. Kahan 1998, "Matlab's loss is nobody's gain").
@@ -25,7 +25,7 @@ double differenceOfProducts(double a, double b, double c, double d) {
     return std::fma(a, b, -cd) + std::fma(-c, d, cd);
 }
 
-/// Distances at which base + slope * distance lies in [low, high], met with [begin, end].
+/// Intersects [begin, end] with the distances at which base + slope * distance is in [low, high].
 void clipToSlab(double base, double slope, double low, double high, double& begin, double& end) {
     if (slope == 0) {
         if (base < low || base > high) end = -kInfinity;
@@ -91,7 +91,7 @@ FlatRelief flatRelief(const SceneObject& object) {
     return plane;
 }
 
-/// The ray as lines over distance: (a, b) on the base, texels (s W, t H), height along n.
+/// The ray as linear functions of the distance: (a, b) on the base, texels (s W, t H), height along n.
 struct ExactPlaneTracer::TexelRay {
     Vec2 ab, abStep;
     Vec2 texel, texelStep;
@@ -99,7 +99,7 @@ struct ExactPlaneTracer::TexelRay {
 };
 
 ExactPlaneTracer::ExactPlaneTracer(FlatRelief plane) : plane_(std::move(plane)) {
-    // edgeU is along neither edgeV nor n but for this factor; so for edgeV.
+    // The dual vectors: acrossU is orthogonal to edgeV and n, and likewise acrossV.
     const Vec3 acrossU = glm::cross(plane_.edgeV, plane_.normal),
                acrossV = glm::cross(plane_.normal, plane_.edgeU);
     dualU_ = acrossU / glm::dot(plane_.edgeU, acrossU);
@@ -130,7 +130,7 @@ ExactPlaneTracer::TexelRay ExactPlaneTracer::texelRay(const Ray& ray) const {
 std::optional<double> firstRootOfQuadratic(double a, double halfB, double c, double length) {
     const double discriminant = differenceOfProducts(halfB, halfB, a, c);
     if (discriminant < 0) return std::nullopt;
-    // The root whose terms add up, then the other from their product c / a (Vieta).
+    // First the root without cancellation, then the other one from the product c / a (Vieta).
     const double sum = -(halfB + std::copysign(std::sqrt(discriminant), halfB));
     double roots[2] = {kInfinity, kInfinity};
     if (sum == 0) { // halfB = 0 and a c = 0
@@ -146,10 +146,11 @@ std::optional<double> firstRootOfQuadratic(double a, double halfB, double c, dou
     return first;
 }
 
-/// Walks the cells between texel centers from `begin` to `end`. Cell (i,j) has the centers of texels (i,j)
-/// and (i+1,j+1) as corners. Borders are computed from their index, so nothing adds up. The surface is
-/// continuous, so where the sign of (ray's height - relief's height) differs between two ends that should
-/// agree, or between which no root was found, rounding has hidden a root there: it is put at the border.
+/// Traverses the cells between texel centers from `begin` to `end`. Cell (i,j) has the centers of texels
+/// (i,j) and (i+1,j+1) as corners. Borders are computed from their index, so rounding errors don't
+/// accumulate. The surface is continuous, so if the sign of (ray's height - relief's height) differs between
+/// two ends that should agree, or between which no root was found, a root was lost to rounding; it is placed
+/// at the border.
 std::optional<double> ExactPlaneTracer::firstRoot(const TexelRay& ray, double begin, double end,
                                                   Vec2i& cell) const {
     const Vec2 start = ray.texel + begin * ray.texelStep - 0.5;
@@ -159,7 +160,7 @@ std::optional<double> ExactPlaneTracer::firstRoot(const TexelRay& ray, double be
         const int border = ray.texelStep[axis] > 0 ? cell[axis] + 1 : cell[axis];
         return (border + 0.5 - ray.texel[axis]) / ray.texelStep[axis];
     };
-    const auto heightAbove = [&](double at) { // the patch of `cell`, over the distance from `at` on
+    const auto heightAbove = [&](double at) { // on the patch of `cell`, at distance `at`
         const Relief& relief = plane_.relief;
         const BilinearPatch patch = patchOf(*relief.map, cell);
         const Vec2 p = ray.texel + at * ray.texelStep - (Vec2(cell) + 0.5), step = ray.texelStep;
@@ -170,7 +171,7 @@ std::optional<double> ExactPlaneTracer::firstRoot(const TexelRay& ray, double be
                          0.5 * (ray.heightStep + relief.depth * byDistance),
                          ray.height + at * ray.heightStep - relief.offset + relief.depth * depth};
     };
-    double previous = 0; // difference of heights where the last cell was left; 0 = none yet
+    double previous = 0; // difference of heights at the end of the previous cell; 0 = none yet
     for (double at = begin; at <= end;) {
         const Vec2 border(borderDistance(0), borderDistance(1));
         const double next = std::clamp(std::min(border.x, border.y), at, std::max(at, end));

@@ -1,12 +1,12 @@
-// An exact ray tracer for one flat parallelogram with a relief: what the reference's micro-triangles must
-// agree with.
+// An exact ray tracer for one flat parallelogram with a relief, the ground truth for the reference's
+// micro-triangles.
 //
 //     P(a,b) = corner + a edgeU + b edgeV + n (offset - depth d(st)),    a, b in [0,1],    st = tile uv(a,b)
 //     + uvOffset
 //
-// with uv affine in (a,b). Between texel centers d is a bilinear patch, so a ray meets it at the roots of a
-// quadratic: cell by cell, in double, without marching and without triangles. The surface is an open sheet:
-// seen from both sides, no walls at its rim. World space, world units.
+// with uv affine in (a,b). Between texel centers d is a bilinear patch, so a ray intersects it at the roots
+// of a quadratic. They are computed cell by cell, in double, without ray marching or triangles. The surface
+// is an open sheet, visible from both sides, without walls at its boundary. World space, world units.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -23,8 +23,8 @@ struct FlatRelief {
     Relief relief;
 };
 
-/// The one flat base of an object whose mesh is a rectangle in uv; throws std::invalid_argument if the mesh
-/// isn't flat, or its uvs aren't affine.
+/// The flat base of an object whose mesh is a rectangle in uv; throws std::invalid_argument if the mesh isn't
+/// flat or its uvs aren't affine.
 FlatRelief flatRelief(const SceneObject& object);
 
 class ExactPlaneTracer {
@@ -36,8 +36,9 @@ class ExactPlaneTracer {
         Vec3 position;
         Vec3 normal; // unit, outward, of the bilinear patch hit
         Vec2 st;     // tiled, unwrapped
-        /// |N . direction|, 0 = grazing. The square root of the quadratic's discriminant in other units: the
-        /// slope of (ray's height - relief's height) at the root is normal.direction over normal.n.
+        /// |N . direction|, 0 = grazing. It is proportional to the square root of the quadratic's
+        /// discriminant: the slope of (ray's height - relief's height) at the root is normal.direction over
+        /// normal.n.
         double crossing;
     };
     /// Nearest hit at a distance in [0, maxDistance]. `ray.direction` must be unit.
@@ -45,8 +46,8 @@ class ExactPlaneTracer {
 
     bool occluded(const Vec3& origin, const Vec3& direction, double maxDistance) const;
 
-    /// Whether the side of a hit that `toCamera` sees is in shadow: it turns away from the light, or
-    /// something lies between.
+    /// Whether the side of a hit facing `toCamera` is in shadow: it faces away from the light, or the light
+    /// is occluded.
     bool shadowed(const Hit& hit, const Vec3& toCamera, const LightSample& light) const;
 
     const FlatRelief& plane() const { return plane_; }

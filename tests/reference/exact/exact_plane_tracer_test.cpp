@@ -1,4 +1,4 @@
-// The exact tracer itself, against answers derived by hand.
+// Tests the exact tracer against results derived by hand.
 #include "scenes/mesh/shapes/shapes.h"
 #include "tests/reference/exact/exact_plane_tracer.h"
 #include "tests/reference/test_scenes.h"
@@ -13,7 +13,7 @@ namespace {
 
 using MapPointer = std::shared_ptr<const HeightMap>;
 
-// Coordinates are about 1: a hit is a dozen operations of 2^-53 each.
+// Coordinates are about 1, and a hit takes about a dozen operations with an error of 2^-53 each.
 constexpr double kRounding = 1e-13;
 
 MapPointer clampedMap(int width, int height, std::vector<float> depths) {
@@ -50,13 +50,13 @@ TEST(ExactQuadratic, Roots_AreOrderedWithinInterval) {
     EXPECT_EQ(firstRootOfQuadratic(0, 1, -4, 10), 2.0);         // 2x - 4
     EXPECT_EQ(firstRootOfQuadratic(0, 0, 1, 10), std::nullopt); // never
     EXPECT_EQ(firstRootOfQuadratic(0, 0, 0, 10), 0.0);          // everywhere
-    // 1e-8 x^2 + 2x - 1: the small root is 1/2 - 1e-8/8 + ..., lost by the schoolbook's difference of two
-    // numbers near 2.
+    // 1e-8 x^2 + 2x - 1: the small root is 1/2 - 1e-8/8 + ..., lost by the textbook formula's difference of
+    // two numbers near 2.
     EXPECT_NEAR(*firstRootOfQuadratic(1e-8, 1, -1, 1), 0.5 - 1.25e-9, 1e-16);
 }
 
-// The surface is the plane z = -0.125. A ray from (-3, 0.2, 1) toward (2, 0, -1) is there after 1.125 down,
-// so 2.25 across.
+// The surface is the plane z = -0.125. A ray from (-3, 0.2, 1) along (2, 0, -1) reaches it after descending
+// 1.125, so 2.25 across.
 TEST(ExactPlane, ConstantDepth_IsExact) {
     const ExactPlaneTracer tracer = squareTracer(clampedMap(1, 1, {0.5f}), 0.25);
     expectHit(tracer, rayFrom({0.3, 0.2, 5}, {0, 0, -1}), {0.3, 0.2, -0.125}, {0, 0, 1});
@@ -66,11 +66,11 @@ TEST(ExactPlane, ConstantDepth_IsExact) {
     EXPECT_FALSE(tracer.trace(rayFrom({0.3, 1.001, 5}, {0, 0, -1})));
     EXPECT_FALSE(tracer.trace(rayFrom({1.001, 0.2, 5}, {0, 0, -1}))); // beside it
     EXPECT_FALSE(tracer.trace(rayFrom({0.3, 0.2, 5}, {0, 0, 1})));    // away from it
-    EXPECT_FALSE(
-        tracer.trace(rayFrom({-3, 0.2, -0.06}, {1, 0, 0}))); // between base and relief: no wall at the rim
+    EXPECT_FALSE(tracer.trace(
+        rayFrom({-3, 0.2, -0.06}, {1, 0, 0}))); // between base and relief: no wall at the boundary
     EXPECT_FALSE(tracer.occluded({0.3, 0.2, 5}, {0, 0, -1}, 5.1249)); // it starts at 5.125
     EXPECT_TRUE(tracer.occluded({0.3, 0.2, 5}, {0, 0, -1}, 5.1251));
-    // In the plane itself every point of the sheet is a root: the first is on its rim.
+    // For a ray in the plane, every point of the sheet is a root; the first one is on its boundary.
     const auto along = tracer.trace(rayFrom({-3, 0.25, -0.125}, {1, 0, 0}));
     ASSERT_TRUE(along);
     EXPECT_EQ(along->distance, 2);
@@ -87,9 +87,9 @@ TEST(ExactPlane, Ramp_IsExact) {
     expectHit(tracer, rayFrom({0.8, 0.3, 5}, {0, 0, -1}), {0.8, 0.3, -1}, {0, 0, 1});
     // Inside the layer, parallel to the plane: from the right over the floor into the slope at z = -3/4.
     expectHit(tracer, rayFrom({0.9, -0.4, -0.75}, {-1, 0, 0}), {0.25, -0.4, -0.75}, {1, 0, 1});
-    // The same from outside: over the floor's rim in free air.
+    // The same from outside, entering above the floor's boundary.
     expectHit(tracer, rayFrom({3, -0.4, -0.75}, {-1, 0, 0}), {0.25, -0.4, -0.75}, {1, 0, 1});
-    // And from the left: under the top, onto the slope's back.
+    // From the left: below the top, onto the slope's back side.
     expectHit(tracer, rayFrom({-3, -0.4, -0.75}, {1, 0, 0}), {0.25, -0.4, -0.75}, {1, 0, 1});
 }
 

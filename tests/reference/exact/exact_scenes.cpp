@@ -13,13 +13,13 @@ namespace {
 using MapPointer = std::shared_ptr<const HeightMap>;
 
 constexpr int kWidth = 160, kHeight = 120; // pixels
-constexpr int kFineRate = 1024;            // the finest there is: 3 to 24 segments a texel
+constexpr int kFineRate = 1024;            // the finest rate: 3 to 24 segments per texel
 
 MapPointer generated(const std::string& kind, int size, Wrap wrap = Wrap::Repeat) {
     return std::make_shared<HeightMap>(generateMap(kind, size, 3, wrap, wrap));
 }
 
-/// One texel of depth 0 in each 8 x 8 of depth 1: thinner isn't possible.
+/// One texel of depth 0 in each 8 x 8 of depth 1, the thinnest possible feature.
 MapPointer needles() {
     std::vector<float> depths(32 * 32, 1.0f);
     for (size_t j = 4; j < 32; j += 8)
@@ -28,8 +28,8 @@ MapPointer needles() {
     return std::make_shared<HeightMap>("needles", 32, 32, depths);
 }
 
-/// Seen from `degrees` off the normal, in perspective, somewhat from the side so that nothing lines up with
-/// pixels; the light stands `lightDegrees` above the plane.
+/// A perspective view at `degrees` from the normal, slightly rotated so that nothing is aligned with pixels;
+/// the light is `lightDegrees` above the plane.
 ExactScene sceneOf(std::string name, MapPointer map, double depth, Vec2 tile, double degrees,
                    double lightDegrees) {
     ExactScene result{std::move(name), squareScene(std::move(map), depth), kFineRate};
@@ -56,7 +56,7 @@ ExactScene orthographic(ExactScene scene, double viewHeight) {
     return scene;
 }
 
-/// Among the pins, halfway up, looking along the plane and a little down.
+/// A camera between the pins at half their height, looking along the plane and slightly down.
 ExactScene insideTheLayer() {
     ExactScene result = sceneOf("pins_from_inside", generated("pins", 64), 0.4, {1, 1}, 0, 35);
     Camera& camera = result.scene.camera;
@@ -67,11 +67,11 @@ ExactScene insideTheLayer() {
     return result;
 }
 
-/// A plane of a scene file, smooth, turned, moved and scaled; a map that ends at its border.
+/// A rotated, translated and scaled plane with a smooth map that clamps.
 ExactScene turnedShape() {
     ExactScene result =
         sceneOf("noise_on_a_turned_shape", generated("noise", 64, Wrap::Clamp), 0.2, {1.37, -1.37}, 30, 40);
-    result.fineRate = kFineRate / 2; // two segments along each side take it
+    result.fineRate = kFineRate / 2; // because there are two segments along each side
     SceneObject& object = result.scene.objects[0];
     object.mesh = makePlane(2.2, 1.8, 2, 2);
     object.scheme = Scheme::CatmullClark;

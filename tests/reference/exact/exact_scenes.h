@@ -1,5 +1,5 @@
-// Scenes of one flat relief, each hard in a way of its own: spikes, grazing views, grazing light, tiles that
-// fit no grid.
+// Difficult scenes with one flat relief: spikes, grazing views, grazing light, tiles that aren't aligned with
+// grids.
 #pragma once
 
 #include "scenes/scene/scene.h"
@@ -13,10 +13,10 @@ namespace plumbline {
 struct ExactScene {
     std::string name;
     Scene scene;
-    int fineRate; // segments per control edge: a third of a texel or less
+    int fineRate; // segments per control edge, at most a third of a texel each
 };
 
-/// How googletest names a scene.
+/// The name of a scene in googletest's output.
 void PrintTo(const ExactScene& scene, std::ostream* stream);
 
 std::vector<ExactScene> exactScenes();

@@ -1,4 +1,4 @@
-// Mesh files read back: the very triangles, each vertex once, one surface.
+// Mesh files read back: identical triangles, unique vertices, a closed surface.
 #include "reference/export/mesh_file.h"
 #include "reference/export/mesh_numbers.h"
 #include "reference/reference.h"
@@ -99,7 +99,7 @@ FileMesh readObj(const std::string& bytes) {
     return mesh;
 }
 
-/// A torus whose texture coordinates jump along two of its circles, and a plain square; faces of several
+/// A torus with texture seams along two of its circles, and a square without relief; faces with several
 /// rates.
 Scene torusAndSquare() {
     std::vector<float> depths;
@@ -170,9 +170,9 @@ TEST_F(MeshFile, Vertices_AreUniqueWithNormalsAndSt) {
     const FileMesh mesh = readPly(readFile(folder_ / "a.ply"));
     const std::set<std::array<float, 8>> different(mesh.vertices.begin(), mesh.vertices.end());
     EXPECT_EQ(different.size(), mesh.vertices.size());
-    // V = 8 * 4 * 32^2 on the torus, and again where uvs jump: 8 * 32 along one circle and 4 * 32 + 1 along
-    // the other, their crossing twice more; 33^2 on the square. The corners of the circles may differ in the
-    // last bit of st.
+    // V = 8 * 4 * 32^2 on the torus, plus the duplicates at the seams: 8 * 32 along one circle and 4 * 32 + 1
+    // along the other, with two more at their crossing; 33^2 on the square. The corners of the circles may
+    // differ in the last bit of st.
     const size_t torus = 8 * 4 * 32 * 32 + 8 * 32 + 4 * 32 + 1;
     EXPECT_GE(mesh.vertices.size(), torus + 33 * 33);
     EXPECT_LE(mesh.vertices.size(), torus + 33 * 33 + 2 * (8 + 4));
@@ -188,7 +188,7 @@ TEST_F(MeshFile, Vertices_AreUniqueWithNormalsAndSt) {
             EXPECT_NEAR(glm::length(n), 1, 1e-6);
             normal += n;
         }
-        // A cell is 3/8/32 x 2/4/32 of the map: no triangle goes back over all of it where coordinates jump.
+        // A cell is 3/8/32 x 2/4/32 of the map: no triangle spans the whole map at a seam.
         EXPECT_LT(high.x - low.x, 0.04) << k;
         EXPECT_LT(high.y - low.y, 0.04) << k;
         const Vec3 a(triangles[k][0]), b(triangles[k][1]), c(triangles[k][2]);
@@ -242,8 +242,8 @@ ControlMesh octahedron() {
     return mesh;
 }
 
-/// By its numbers alone, triangular lattices (Loop, none) and faces cut into sub-faces (Catmull-Clark) among
-/// them.
+/// Checks only the numbering, including triangular lattices (Loop, none) and faces divided into sub-faces
+/// (Catmull-Clark).
 TEST(MeshNumbers, ClosedShell_IsClosed) {
     Scene scene = squareScene(nullptr, 0);
     scene.objects[0].mesh = octahedron();

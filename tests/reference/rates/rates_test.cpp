@@ -1,4 +1,4 @@
-// Faces at rates of their own: no cracks between them, and every bound on the error holds.
+// Faces with different rates: there are no cracks between them, and the error bounds are valid.
 #include "reference/tessellate/tessellate.h"
 #include "scenes/mesh/obj_file.h"
 #include "scenes/mesh/shapes/shapes.h"
@@ -16,7 +16,7 @@
 namespace plumbline {
 namespace {
 
-/// Random powers of two from 1 to 16, other along u than along v where a face can have that.
+/// Random powers of two from 1 to 16, different along u and v if the face allows it.
 Rates randomRates(const BaseSurface& surface, unsigned seed) {
     std::mt19937 random(seed);
     std::vector<Vec2i> faces(static_cast<size_t>(surface.mesh().faceCount()));
@@ -29,7 +29,7 @@ Rates randomRates(const BaseSurface& surface, unsigned seed) {
     return ratesFromFaces(surface, faces);
 }
 
-/// Segments of edges that only one face has: what a mesh without cracks leaves open.
+/// Segments of boundary edges, which are the only open edges of a mesh without cracks.
 int rimSegments(const BaseSurface& surface, const Rates& rates) {
     std::vector<int> uses(static_cast<size_t>(surface.edgeCount()), 0);
     for (const BaseSurface::Patch& patch : surface.patches())
@@ -74,8 +74,8 @@ TEST(Rates, Spot_HasNoCracks) {
         expectNoCracks(object, seed);
 }
 
-/// Largest distance, over random places of random cells, between the surface and its place on the
-/// micro-triangles, as a fraction of the bound of their grid. Only where the surface isn't torn.
+/// The largest distance between the surface and the micro-triangles at equal (u, v), over random points of
+/// random cells, as a fraction of the grid's error bound. Excludes torn cells.
 double worstShareOfBound(const SceneObject& object, const Rates& rates, const BaseSurface& surface,
                          unsigned seed) {
     const Relief* relief = object.relief ? &*object.relief : nullptr;
@@ -109,7 +109,7 @@ double worstShareOfBound(const SceneObject& object, const Rates& rates, const Ba
         const auto surfaceAt = [&](const Vec2& at) {
             return displace(evaluator.sample(at.x, at.y), relief).position;
         };
-        // Where faces disagree about a vertex the surface is torn; there the bound is for the wall that
+        // Where faces displace a vertex differently the surface is torn, and the bound includes the wall that
         // closes it.
         const double torn = std::max({glm::length(surfaceAt(uvA) - a), glm::length(surfaceAt(uvB) - b),
                                       glm::length(surfaceAt(uvC) - c)});
@@ -134,8 +134,8 @@ TEST(Rates, LibraryScenes_StayWithinErrorBound) {
         }
 }
 
-// Along an axis k bows nowhere, and those terms of the bound are 0: the rest must hold alone, on bases steep
-// against the axis too.
+// Along an axis k is constant, so its terms of the bound are 0. The other terms must be sufficient, also for
+// bases steep relative to the axis.
 TEST(Rates, AlongAxis_StaysWithinErrorBound) {
     std::vector<float> depths;
     for (int k = 0; k < 64; ++k)

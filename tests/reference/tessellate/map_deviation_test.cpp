@@ -1,4 +1,5 @@
-// The bound on a height map's deviation from a plane, by hand and against many samples.
+// Compares the bound on a height map's deviation from a plane with results derived by hand and with dense
+// samples.
 #include "reference/tessellate/map_deviation.h"
 
 #include <gtest/gtest.h>
@@ -21,19 +22,20 @@ TEST(MapDeviation, Saddle_DeviatesByQuarter) {
     EXPECT_NEAR(triangleDeviation(map, {on(map, {0, 0}), on(map, {1, 0}), on(map, {0, 1})}), 0.25, 1e-12);
     EXPECT_NEAR(cellDeviation(map, on(map, {0, 0}), on(map, {1, 0}), on(map, {0, 1}), on(map, {1, 1})), 0.25,
                 1e-12);
-    // A cell half as wide bows a quarter of that.
+    // A cell half as wide deviates by a quarter of that.
     EXPECT_NEAR(
         cellDeviation(map, on(map, {0, 0}), on(map, {0.5, 0}), on(map, {0, 0.5}), on(map, {0.5, 0.5})),
         1.0 / 16, 1e-12);
 }
 
-// A needle: one texel of depth 0 among ones. Corners far from it all say 1; the needle's tip is 1 off.
+// A needle: one texel of depth 0 in a map of depth 1. The depth at all corners is 1; the needle's tip
+// deviates by 1.
 TEST(MapDeviation, NeedleBetweenCorners_IsSeen) {
     std::vector<float> depths(64, 1.0f);
     depths[3 * 8 + 4] = 0;
     const HeightMap map("needle", 8, 8, depths, Wrap::Clamp, Wrap::Clamp);
     EXPECT_NEAR(triangleDeviation(map, {on(map, {0, 0}), on(map, {7, 0}), on(map, {6, 7})}), 1, 1e-12);
-    // Not over a triangle that leaves it out.
+    // But not for a triangle that doesn't contain it.
     EXPECT_NEAR(triangleDeviation(map, {on(map, {0, 0}), on(map, {2, 0}), on(map, {0, 7})}), 0, 1e-12);
 }
 
@@ -64,7 +66,7 @@ TEST(MapDeviation, Bound_IsTight) {
             }
         EXPECT_LE(worst, bound + 1e-9) << "trial " << trial;
         EXPECT_LE(bound, 2 * worst + 1e-9)
-            << "trial " << trial; // samples miss the tip; the bow counts twice at most
+            << "trial " << trial; // samples miss the maximum; the deviation counts at most twice
         if (worst > 0) tightest = std::max(tightest, worst / bound);
     }
     EXPECT_GT(tightest, 0.99);

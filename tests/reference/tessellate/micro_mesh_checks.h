@@ -1,4 +1,4 @@
-// A micro-mesh as a bag of triangles: what is open, what it encloses.
+// Checks on the triangles of a micro-mesh: open edges and enclosed volume.
 #pragma once
 
 #include "scenes/surface/micro_mesh.h"
@@ -10,7 +10,7 @@ namespace plumbline {
 
 using Triangle = std::array<Vec3f, 3>;
 
-/// Micro-triangles with corners that differ, as MicroGrid defines them.
+/// The micro-triangles, as defined by MicroGrid, whose corners differ.
 inline std::vector<Triangle> trianglesWithArea(const MicroMesh& mesh) {
     std::vector<Triangle> triangles;
     const auto keep = [&](const Vec3f& a, const Vec3f& b, const Vec3f& c) {
@@ -26,7 +26,8 @@ inline std::vector<Triangle> trianglesWithArea(const MicroMesh& mesh) {
     return triangles;
 }
 
-/// Edges, by position, that don't have exactly one partner running the other way.
+/// The number of edges, identified by position, that don't have exactly one partner in the opposite
+/// direction.
 inline int unmatchedEdges(const std::vector<Triangle>& triangles) {
     std::map<std::array<float, 6>, int> edges;
     for (const Triangle& t : triangles)

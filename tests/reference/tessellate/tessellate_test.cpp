@@ -1,4 +1,4 @@
-// The micro-mesh as a mesh: closed, complete, welded, and on the surface it stands for.
+// Properties of micro-meshes: closed, complete, welded, and on the true surface.
 #include "reference/tessellate/lattice.h"
 #include "reference/tessellate/tessellate.h"
 #include "scenes/surface/displaced_surface.h"
@@ -43,11 +43,11 @@ TEST(Tessellate, ClosedShells_StayClosed) {
     for (const Scheme scheme : {Scheme::Loop, Scheme::CatmullClark, Scheme::None}) {
         const BaseSurface surface(octahedron(), scheme);
         for (const int rate : {1, 2, 4, 16, 32, 64}) {
-            if (scheme == Scheme::CatmullClark && rate < 2) continue; // triangles are cut into sub-faces
+            if (scheme == Scheme::CatmullClark && rate < 2) continue; // triangles are divided into sub-faces
             SCOPED_TRACE(testing::Message() << "scheme " << int(scheme) << ", rate " << rate);
             const MicroMesh mesh = tessellate(surface, &relief, uniformRates(surface, rate), false);
             const std::vector<Triangle> triangles = trianglesWithArea(mesh);
-            // Catmull-Clark: 3 quarters of 2 (rate/2)^2 on each of 8 triangles; else rate^2.
+            // Catmull-Clark: 3 sub-faces with 2 (rate/2)^2 on each of 8 triangles; otherwise rate^2.
             const int expected =
                 scheme == Scheme::CatmullClark ? 8 * 3 * 2 * (rate / 2) * (rate / 2) : 8 * rate * rate;
             EXPECT_EQ(triangles.size(), size_t(expected));
@@ -59,7 +59,7 @@ TEST(Tessellate, ClosedShells_StayClosed) {
             EXPECT_GT(signedVolume(triangles), 0);
         }
     }
-    // Without relief the polygons' micro-triangles fill the octahedron: 8 corners' pyramids of 1/6.
+    // Without relief the polygons' micro-triangles enclose the octahedron: 8 pyramids of 1/6.
     const BaseSurface polygons(octahedron(), Scheme::None);
     EXPECT_NEAR(
         signedVolume(trianglesWithArea(tessellate(polygons, nullptr, uniformRates(polygons, 32), false))),
@@ -101,7 +101,7 @@ TEST(Tessellate, InteriorVertices_LieOnSurface) {
 }
 
 /// Two unit squares side by side in the plane z = 0, sharing the edge x = 0. Along it s = 1/4 and t = y on
-/// the left, s = 3/4 and t = 1 - y on the right: the two read different texels, in opposite directions.
+/// the left, s = 3/4 and t = 1 - y on the right: the two sample different texels, in opposite directions.
 ControlMesh tornPair() {
     ControlMesh mesh;
     mesh.name = "pair";
@@ -113,8 +113,8 @@ ControlMesh tornPair() {
     return mesh;
 }
 
-// The left column of the map is d = t, so the left says y; the right says whatever the right column has at 1
-// - y. Welded, the edge lies at the mean of both.
+// The left column of the map is d = t, so the left face has the depth y; the right face has the right
+// column's depth at 1 - y. Welded, the edge is at the mean of both.
 TEST(Tessellate, WeldedTears_MeetAtMean) {
     const BaseSurface surface(tornPair(), Scheme::None);
     // Texel centers in t: 1/8, 3/8, 5/8, 7/8.
@@ -130,12 +130,12 @@ TEST(Tessellate, WeldedTears_MeetAtMean) {
         ++checked;
     }
     EXPECT_EQ(checked, 2 * 7);
-    EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * 6 * 8); // the pair's rim alone, both ways
+    EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)),
+              2 * 6 * 8); // only the pair's boundary, in both directions
 }
 
-// The pair left open: each face keeps its own displacement along the shared edge, so that the edge is there
-// twice, and only where the two disagree. At y = 1/2 both texels' rows say 1/2 on the left; the right's 0.5
-// there agrees.
+// With open seams, each face keeps its own displacement along the shared edge, so the edge exists twice, but
+// only where the two differ. At y = 1/2 the depth is 1/2 on both sides.
 TEST(Tessellate, OpenTears_Gape) {
     const BaseSurface surface(tornPair(), Scheme::None);
     const std::vector<float> depths{0.125f, 0.5f, 0.375f, 0.5f, 0.625f, 0.5f, 0.875f, 0.5f};
@@ -152,9 +152,9 @@ TEST(Tessellate, OpenTears_Gape) {
             ++checked;
         }
     EXPECT_EQ(checked, 2 * 7);
-    // The rim, and of the shared edge 8 segments on both sides.
+    // The boundary, and 8 segments on both sides of the shared edge.
     EXPECT_EQ(unmatchedEdges(trianglesWithArea(micro)), 2 * (6 * 8 + 2 * 8));
-    relief.map = std::make_shared<HeightMap>(HeightMap::constant("same", 0.5f)); // nothing to disagree about
+    relief.map = std::make_shared<HeightMap>(HeightMap::constant("same", 0.5f)); // both faces agree
     EXPECT_EQ(
         unmatchedEdges(trianglesWithArea(tessellate(surface, &relief, uniformRates(surface, 8), false))),
         2 * 6 * 8);

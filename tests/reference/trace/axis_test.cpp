@@ -1,5 +1,5 @@
-// Reliefs along an axis of their object: against closed forms, against reliefs along the normal where both
-// are one, and what is said of them all around.
+// Reliefs displaced along an axis of their object: compared with closed forms and, where both agree, with
+// reliefs along the normal; and the tests of facing.
 #include "reference/rates/face_role.h"
 #include "reference/reference.h"
 #include "reference/tessellate/tessellate.h"
@@ -27,7 +27,7 @@ Relief noiseRelief(double depth) {
     return {std::make_shared<HeightMap>("noise", 16, 16, depths), depth, 0.02, {1, 1}, {0.3, 0.1}};
 }
 
-/// z = a x^2 + b y^2 over [-1, 1]^2, turned, scaled and moved, with a relief along its axis.
+/// z = a x^2 + b y^2 over [-1, 1]^2, rotated, scaled and translated, with a relief along its axis.
 SceneObject quadric(double a, double b, double depth) {
     SceneObject object;
     object.name = "quadric";
@@ -60,8 +60,8 @@ Frame render(const Scene& scene) {
     return ReferenceScene(scene, options).render();
 }
 
-// The object's own +z is where +z of a rotation's columns stands: about x by 90 degrees it is -y, then about
-// z by 90 degrees +x.
+// The object's +z is the third column of the rotation: rotated about x by 90 degrees it is -y, then about z
+// by 90 degrees +x.
 TEST(AlongAxis, Transform_RotatesAxisWithoutScale) {
     SceneObject object;
     EXPECT_EQ(object.axisWorld(), Vec3(0, 0, 1));
@@ -70,10 +70,11 @@ TEST(AlongAxis, Transform_RotatesAxisWithoutScale) {
     EXPECT_LT(glm::length(object.axisWorld() - Vec3(1, 0, 0)), 1e-15);
 }
 
-// In the object's space the base is s (x, y, a x^2 + b y^2), (x, y) = 2 uv - 1, and the relief moves z alone,
-// by world units: P_x = s (1, 0, 2 a x) - depth d_x z, P_y likewise. The shape is exact and so is the polish:
-// floats are what is left, 2^-24 of coordinates up to 2.5. Normals, from st in float, 2^-24 off: the map's
-// gradient changes by up to 2 * 16^2 of that, 3e-5, and the slope by depth / 2 / s of it: 6e-6 at depth 0.6.
+// In the object's space the base is s (x, y, a x^2 + b y^2), (x, y) = 2 uv - 1, and the relief only displaces
+// z, in world units: P_x = s (1, 0, 2 a x) - depth d_x z, P_y likewise. The shape and the refinement are
+// exact, so only float rounding remains, 2^-24 of coordinates up to 2.5. Normals, from st in float, 2^-24
+// off: the map's gradient changes by up to 2 * 16^2 of that, 3e-5, and the slope by depth / 2 / s of it: 6e-6
+// at depth 0.6.
 TEST(AlongAxis, Quadric_HasClosedForm) {
     for (const double depth : {0.1, 0.6}) {
         const double a = 0.6, b = -0.4;
@@ -96,7 +97,7 @@ TEST(AlongAxis, Quadric_HasClosedForm) {
             const Vec3 normal = glm::normalize(Vec3(toWorld * Vec4(-slope.x, -slope.y, 1, 0)));
             worstPosition =
                 std::max(worstPosition, glm::length(position - Vec3(at("P.X"), at("P.Y"), at("P.Z"))));
-            // On a crease of the map st, a float, may be on its other side.
+            // At a crease of the map, the float st may be on the other side.
             const Vec2 texel = st * 16.0 - 0.5;
             const Vec2 fromCrease = glm::abs(texel - glm::round(texel));
             if (std::min(fromCrease.x, fromCrease.y) > 1e-4)
@@ -112,8 +113,8 @@ TEST(AlongAxis, Quadric_HasClosedForm) {
     }
 }
 
-// At constant depth the whole surface is moved: the micro-triangles are those of the base, moved, and as far
-// from it. 1e-6 is the floats'.
+// At constant depth the whole surface is translated, so the micro-triangles are those of the base,
+// translated. 1e-6 is for float rounding.
 TEST(AlongAxis, ConstantDepth_TranslatesSurface) {
     SceneObject object = quadric(-0.8, 0.3, 0.5);
     object.relief->map = std::make_shared<HeightMap>(HeightMap::constant("flat", 0.25f));
@@ -128,8 +129,8 @@ TEST(AlongAxis, ConstantDepth_TranslatesSurface) {
         EXPECT_NEAR(moved.grids[i].errorWorld, base.grids[i].errorWorld, 1e-6);
 }
 
-// Where the base is flat and its normal the object's z, both are the same surface. Unrotated they are to the
-// last bit, and so is everything the reference says of them.
+// If the base is flat and its normal is the object's z, both surfaces are equal. Without a rotation, all
+// channels are bit-identical.
 TEST(AlongAxis, Plane_AxisIsNormal) {
     SceneObject plane = quadric(0, 0, 0.2);
     plane.rotateDegrees = Vec3(0);
@@ -148,8 +149,8 @@ TEST(AlongAxis, Plane_AxisIsNormal) {
     }
 }
 
-// Rotations have digits after the comma: the normal, from tangents, and the axis agree to rounding, pictures
-// to floats.
+// Rotations aren't exact: the normal, computed from tangents, and the axis agree up to rounding, and frames
+// up to float rounding.
 TEST(AlongAxis, RotatedPlane_AxisIsNormalToRounding) {
     SceneObject plane = quadric(0, 0, 0.2);
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(plane);
@@ -167,8 +168,8 @@ TEST(AlongAxis, RotatedPlane_AxisIsNormalToRounding) {
         }
 }
 
-// Along normals the far side of a sphere never shows; along an axis its relief may turn toward the camera
-// there.
+// Displaced along normals, the far side of a sphere is never visible; along an axis, its relief may face the
+// camera.
 TEST(AlongAxis, BackFaces_CountAsSeen) {
     SceneObject sphere;
     sphere.name = "sphere";
@@ -187,7 +188,7 @@ TEST(AlongAxis, BackFaces_CountAsSeen) {
     EXPECT_EQ(seen(*sphere.relief), 96);
 }
 
-/// What facesThroughout promises: within the radius no place of P turns the other way.
+/// Checks facesThroughout: within the radius no point of P faces the other way.
 void expectPromisesKept(const SceneObject& object, int leastPromises, int leastTurning) {
     const Relief& relief = *object.relief;
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
@@ -220,8 +221,8 @@ void expectPromisesKept(const SceneObject& object, int leastPromises, int leastT
     EXPECT_GT(turning, leastTurning);
 }
 
-// A flat base at 75 degrees to what the axis is square to: a radius of P reaches over four times as many
-// texels as along the base.
+// A flat base inclined by 75 degrees to the plane orthogonal to the axis: a radius on P covers four times as
+// many texels as along the base.
 TEST(AlongAxis, FacingEverywhere_IsFacing) {
     expectPromisesKept(quadric(0.1, 1.4, 0.25), 1000, 400);
     SceneObject leaning = quadric(0, 0, 0.25);

@@ -1,4 +1,4 @@
-// Closed displaced surfaces, and rays aimed where they are most likely to slip through.
+// Closed displaced surfaces, and rays aimed where leaks are most likely.
 #pragma once
 
 #include "reference/tessellate/tessellate.h"
@@ -17,7 +17,8 @@
 
 namespace plumbline {
 
-/// Twenty triangles, vertices 1.9 from the center, every triangle with uvs of its own: torn at all edges.
+/// Twenty triangles with vertices at distance 1.9 from the center; every triangle has its own uvs, so all
+/// edges are torn.
 inline ControlMesh tornIcosahedron() {
     ControlMesh mesh;
     mesh.name = "icosahedron";
@@ -35,10 +36,10 @@ inline ControlMesh tornIcosahedron() {
     return mesh;
 }
 
-/// A closed surface as micro-triangles, with what is needed to aim at it.
+/// A closed surface as micro-triangles, with data for aiming rays at it.
 class LeakTarget {
   public:
-    /// Spherical ones enclose their center; a torus encloses the circle of radius 1 it is bent along.
+    /// The interior: spherical surfaces contain their center, a torus contains its center circle of radius 1.
     enum class Inside { Center, Circle };
 
     LeakTarget(const ControlMesh& mesh, Scheme scheme, Inside inside, int rate, double scale)
@@ -58,7 +59,7 @@ class LeakTarget {
 
     struct Aim {
         Vec3f place;                     // on a micro-edge, at a micro-vertex or inside a micro-triangle
-        bool outer = true, inner = true; // every facet there shows the origin this side, and not edge on
+        bool outer = true, inner = true; // all facets there face the origin with this side, and not edge-on
     };
     Aim atTriangle(std::mt19937& random, const Vec3& origin) const {
         const std::array<size_t, 3>& triangle = pickTriangle(random);
@@ -102,17 +103,18 @@ class LeakTarget {
         return triangles_[std::uniform_int_distribution<size_t>(0, triangles_.size() - 1)(random)];
     }
 
-    /// `corners` of the triangle count: their fans hold every facet at the place, and some beside.
+    /// Only the first `corners` of the triangle are used: their fans contain every facet at the place, and
+    /// some adjacent ones.
     Aim aim(const Vec3& place, const std::array<size_t, 3>& triangle, size_t corners,
             const Vec3& origin) const {
-        constexpr double kLeastCosine = 0.1; // 84 degrees: what a ray that turns by rounding can't undo
+        constexpr double kMinCosine = 0.1; // 84 degrees, so that a rounded ray can't change the sign
         const Vec3 direction = glm::normalize(place - origin);
         Aim result{place};
         for (size_t k = 0; k < corners; ++k)
             for (const Vec3& normal : fans_[triangle[k]]) {
                 const double cosine = glm::dot(normal, direction);
-                result.outer = result.outer && cosine < -kLeastCosine;
-                result.inner = result.inner && cosine > kLeastCosine;
+                result.outer = result.outer && cosine < -kMinCosine;
+                result.inner = result.inner && cosine > kMinCosine;
             }
         return result;
     }
@@ -148,7 +150,7 @@ class LeakTarget {
     double scale_;
     std::vector<Vec3f> places_;
     std::vector<std::array<size_t, 3>> triangles_; // into places_
-    std::vector<std::vector<Vec3>> fans_;          // per place: unit normals of the facets around it
+    std::vector<std::vector<Vec3>> fans_;          // per place: unit normals of the incident facets
 };
 
 inline std::vector<LeakTarget> leakTargets(double scale) {

@@ -1,5 +1,5 @@
-// No ray gets through a closed surface, wherever it is aimed; and what closes it leaves outlines where they
-// are.
+// No ray passes through a closed surface, wherever it is aimed, and the retracing that ensures this doesn't
+// move silhouettes.
 #include "reference/trace/embree.h"
 #include "reference/trace/resolve_hit.h"
 #include "tests/reference/test_scenes.h"
@@ -14,7 +14,7 @@
 namespace plumbline {
 namespace {
 
-// Rays of the ordinary test; the slow one (CMakeLists.txt) asks for more.
+// Rays of the regular test; the slow test (CMakeLists.txt) uses more.
 constexpr uint64_t kRays = 1'000'000;
 uint64_t rayCount() {
     const char* asked = std::getenv("PLUMBLINE_LEAK_RAYS");
@@ -37,8 +37,7 @@ using CountsByAim = std::array<Counts, 3>;
 
 struct AimedRay {
     Vec3f origin, direction;
-    double distance; // it must meet something by then: the place aimed at, or, where that is seen edge on,
-                     // anything
+    double distance; // within which it must hit: the place aimed at or, if that is seen edge-on, anything
     bool fromOutside;
 };
 
@@ -49,24 +48,25 @@ AimedRay aimedRay(const LeakTarget& target, AimKind kind, bool fromOutside, std:
         const LeakTarget::Aim aim = kind == Random ? target.atTriangle(random, origin)
                                     : kind == Edge ? target.atEdge(random, origin)
                                                    : target.atVertex(random, origin);
-        if (fromOutside && !aim.outer) continue; // on an outline it may pass, to the far side or for ever
+        if (fromOutside && !aim.outer)
+            continue; // at a silhouette it may pass and hit the far side or nothing
         const Vec3 toward = Vec3(aim.place) - Vec3(origin);
         const double distance = fromOutside || aim.inner ? glm::length(toward) : kInfinity;
         return {origin, glm::normalize(toward), distance, fromOutside};
     }
 }
 
-// A ray in float meets the place it is aimed at to 2^-24 of the distance (up to 16 radii here), ten times
-// that where the facet is seen as obliquely as LeakTarget allows; rays beside it are 2^-20 away.
+// A float ray hits the place it is aimed at to within 2^-24 of the distance (up to 16 radii here), ten times
+// that for the most oblique facets that LeakTarget allows; offset rays are 2^-20 away.
 constexpr double kDistanceTolerance = 2e-4; // of the surface's radius
 
-/// A camera ray leaks that meets nothing at the place aimed at or before it, or meets it, from outside, on
+/// A camera ray leaks if it has no hit at or before the place aimed at, or if it comes from outside and hits
 /// the inner side.
 bool cameraLeaks(const LeakTarget& target, const EmbreeScene& embree, const AimedRay& ray) {
     const auto hit = embree.intersect(ray.origin, ray.direction);
     if (!hit) return true;
-    // From inside anything will do: what leaves through the inner rim of a torus meets it again across the
-    // hole.
+    // From inside any hit is valid: a ray that leaves through the inner side of a torus hits it again across
+    // the hole.
     if (!ray.fromOutside) return false;
     const MicroMesh& mesh = target.meshes[0];
     const Ray exact{ray.origin, glm::normalize(Vec3(ray.direction))};
@@ -120,7 +120,7 @@ TEST(Leaks, ClosedSurface_LetsNoRayThrough) {
                 EXPECT_EQ(counts[k].occlusion[1], 0u) << "scale " << scale << ", " << kAimNames[k];
                 total[k] = total[k] + counts[k];
             }
-            // The test can fail: on this very surface, at this scale, Embree alone does.
+            // The test can fail: with Embree alone, rays leak on this surface at this scale.
             EXPECT_GT(counts[Vertex].camera[0], 0u) << scale;
             EXPECT_GT(counts[Vertex].occlusion[0], 0u) << scale;
         }
@@ -140,8 +140,8 @@ std::vector<MicroMesh> squareMeshes() {
     return meshes;
 }
 
-// Rays straight down just past its rim pass it, however near: within a few floats of it, within
-// the distance to the rays beside (2^-20 of 5 is 2^-18), and further away.
+// Rays straight down just outside its boundary must miss, however close: within a few floats of it, within
+// the offset of retraced rays (2^-20 of 5 is 2^-18), and farther away.
 TEST(Leaks, LeakClosing_KeepsSilhouette) {
     const std::vector<MicroMesh> meshes = squareMeshes();
     const EmbreeScene embree(meshes);
@@ -159,8 +159,8 @@ TEST(Leaks, LeakClosing_KeepsSilhouette) {
         }
 }
 
-// A ray at 45 degrees to the square, which it meets at distance 5 sqrt 2. A light a hair before it isn't
-// occluded.
+// A ray at 45 degrees to the square, which it hits at the distance 5 sqrt 2. A light just in front of it
+// isn't occluded.
 TEST(Leaks, LightBeforeSurface_IsNotOccluded) {
     const std::vector<MicroMesh> meshes = squareMeshes();
     const EmbreeScene embree(meshes);
@@ -171,7 +171,7 @@ TEST(Leaks, LightBeforeSurface_IsNotOccluded) {
     const double distance = 5 * std::sqrt(2.0);
     for (int k = 0; k < 10000; ++k) {
         const Vec3f origin(place(random) - 5, place(random), 5);
-        // 2^-22 of the distance: a few of its last bits, and well below the distance to the rays beside.
+        // 2^-22 of the distance: a few of its last bits, and well below the offset of retraced rays.
         EXPECT_FALSE(embree.occluded(origin, slanted, static_cast<float>(distance * (1 - 0x1p-22)))) << k;
         EXPECT_TRUE(embree.occluded(origin, slanted, static_cast<float>(distance * (1 + 0x1p-22)))) << k;
     }

@@ -1,5 +1,5 @@
-// The frame's normals and positions on round shapes: against differences of the surface's own definition, and
-// against closed forms.
+// Compares the frame's normals and positions on curved shapes with finite differences of the surface's
+// definition and with closed forms.
 #include "reference/reference.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/displaced_surface.h"
@@ -68,7 +68,7 @@ std::vector<PixelSample> coveredPixels(const Frame& frame) {
     return samples;
 }
 
-/// Finds the (u,v) behind a pixel from its st and position, and differences P there.
+/// Finds the (u,v) of a pixel from its st and position, and computes finite differences of P there.
 class SurfaceDifferences {
   public:
     explicit SurfaceDifferences(const SceneObject& object)
@@ -84,10 +84,10 @@ class SurfaceDifferences {
     }
 
     /// Unit P_u x P_v by central differences; none where they would cross a patch's border or a crease
-    /// between texels, or where the surface has no tangent plane to speak of.
+    /// between texels, or where the tangent plane is undefined.
     std::optional<Vec3> normalAt(const PixelSample& pixel) {
-        // Steps in (u,v), and margins: to a patch's border, to creases in texels. Patches are some 0.2 wide
-        // with 10 texels or less.
+        // Step in (u,v), and margins to a patch's border and, in texels, to creases. Patches are about 0.2
+        // wide with at most 10 texels.
         constexpr double kStep = 1e-5, kPatchMargin = 1e-3, kCreaseMarginTexels = 0.02;
         const Vec2 texel = pixel.st * 16.0 - 0.5;
         const Vec2 toCrease = glm::abs(texel - glm::round(texel));
@@ -113,8 +113,8 @@ class SurfaceDifferences {
         return base.position + base.normal * displacement(textureCoordinates(base, &relief_), &relief_);
     }
 
-    /// The (u,v) with the pixel's st, of the patch that is nearest to its position there; leaves that patch
-    /// set.
+    /// The (u,v) with the pixel's st in the patch that is nearest to its position; sets the evaluator to that
+    /// patch.
     std::optional<Vec2> placeOf(const PixelSample& pixel) {
         const Vec2 uv = (pixel.st - relief_.uvOffset) / relief_.tile;
         int nearest = -1;
@@ -138,11 +138,12 @@ class SurfaceDifferences {
     const Relief& relief_;
     std::unique_ptr<BaseSurface> surface_;
     BaseSurface::Evaluator evaluator_;
-    std::vector<Chart> charts_; // of the patches on which uv is affine: all but those at poles
+    std::vector<Chart> charts_; // of the patches on which uv is affine: all except those at poles
 };
 
-// st is float, good to 2^-22 for coordinates up to 8, so 4e-6 of a texel; a relief that turns by a radian or
-// two within a texel turns by a few 1e-6 over that. Micro-triangles are off by several 1e-2.
+// st is a float, accurate to 2^-22 for coordinates up to 8, that is, 4e-6 of a texel. A relief whose normal
+// rotates by one or two radians per texel rotates by a few 1e-6 over that. Facet normals of micro-triangles
+// deviate by several 1e-2.
 constexpr double kSameNormal = 5e-5;
 
 void expectNormalsOfP(const SceneObject& object, const Vec3& cameraPosition, double viewHeight, int rate) {
@@ -177,14 +178,15 @@ TEST(Normals, Teapot_NormalsAreThoseOfP) {
     expectNormalsOfP(teapot, {1, 2, 4}, 6, 32);
 }
 
-/// How far the pixels of a torus or sphere at constant depth are from the exact ones, for the cage's shape
-/// doesn't allow more.
+/// Deviation of the pixels of a torus or sphere at constant depth from the ideal shape, which is limited by
+/// the control mesh.
 struct Deviation {
     double position = 0, normal = 0;
 };
 
 Deviation torusDeviation(int segments) {
-    // Depth 0.1 * 1/2 off a tube of 0.4 around a circle of radius 1 about y: a tube of 0.35.
+    // A depth of 0.1 * 1/2 below a tube of radius 0.4 around a circle of radius 1 gives a tube of radius
+    // 0.35.
     const Scene scene =
         sceneOf(objectOf(makeTorus(1, 0.4, segments, segments), constantRelief(0.1)), {1, 3, 2}, 3);
     Deviation worst;
@@ -208,21 +210,22 @@ Deviation sphereDeviation(int segments) {
     return worst;
 }
 
-// The limit surface of a torus' cage is off by 0.12 % of each of its two radii, 1.4 and 0.4, at 8 segments,
-// and by nearly the fourth power less at 16 (13.6, not yet 16); its normals, a derivative, by the third.
+// With 8 segments, the limit surface of a torus deviates by 0.12 % of each of its two radii, 1.4 and 0.4;
+// with 16 segments by a factor of 13.6 less, close to the asymptotic fourth power. Its normals, as a
+// derivative, converge with the third power.
 TEST(Normals, TorusAtConstantDepth_HasTorusNormals) {
     const Deviation coarse = torusDeviation(8), fine = torusDeviation(16);
     std::printf("torus: off by %.2e at 8 segments, %.2e at 16; normals by %.2e, %.2e\n", coarse.position,
                 fine.position, coarse.normal, fine.normal);
     EXPECT_LT(coarse.position, 0.0012 * (1.4 + 0.4));
     EXPECT_LT(fine.position, coarse.position / 12);
-    EXPECT_LT(coarse.normal, 0.012); // 0.12 % over a segment of 1.4 * 2 pi / 8, there and back
+    EXPECT_LT(coarse.normal, 0.012); // 0.12 % over a segment of 1.4 * 2 pi / 8, up and down
     EXPECT_LT(fine.normal, coarse.normal / 7);
 }
 
-// The sphere's is off by 0.24 % at 4 segments a cube edge, most near the cube's corners, where it falls with
-// the second power in the end (2.8 from 4 to 8, 3.6 from 8 to 16) and normals, a derivative, with the first:
-// 0.02, 0.019, 0.012, 0.007 at 4, 8, 16, 32.
+// The sphere deviates by 0.24 % with 4 segments per cube edge, most near the cube's corners, where the
+// deviation decreases asymptotically with the second power (2.8 from 4 to 8, 3.6 from 8 to 16) and that of
+// normals with the first: 0.02, 0.019, 0.012, 0.007 at 4, 8, 16, 32.
 TEST(Normals, SphereAtConstantDepth_HasSphereNormals) {
     const Deviation coarse = sphereDeviation(4), middle = sphereDeviation(8), fine = sphereDeviation(16);
     std::printf("sphere: off by %.2e at 4 segments, %.2e at 8, %.2e at 16; normals by %.2e, %.2e, %.2e\n",
@@ -234,8 +237,9 @@ TEST(Normals, SphereAtConstantDepth_HasSphereNormals) {
     EXPECT_LT(fine.normal, middle.normal / 1.4);
 }
 
-// z = a x^2 + b y^2 is exact: with (x, y) = 2 uv - 1 and n along (-2 a x, -2 b y, 1), P = S - n / 20. What is
-// left is the micro-triangles' sag, (2 / 1024)^2 / 8 times a curvature of 1.2, and floats.
+// z = a x^2 + b y^2 is exact: with (x, y) = 2 uv - 1 and n along (-2 a x, -2 b y, 1), P = S - n / 20. The
+// remaining error is that of the micro-triangles, (2 / 1024)^2 / 8 times a curvature of 1.2, and float
+// rounding.
 TEST(Normals, QuadricAtConstantDepth_HasExactNormals) {
     const double a = 0.6, b = -0.3;
     const Scene scene = sceneOf(objectOf(makeQuadric(a, b, 1, 2), constantRelief(0.1)), {1, 2, 3}, 3);

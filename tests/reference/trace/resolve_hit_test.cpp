@@ -1,4 +1,4 @@
-// The hit in double against the plane it must lie on, also where the cell it was given is a neighbor's.
+// Checks that the recomputed hit lies on the expected plane, also if the given cell is a neighbor.
 #include "reference/trace/resolve_hit.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ TEST(ResolveHit, Hit_HasLatticePlaceAndDistance) {
 TEST(ResolveHit, NeighborCell_IsCorrected) {
     const MicroMesh mesh = tiltedGrid();
     const Ray ray{{2.0000001, 1.4, 10},
-                  {0, 0, -1}}; // in cell (2, 1), but named (1, 1), as float u at a border may
+                  {0, 0, -1}}; // in cell (2, 1), but given as (1, 1), as may happen for float u at a border
     const ResolvedHit hit = resolveHit(mesh, mesh.grids[0], 1.9999f / 4, 1.4f / 3, 9, ray);
     EXPECT_NEAR(64 * hit.uv.x, 34.0000001, 1e-12);
     EXPECT_NEAR(64 * hit.uv.y, 17.4, 1e-12);
@@ -44,7 +44,8 @@ TEST(ResolveHit, NeighborCell_IsCorrected) {
 
 TEST(ResolveHit, TwoSheets_KeepsEmbreesHit) {
     // A grid folded back over itself: columns 0 1 2 lie at x = 0, 1, 0.2 and z = 0, 0, 1. A ray down at x =
-    // 0.5 meets the upper sheet (cell 1) first. Embree names the border between both; its distance decides.
+    // 0.5 hits the upper sheet (cell 1) first. Embree returns the border between both; its distance
+    // determines the sheet.
     MicroMesh mesh;
     for (const float y : {0.0f, 1.0f})
         for (const Vec2f& xz : {Vec2f(0, 0), Vec2f(1, 0), Vec2f(0.2f, 1)})
@@ -53,7 +54,7 @@ TEST(ResolveHit, TwoSheets_KeepsEmbreesHit) {
     mesh.grids.push_back({0, 0, 3, 2, 0, 0, 0, false});
     const Ray ray{{0.5, 0.25, 5}, {0, 0, -1}};
     const double upperZ = (1 - 0.5) / 0.8;
-    // Named: the lower triangle's far half, which the ray misses.
+    // The given (u, v) is in the lower triangle's far half, which the ray misses.
     const ResolvedHit upper = resolveHit(mesh, mesh.grids[0], 0.49f, 0.9f, float(5 - upperZ), ray);
     EXPECT_NEAR(upper.distance, 5 - upperZ, 1e-7); // 0.2f isn't 0.2
     const ResolvedHit lower = resolveHit(mesh, mesh.grids[0], 0.49f, 0.9f, 5, ray);
@@ -62,8 +63,8 @@ TEST(ResolveHit, TwoSheets_KeepsEmbreesHit) {
 
 TEST(ResolveHit, RoundingMiss_IsPreferredToFarHit) {
     // A sheet at z = 0 from x = 0.2 to 1, folded back under itself down to z = -1 at x = 0. A ray down at x =
-    // 0.2 - 1e-9 passes the upper sheet by less than Embree's rounding, and Embree says it met it; in double
-    // it meets the lower one at z = -0.8.
+    // 0.2 - 1e-9 misses the upper sheet by less than Embree's rounding error, and Embree reports a hit; in
+    // double it hits the lower one at z = -0.8.
     MicroMesh mesh;
     for (const float y : {0.0f, 1.0f})
         for (const Vec2f& xz : {Vec2f(0.2f, 0), Vec2f(1, 0), Vec2f(0, -1)})

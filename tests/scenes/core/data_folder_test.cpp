@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder with what a data folder must have.
+/// A valid data folder.
 fs::path makeData(const fs::path& folder) {
     for (const char* subfolder : {"scenes", "realtime", "validate"})
         fs::create_directories(folder / subfolder);
@@ -21,7 +21,7 @@ TEST(DataFolder, SearchOrder_IsEnvironmentInstallationSource) {
     const fs::path named = makeData(folder / "named"), source = makeData(folder / "source"),
                    bin = folder / "prefix/bin";
     EXPECT_EQ(chooseDataFolder(nullptr, bin, source), source);
-    EXPECT_EQ(chooseDataFolder(nullptr, {}, source), source); // /proc can't tell where the program is
+    EXPECT_EQ(chooseDataFolder(nullptr, {}, source), source); // /proc can't be read
     const fs::path installed = makeData(folder / "prefix/share/plumbline");
     EXPECT_EQ(chooseDataFolder(nullptr, bin, source), installed);
     EXPECT_EQ(chooseDataFolder("", bin, source), installed);

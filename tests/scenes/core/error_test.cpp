@@ -33,7 +33,7 @@ TEST(Error, Typo_FindsNearestName) {
     EXPECT_EQ(didYouMean("x", names), "");
     EXPECT_EQ(didYouMean("", names), "");
     EXPECT_EQ(didYouMean("torus", {}), "");
-    EXPECT_EQ(didYouMean(std::string(1 << 20, 'a'), names), ""); // no quadratic search through rubbish
+    EXPECT_EQ(didYouMean(std::string(1 << 20, 'a'), names), ""); // no quadratic search for a huge name
 }
 
 TEST(Error, SeveralNames_AreListed) {
@@ -71,7 +71,7 @@ TEST(ReplaceFile, FoldersAndDevices_AreRefused) {
 
 TEST(ReplaceFile, FullDisk_LeavesNothing) {
     const TemporaryFolder folder;
-    // A limit on the size of files stands for a full disk: write() fails half-way.
+    // A file size limit simulates a full disk: write() fails halfway.
     rlimit old{};
     getrlimit(RLIMIT_FSIZE, &old);
     std::signal(SIGXFSZ, SIG_IGN);

@@ -1,4 +1,4 @@
-// Scenes drafted for meshes nobody has looked at: what they show, and that their files say so.
+// Scenes drafted for unknown meshes: framing, lighting, and the written scene files.
 #include "scenes/draft/scene_text.h"
 #include "scenes/mesh/obj_file.h"
 #include "scenes/mesh/shapes/shapes.h"
@@ -24,7 +24,7 @@ HeightMap halfDeep(int width = 64, int height = 64, Wrap wrapS = Wrap::Repeat) {
     return HeightMap("half", width, height, std::move(depths), wrapS, Wrap::Repeat);
 }
 
-/// Every point through `move`.
+/// Applies `move` to every point.
 template <class Move>
 ControlMesh moved(ControlMesh mesh, const Move& move) {
     for (Vec3& point : mesh.points)
@@ -97,8 +97,8 @@ class DraftsOfShapes : public Drafts, public testing::WithParamInterface<Shape> 
 INSTANTIATE_TEST_SUITE_P(All, DraftsOfShapes, testing::ValuesIn(shapes()),
                          [](const auto& shape) { return shape.param.name; });
 
-/// The displaced surface of the scene's one object, 8 x 8 places a patch, with a relief that is `d` deep all
-/// over.
+/// Samples of the displaced surface of the scene's object, 8 x 8 per patch, for a relief of constant depth
+/// `d`.
 std::vector<DisplacedSample> surfaceAt(const SceneObject& object, float d) {
     const std::unique_ptr<BaseSurface> surface = makeBaseSurface(object);
     Relief relief = *object.relief;
@@ -115,7 +115,7 @@ std::vector<DisplacedSample> surfaceAt(const SceneObject& object, float d) {
 
 TEST_P(DraftsOfShapes, EveryShape_IsFramedAndLit) {
     const Scene scene = draftAndRead(GetParam().mesh);
-    Bounds seen; // as shares of the picture
+    Bounds seen; // as fractions of the image
     double lit = 0, facing = 0;
     for (const float d : {0.0f, 1.0f})
         for (const DisplacedSample& sample : surfaceAt(scene.objects[0], d)) {
@@ -127,11 +127,11 @@ TEST_P(DraftsOfShapes, EveryShape_IsFramedAndLit) {
             facing += glm::dot(sample.normal, toCamera);
             lit += std::max(0.0, glm::dot(sample.normal, scene.lights[0].toLightWorld));
         }
-    // 7 % are to be free; places are rounded by up to a quarter of a pixel, and curves bulge between the
-    // places looked at.
+    // The margin is 7 %; positions are rounded by up to a quarter of a pixel, and curves bulge between the
+    // samples.
     EXPECT_GT(std::min(seen.low.x, seen.low.y), 0.065);
     EXPECT_LT(std::max(seen.high.x, seen.high.y), 0.935);
-    // The nearest camera that does it: along one axis both margins are reached.
+    // The camera is as near as possible, so both margins are reached along one axis.
     const double slackX = std::max(seen.low.x - 0.07, 0.93 - seen.high.x),
                  slackY = std::max(seen.low.y - 0.07, 0.93 - seen.high.y);
     EXPECT_LT(std::min(slackX, slackY), 0.01);
@@ -164,29 +164,29 @@ TEST_F(Drafts, TallMesh_GetsTallImage) {
     EXPECT_EQ(Vec2i(torus.width, torus.height), Vec2i(800, 600));
 }
 
-// A plane of 2 x 2 with uvs over the unit square: a unit of u is 2. Its diagonal is 2.83, a third of it
-// 0.943: the side of a square map, 2.12 of which go into 2. One of 256 x 64 texels is 2 times as wide and
-// half as high: 1.06 and 4.24.
+// A plane of 2 x 2 with uvs over the unit square: a unit of u is 2. Its diagonal is 2.83, and a third of it,
+// 0.943, is the side of a square map, which fits 2.12 times into 2. A map of 256 x 64 texels is twice as wide
+// and half as high: 1.06 and 4.24.
 TEST_F(Drafts, Tile_MakesTexelsSquare) {
     const ControlMesh plane = makePlane(2, 2, 1, 1);
     EXPECT_EQ(draftScene(plane, halfDeep(), {}).tile, Vec2(2, 2));
     EXPECT_EQ(draftScene(plane, halfDeep(256, 64), {}).tile, Vec2(1, 4));
     EXPECT_EQ(draftScene(plane, halfDeep(256, 64, Wrap::Clamp), {}).tile, Vec2(1, 4));
     EXPECT_EQ(draftScene(plane, halfDeep(16, 64, Wrap::Clamp), {}).tile, Vec2(1, 1));
-    // A map of more texels than the picture has pixels isn't made smaller still.
+    // A map with more texels than the image has pixels isn't repeated.
     EXPECT_EQ(draftScene(plane, halfDeep(2048, 2048), {}).tile, Vec2(1, 1));
     ControlMesh repeating = plane;
     for (Vec2& uv : repeating.uvs)
         uv *= 4.0;
-    EXPECT_EQ(draftScene(repeating, halfDeep(), {}).tile, Vec2(1, 1)); // as its author meant it
+    EXPECT_EQ(draftScene(repeating, halfDeep(), {}).tile, Vec2(1, 1)); // the author's repetition is kept
 }
 
 TEST_F(Drafts, Depth_IsBelowTightRadius) {
     // 4 % of half the diagonal of a cube of 2: 0.04 * 1.732 = 0.069, far less than half its radius of
     // curvature.
     EXPECT_EQ(draftScene(makeSphere(1, 4), halfDeep(), {}).depth, 0.069);
-    // A thin ring: 4 % would be 0.059, half of its tube's radius is 0.025 (that of a cage of 12 bends between
-    // 0.047 and 0.05).
+    // A thin ring: 4 % would be 0.059, half of its tube's radius is 0.025 (with 12 segments, the radius of
+    // curvature varies between 0.047 and 0.05).
     EXPECT_NEAR(draftScene(makeTorus(1, 0.05, 64, 12), halfDeep(), {}).depth, 0.024, 0.0011);
 }
 

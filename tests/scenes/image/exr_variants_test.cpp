@@ -1,6 +1,5 @@
 // EXR files as other programs write them: several parts, ripmaps, subsampled channels, deep pixels,
-// environment maps, stereo pictures, and headers that claim what can't be. Each is read or refused with a
-// reason.
+// environment maps, stereo images, and invalid headers. Each is read or rejected with a reason.
 #include "scenes/image/exr_file.h"
 #include "tests/errors.h"
 #include "tests/files.h"
@@ -42,7 +41,7 @@ std::string errorOf(const std::filesystem::path& file) {
     return inputErrorOf([&] { readAll(file); });
 }
 
-/// A part with one channel all of whose pixels are `value`.
+/// A part with one channel of the constant `value`.
 struct Part {
     std::string name, channel;
     float value;
@@ -194,7 +193,7 @@ TEST(ExrVariants, SubsampledChannel_IsRefusedOnlyIfRequested) {
     EXPECT_THAT(errorOf(folder / "a.exr"), HasSubstr("channel 'BY' is subsampled"));
 }
 
-/// Inserts an attribute of `size` bytes, as claimed, in front of all others.
+/// Inserts an attribute with a claimed size of `size` bytes before all others.
 std::string withAttribute(std::string bytes, int32_t size) {
     std::string attribute("aaa\0string\0", 11);
     attribute.append(reinterpret_cast<const char*>(&size), 4);
@@ -206,8 +205,7 @@ TEST(ExrVariants, GigabyteHeader_IsRefusedBeforeAllocation) {
     writeChanged(folder / "a.exr", [](Imf::Header&) {});
     const std::string bytes = readFile(folder / "a.exr");
     for (const int32_t size : {2147483647, 17 << 20}) {
-        // A file that really is so long, without taking room on the disk: the claim can't be told by the
-        // size.
+        // A sparse file of that length, so that the file's size doesn't reveal the false claim.
         writeFile(folder / "b.exr", withAttribute(bytes, size));
         std::filesystem::resize_file(folder / "b.exr", uint64_t(4) << 30);
         rusage before{}, after{};
@@ -220,7 +218,7 @@ TEST(ExrVariants, GigabyteHeader_IsRefusedBeforeAllocation) {
     EXPECT_THAT(errorOf(folder / "b.exr"), HasSubstr("damaged header: attribute 'aaa'"));
 }
 
-/// A table of chunks is taken as it is claimed: 2^30 tiles of one pixel would be 8 GB of it.
+/// The library allocates the claimed chunk table: for 2^30 tiles of one pixel, 8 GB.
 TEST(ExrVariants, TooManyTiles_AreRefused) {
     const TemporaryFolder folder;
     const Imath::Box2i window({0, 0}, {4095, 4095});

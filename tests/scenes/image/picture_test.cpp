@@ -1,4 +1,4 @@
-// Pictures of every kind, written here with OpenImageIO as other programs write them.
+// Images of all formats, written with OpenImageIO.
 #include "scenes/frame/frame_exr.h"
 #include "scenes/image/image_file.h"
 #include "scenes/maps/map_file.h"
@@ -57,7 +57,7 @@ TEST(Picture, EightBits_AreNearestFloatOfVOver255) {
             ASSERT_EQ(image.height, 16);
             EXPECT_TRUE(image.integer);
             for (int v = 0; v < 256; ++v)
-                for (int c = 0; c < channels; ++c) // alpha varies too: colors must not be multiplied with it
+                for (int c = 0; c < channels; ++c) // alpha varies too; colors must not be premultiplied
                     ASSERT_EQ(image.at(v % 16, v / 16, c), static_cast<float>((v + 50 * c) % 256 / 255.0))
                         << name << " " << v << " channel " << c;
         }
@@ -200,13 +200,13 @@ TEST(Picture, Truncated_IsRefused) {
         for (size_t percent = 0; percent < 100; percent += 3) {
             writeFile(cut, whole.substr(0, whole.size() * percent / 100));
             const std::string message = inputErrorOf([&] { readImage(cut); });
-            // Found by us, before a library prints its own line about it; of the first bytes alone nobody can
-            // tell.
+            // Detected by our check before the library prints its own message; a file with only the first
+            // bytes can't be recognized.
             const bool ours = (cut.extension() == ".png" || cut.extension() == ".jpg") && percent > 0;
             EXPECT_TRUE(!ours || message.find("is truncated; expected") != std::string::npos)
                 << message << " cut to " << percent << " %";
         }
-        // The last bytes may be padding or a trailer that isn't needed, but nothing may crash.
+        // The last bytes may be padding or an optional trailer, but reading must not crash.
         for (size_t missing = 1; missing < 40; ++missing) {
             writeFile(cut, whole.substr(0, whole.size() - missing));
             worksOrIsRefused([&] { readImage(cut); });
@@ -273,7 +273,7 @@ TEST(HeightMapFile, Heights_BecomeDepthsWithRowsFlipped) {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", 2, 2, 1, std::vector<uint8_t>{0, 51, 102, 255}, OIIO::TypeDesc::UINT8);
     const HeightMap depth = readHeightMap(folder / "a.png", Stores::Depth);
-    EXPECT_THAT(depth.depths(), ElementsAre(0.4f, 1, 0, 0.2f)); // the picture's lower row first
+    EXPECT_THAT(depth.depths(), ElementsAre(0.4f, 1, 0, 0.2f)); // the image's lower row first
     EXPECT_EQ(depth.depth({0.25, 0.75}), 0);                    // its top left texel
     const HeightMap height = readHeightMap(folder / "a.png", Stores::Height, Wrap::Clamp, Wrap::Repeat);
     EXPECT_THAT(height.depths(), ElementsAre(0.6f, 0, 1, 0.8f));
@@ -330,7 +330,7 @@ TEST(HeightMapFile, PublicMaps_AreRead) {
     EXPECT_EQ(toys.width(), 256);
     const HeightMap bricks = readHeightMap(folder / "bricks2_disp.jpg", Stores::Depth);
     EXPECT_EQ(bricks.width(), 512);
-    EXPECT_THROW(readHeightMap(folder / "bricks2.jpg", Stores::Depth), InputError); // a color map by mistake
+    EXPECT_THROW(readHeightMap(folder / "bricks2.jpg", Stores::Depth), InputError); // a color map
     EXPECT_EQ(readColorMap(folder / "spot_texture.png").width, 1024);
 }
 

@@ -1,5 +1,4 @@
-// The generated height maps: seamless, full range, the same for a seed, formulas where there are any, every
-// error.
+// Generated height maps: seamlessness, full range, reproducibility, formulas and errors.
 #include "scenes/maps/generate_map.h"
 #include "scenes/maps/map_texels.h"
 #include "tests/errors.h"
@@ -36,7 +35,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, GeneratedMap, testing::ValuesIn(generatedMapKind
 
 TEST_P(GeneratedMap, EveryKind_IsSeamless) {
     // Steps between neighbors across the border are no larger than the largest inside, along rows and
-    // columns. The sizes include ones that no lattice of the maps divides.
+    // columns. The sizes include some that aren't divisible by the maps' lattices.
     for (const int size : {64, 100, 255, 256}) {
         const HeightMap map = generate(GetParam(), size);
         float inside[2] = {0, 0}, across[2] = {0, 0};
@@ -48,8 +47,8 @@ TEST_P(GeneratedMap, EveryKind_IsSeamless) {
                 right = std::max(right, std::abs(map.texel(i + 1, j) - here));
                 up = std::max(up, std::abs(map.texel(i, j + 1) - here));
             }
-        // Of a smooth map the largest step may be the one across; curvature makes it larger than the next by
-        // less than a texel's share, 5 % at these sizes.
+        // On a smooth map, the step across the border may be the largest. Curvature makes it larger than the
+        // next one by less than 5 % at these sizes.
         EXPECT_LE(across[0], 1.05f * inside[0] + 1e-6f) << size;
         EXPECT_LE(across[1], 1.05f * inside[1] + 1e-6f) << size;
     }
@@ -80,9 +79,9 @@ TEST_P(GeneratedMap, AnySizeFromOneTexel_IsGenerated) {
 }
 
 TEST_P(GeneratedMap, FixedSeed_HasKnownHash) {
-    // Not right or wrong by itself: scenes are compared between machines, so a map must not depend on
-    // compiler or C library (equal with g++ 12 at -O0 and -O3 -march=native, and with clang 14). Change a
-    // number only together with the formula it stands for.
+    // A regression test: results are compared between machines, so a map must not depend on the compiler or C
+    // library (verified with g++ 12 at -O0 and -O3 -march=native, and with clang 14). Change a number only
+    // together with its formula.
     const std::map<std::string, uint64_t> expected = {
         {"cobbles", 0x4c35798fe0134802u}, {"bricks", 0xd969e742cbc6e685u}, {"pyramids", 0x502fa2e95586c325u},
         {"pins", 0x3ee0ad6272787f65u},    {"fins", 0x78b0fd09825f8725u},   {"waves", 0xdba7d798f4ab11c8u},
@@ -99,7 +98,7 @@ TEST(GeneratedMapFormulas, Pyramids_FollowFormula) {
     EXPECT_FLOAT_EQ(map.texel(4, 3), 2 * 1.0 / 16);
     EXPECT_FLOAT_EQ(map.texel(0, 3), 2 * 7.0 / 16); // beside the foot
     EXPECT_FLOAT_EQ(map.texel(8 + 3, 16 + 6), 2 * 5.0 / 16);
-    // On the line through the tips of a cell depth is linear, also between texels.
+    // On the line through the center of a cell, depth is linear, also between texels.
     EXPECT_NEAR(map.depth({0.25 / 8, 3.5 / 64}), 0.5, 1e-6);
 }
 
@@ -121,8 +120,8 @@ TEST(GeneratedMapFormulas, Waves_FollowFormula) {
             0.5 - (0.25 * std::sin(2 * s + t) + 0.15 * std::sin(3 * t - s) + 0.1 * std::sin(4 * s - 3 * t));
         EXPECT_NEAR(map.texel(i, j), expected, 1e-7); // a float's rounding
     }
-    // With phases it is the same sum moved about: its mean and its mean square stay, 1/2 and 1/4 + sum of
-    // a^2/2.
+    // Phases only translate the terms of the sum, so the mean, 1/2, and the mean square, 1/4 + sum of a^2/2,
+    // don't change.
     const HeightMap moved = generate("waves", 32, 9);
     double mean = 0, square = 0;
     for (const float d : moved.depths()) {

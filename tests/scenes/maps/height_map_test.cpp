@@ -46,7 +46,7 @@ TEST(HeightMap, ClampBeyondBorder_HoldsBorder) {
     EXPECT_EQ(map.depth({1e300, 0.25}), 1);
     EXPECT_EQ(map.depth({kInfinity, -kInfinity}), 1);
     EXPECT_EQ(map.depth({-kInfinity, kInfinity}), 0.5);
-    EXPECT_EQ(map.sample({1.5, 0.25}).gradient, Vec2(0, 0.0 + (0.25 - 1) * 2)); // flat along s out there
+    EXPECT_EQ(map.sample({1.5, 0.25}).gradient, Vec2(0, 0.0 + (0.25 - 1) * 2)); // constant along s outside
 }
 
 TEST(HeightMap, MixedWrap_IsPerAxis) {
@@ -65,7 +65,7 @@ TEST(HeightMap, NonFiniteSt_GivesNan) {
 
 TEST(HeightMap, HugeSt_Repeats) {
     const HeightMap map = twoByTwo();
-    // Doubles from 2^52 on are whole numbers, so they look like s = 0.
+    // Doubles from 2^52 on are integers, which are equivalent to s = 0.
     EXPECT_EQ(map.depth({std::ldexp(1.0, 60), 0.25}), 0.5);
     EXPECT_EQ(map.depth({-1e300, 0.25}), 0.5);
     EXPECT_EQ(map.depth({std::ldexp(1.0, 40) + 0.25, 0.25}), 0);
@@ -83,7 +83,7 @@ TEST(HeightMap, OnCrease_GradientIsRightUpperPatchs) {
     EXPECT_EQ(ramp.sample({0.375, 0.5}).gradient, Vec2(0, 0)); // texel 1: flat to its right
     EXPECT_EQ(ramp.sample({0.625, 0.5}).gradient, Vec2(2, 0)); // texel 2: 0.5 a texel, 4 texels
     EXPECT_EQ(ramp.sample({0.375 - 1e-9, 0.5}).gradient, Vec2(2, 0));
-    // The double just below a crease at the first texel's center: clamped there, so flat.
+    // The double just below the crease at the first texel's center, where the map is clamped and constant.
     EXPECT_EQ(ramp.sample({std::nextafter(0.125, 0.0), 0.5}).gradient, Vec2(0, 0));
 }
 
@@ -116,8 +116,8 @@ TEST(HeightMap, InvalidDepths_AreRefused) {
     EXPECT_THROW(HeightMap("m", -1, -1, {0}), InputError);
 }
 
-/// The definition, term by term: sum over all texels of a tent around its center, with the map repeated
-/// thrice.
+/// The definition: the sum over all texels of a tent function around each center, with three repetitions of
+/// the map.
 double tentSum(const HeightMap& map, double s, double t) {
     double sum = 0;
     for (int j = -map.height(); j < 2 * map.height(); ++j)
@@ -151,7 +151,7 @@ RC_GTEST_PROP(HeightMapProperty, AnyPlace_GradientIsSlope, ()) {
     // Within a patch: between the centers of texels (i, j) and (i + 1, j + 1).
     const Vec2 st((*rc::gen::inRange(-10, 10) + 0.5 + *rc::gen::inRange(10, 90) / 100.0) / width,
                   (*rc::gen::inRange(-10, 10) + 0.5 + *rc::gen::inRange(10, 90) / 100.0) / height);
-    const double step = 1e-3; // bilinear: a central difference inside the patch has no error but rounding
+    const double step = 1e-3; // central differences inside a bilinear patch are exact up to rounding
     const Vec2 slope((map.depth(st + Vec2(step, 0)) - map.depth(st - Vec2(step, 0))) / (2 * step),
                      (map.depth(st + Vec2(0, step)) - map.depth(st - Vec2(0, step))) / (2 * step));
     RC_ASSERT(glm::length(slope - map.sample(st).gradient) < 1e-10);

@@ -1,4 +1,4 @@
-// Whatever mesh a user brings either has a surface that can be evaluated everywhere or is refused.
+// Every mesh either has a surface that can be evaluated everywhere or is rejected.
 #include "scenes/mesh/mesh_defects.h"
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/seams.h"
@@ -19,7 +19,7 @@ struct Surveyed {
     int samples = 0, shared = 0;
     int notFinite = 0; // positions or normals
     int notUnit = 0;   // normals
-    double gap = 0;    // largest distance between one place evaluated from two faces
+    double gap = 0;    // largest difference of a shared point evaluated from two faces
 };
 
 Surveyed survey(const BaseSurface& surface, int rate) {
@@ -86,7 +86,7 @@ TEST(AnyMesh, AnyCreaseSharpness_HasLimit) {
     for (const double sharpness : {0.3, 1.0, 2.7, 8.0, 9.9, 10.0, 1e6})
         for (ControlMesh mesh : {fanMesh(9), fanMesh(64), prismMesh(5), cubeMesh()}) {
             const int to =
-                mesh.faceVertices[1]; // a dart: a crease that ends inside, and another at a boundary or not
+                mesh.faceVertices[1]; // a dart (a crease that ends in the interior), and another crease
             mesh.tags.creases.push_back({mesh.faceVertices[0], to, sharpness});
             mesh.tags.creases.push_back({to, mesh.faceVertices[2], 0.5 * sharpness});
             mesh.tags.corners.push_back({mesh.faceVertices[2], 0.7 * sharpness});
@@ -97,7 +97,7 @@ TEST(AnyMesh, AnyCreaseSharpness_HasLimit) {
         }
 }
 
-TEST(AnyMesh, TwistedStrip_HasLimit) { // Moebius': it has but one side, so somewhere neighbors disagree
+TEST(AnyMesh, TwistedStrip_HasLimit) { // a Moebius strip: not orientable, so some adjacent faces disagree
     ControlMesh mesh;
     mesh.name = "strip";
     constexpr int kCount = 8;
@@ -142,8 +142,8 @@ TEST(AnyMesh, AboveOpenSubdivsLimits_IsRefused) {
 
 TEST(AnyMesh, LimitPatchesWithGaps_AreRefused) {
     // A tetrahedron (0 1 2 3) and a fin on its edge from 0 to 1. Vertices 2 and 3 have three triangles each,
-    // and OpenSubdiv 3.5 joins faces 1 and 2 over that edge, which for the others is a crease: 0.041 apart. A
-    // version that does better may pass.
+    // and OpenSubdiv 3.5 connects faces 1 and 2 across that edge, which is a crease for the other faces,
+    // leaving a gap of 0.041. A newer version may pass.
     ControlMesh mesh;
     mesh.name = "finned";
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, -1, -1}};
@@ -165,8 +165,8 @@ TEST(AnyMesh, LimitPatchesWithGaps_AreRefused) {
     EXPECT_LE(survey(BaseSurface(mesh, Scheme::None), 8).gap, 0);
 }
 
-/// Faces of 3 to 5 out of 4 to 9 vertices, at random: edges of many faces, flips, pinches, sheets; vertices
-/// sometimes in one place, sometimes huge; tags of random edges; uvs.
+/// Random faces with 3 to 5 of 4 to 9 vertices: edges with many faces, flipped faces, non-manifold vertices,
+/// double-sided sheets; sometimes coincident vertices or huge coordinates; random tags; uvs.
 ControlMesh randomMesh(std::mt19937& random, Scheme scheme) {
     const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     ControlMesh mesh;

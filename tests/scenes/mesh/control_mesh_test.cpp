@@ -80,10 +80,10 @@ TEST(SceneObject, RotateDegrees_AreAboutXThenYThenZ) {
     EXPECT_NEAR(moved.x, 12, 1e-14);
     EXPECT_NEAR(moved.y, 0, 1e-14);
     EXPECT_NEAR(moved.z, 0, 1e-14);
-    // (0,0,1): about x to (0,-1,0), which turning about y leaves; normals stay unit.
+    // (0,0,1): about x to (0,-1,0), which the rotation about y doesn't change; normals stay unit.
     EXPECT_NEAR(object.meshWorld().normals[0].y, -1, 1e-15);
 
-    object.rotateDegrees = {0, 90, 90}; // (1,0,0) about y to (0,0,-1), which turning about z leaves
+    object.rotateDegrees = {0, 90, 90}; // (1,0,0) about y to (0,0,-1), unchanged by the rotation about z
     EXPECT_NEAR(object.meshWorld().points[1].z, -2, 1e-14);
 
     object.rotateDegrees = {0, 0, 90}; // (1,0,0) about z to (0,1,0)

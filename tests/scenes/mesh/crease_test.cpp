@@ -1,4 +1,4 @@
-// Creases, corners and holes on the limit surface against closed forms, and against OpenSubdiv's own
+// Creases, corners and holes on the limit surface, compared with closed forms and with OpenSubdiv's
 // refinement.
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/topology.h"
@@ -42,13 +42,13 @@ TEST(Crease, InfinitelySharp_IsCubicBSpline) {
         EXPECT_LT(glm::length(evaluate(mesh, Scheme::CatmullClark, 7, t, 1).position - expected), 1e-14);
         EXPECT_LT(glm::length(evaluate(mesh, Scheme::CatmullClark, 12, t, 0).position - expected), 1e-14);
     }
-    // Each side has a normal of its own.
+    // The normals of the two sides differ.
     EXPECT_GT(glm::length(evaluate(mesh, Scheme::CatmullClark, 7, 0.5, 1).normal -
                           evaluate(mesh, Scheme::CatmullClark, 12, 0.5, 0).normal),
               0.1);
-    // Loop keeps the same curve: its crease rules are those of the cubic B-spline too (Hoppe et al. 1994).
-    // Triangles 14 and 15 are face 7: (8 9 15), (8 15 14); the edge of the second from corner 1 to 2 is the
-    // crease.
+    // Loop has the same curve, because its crease rules are also those of the cubic B-spline (Hoppe et al.
+    // 1994). Triangles 14 and 15 are face 7: (8 9 15), (8 15 14); the edge of the second from corner 1 to 2
+    // is the crease.
     ControlMesh triangles = triangulated(mesh);
     triangles.tags = mesh.tags;
     const Vec3 middle = bSpline(p[13], p[14], p[15], p[16], 0.5);
@@ -114,8 +114,8 @@ struct RefinedPoint {
     void AddWithWeight(const RefinedPoint& other, double weight) { value += weight * other.value; }
 };
 
-/// Limits of the vertices after `level` uniform steps of OpenSubdiv's Far, which shares no code with Bfr's
-/// patches.
+/// Limits of the vertices after `level` uniform refinement steps of OpenSubdiv's Far, which is independent of
+/// Bfr's patches.
 std::vector<Vec3> refinedLimits(const ControlMesh& mesh, int level) {
     const auto refiner = makeTopology(mesh, Scheme::CatmullClark);
     Far::TopologyRefiner::UniformOptions options(level);
@@ -147,9 +147,9 @@ double distanceToNearest(const std::vector<Vec3>& sortedByZ, const Vec3& point) 
 }
 
 TEST(Crease, SemiSharp_EqualsRefinedMesh) {
-    // From the level at which all sharpness is used up, limits of refined vertices are exact: samples of ours
-    // at dyadic places are among them to rounding. 7.5 takes 8 levels; 9.5 isn't used up at 8: the vertices
-    // are off by the rest, below the mesh of that level (2 / 2^8 = 0.008).
+    // From the level at which the sharpness has decreased to 0, limits of refined vertices are exact and
+    // include our samples at dyadic points up to rounding. 7.5 takes 8 levels. 9.5 isn't 0 at level 8, so the
+    // vertices differ by less than the edge length of that level (2 / 2^8 = 0.008).
     const std::tuple<double, int, double> cases[] = {{0.5, 5, 2e-15}, {1, 5, 2e-15},   {2.5, 5, 2e-15},
                                                      {4, 5, 2e-15},   {7.5, 8, 2e-15}, {9.5, 8, 0.008}};
     for (const auto& [sharpness, level, bound] : cases) {
@@ -172,8 +172,8 @@ TEST(Crease, SemiSharp_EqualsRefinedMesh) {
 }
 
 TEST(Crease, RisingSharpness_MovesSurfaceMonotonically) {
-    // The rim of the top of a cube rises with its sharpness; smooth: 0.5 in z at a corner (Halstead et al.
-    // 1993).
+    // The edge loop around a cube's top rises with its sharpness. Smooth, a corner is at z = 0.5 (Halstead et
+    // al. 1993).
     double last = 0.5;
     for (const double sharpness : {0.5, 1.0, 2.0, 5.0, 10.0}) {
         ControlMesh mesh = cubeMesh();
@@ -183,7 +183,7 @@ TEST(Crease, RisingSharpness_MovesSurfaceMonotonically) {
         EXPECT_GT(z, last + 1e-3);
         last = z;
     }
-    EXPECT_NEAR(last, 1, 1e-15); // the rim's B-spline stays in the plane z = 1
+    EXPECT_NEAR(last, 1, 1e-15); // the crease's B-spline is in the plane z = 1
 }
 
 } // namespace

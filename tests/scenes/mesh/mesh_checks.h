@@ -1,4 +1,4 @@
-// Topology of a control mesh, worked out independently of the code that makes one.
+// Topology checks of control meshes, independent of the code that creates them.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -15,7 +15,7 @@ struct DirectedEdge {
     int face;
     int fromUv, toUv;
 };
-/// By (from, to) vertex; a mesh whose faces agree in orientation has each at most once.
+/// By (from, to) vertex; in a consistently oriented mesh each occurs at most once.
 inline std::multimap<std::pair<int, int>, DirectedEdge> directedEdges(const ControlMesh& mesh) {
     std::multimap<std::pair<int, int>, DirectedEdge> edges;
     size_t first = 0;
@@ -34,7 +34,7 @@ inline std::multimap<std::pair<int, int>, DirectedEdge> directedEdges(const Cont
 struct Topology {
     bool consistent = true; // no directed edge twice
     int vertices = 0, edges = 0, faces = 0, boundaryEdges = 0;
-    int seamEdges = 0; // inner edges whose two sides have uvs that differ by more than whole numbers
+    int seamEdges = 0; // inner edges whose uvs on the two sides differ by more than an integer
     int euler() const { return vertices - edges + faces; }
 };
 inline Topology topologyOf(const ControlMesh& mesh) {
@@ -42,7 +42,7 @@ inline Topology topologyOf(const ControlMesh& mesh) {
     Topology result;
     result.vertices = static_cast<int>(mesh.points.size());
     result.faces = mesh.faceCount();
-    // Along the whole edge, not at its ends alone: one whole number between the two sides.
+    // The same integer difference along the whole edge, not only at its ends.
     const auto differByWhole = [&](const DirectedEdge& edge, const DirectedEdge& twin) {
         const Vec2 from = mesh.uvs[size_t(edge.fromUv)] - mesh.uvs[size_t(twin.toUv)];
         const Vec2 to = mesh.uvs[size_t(edge.toUv)] - mesh.uvs[size_t(twin.fromUv)];
@@ -63,7 +63,7 @@ inline Topology topologyOf(const ControlMesh& mesh) {
     return result;
 }
 
-/// Signed volume of each connected part, every hole closed by a fan: positive where faces look outwards.
+/// Signed volumes of the connected components, with holes closed by fans; positive if faces point outwards.
 /// Sorted.
 inline std::vector<double> partVolumes(const ControlMesh& mesh) {
     std::vector<int> parent(mesh.points.size());
@@ -87,7 +87,7 @@ inline std::vector<double> partVolumes(const ControlMesh& mesh) {
             addTriangle(point(0), point(k), point(k + 1), root(mesh.faceVertices[first]));
         first += size_t(size);
     }
-    std::map<int, int> next; // along boundaries, against the faces
+    std::map<int, int> next; // along boundaries, opposite to the faces' direction
     for (const auto& [key, edge] : edges)
         if (!edges.count({key.second, key.first})) next[key.second] = key.first;
     std::set<int> done;

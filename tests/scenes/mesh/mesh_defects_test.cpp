@@ -29,7 +29,7 @@ void reverseFace(ControlMesh& mesh, int face) { // of a mesh of quads
     std::swap(mesh.faceVertices[size_t(4 * face + 1)], mesh.faceVertices[size_t(4 * face + 3)]);
 }
 
-/// `mesh` and, away from it, the same again.
+/// `mesh` with a translated and scaled copy.
 ControlMesh withSecondShell(ControlMesh mesh, const Vec3& offset, double scale) {
     const ControlMesh first = mesh;
     const int vertices = static_cast<int>(first.points.size());
@@ -49,7 +49,7 @@ TEST(MeshDefects, CleanMesh_HasNoWarning) {
 }
 
 TEST(MeshDefects, ThreeFacesOnAnEdge_Warns) {
-    ControlMesh mesh = bumpyGrid(5); // a fin on the edges from vertex 10 to 14 of it
+    ControlMesh mesh = bumpyGrid(5); // with a fin on its edges from vertex 10 to 14
     for (int i = 0; i < 5; ++i)
         mesh.points.push_back(Vec3(i, 3 + 0.1 * i, -2));
     for (int i = 0; i < 4; ++i)
@@ -59,11 +59,11 @@ TEST(MeshDefects, ThreeFacesOnAnEdge_Warns) {
     EXPECT_THAT(
         warningsOf(mesh),
         ElementsAre(
-            "grid:117: face 17 is one of 3 faces on the edge from vertex 11 to 12: no surface goes on "
+            "grid:117: face 17 is one of 3 faces on the edge from vertex 11 to 12: no surface continues "
             "there, the edge is made infinitely sharp (and 3 more)"));
     EXPECT_THAT(warningsOf(mesh, Scheme::None), ElementsAre(HasSubstr("normals are the mean of all")));
-    // What the line says: the limit curve is the cubic B-spline of its vertices, at one of them (a + 4 b + c)
-    // / 6.
+    // As the warning states, the edge is infinitely sharp: its limit curve is the cubic B-spline of the
+    // vertices, at a vertex (a + 4 b + c) / 6.
     const auto& p = mesh.points;
     const Vec3 onCrease = (p[11] + 4.0 * p[12] + p[13]) / 6.0;
     EXPECT_LT(glm::length(limitAt(mesh, 5, 1, 1) - onCrease), 1e-14);
@@ -100,14 +100,14 @@ TEST(MeshDefects, FacesWithoutArea_Warn) {
     mesh.points[1] = mesh.points[0];
     EXPECT_THAT(
         warningsOf(mesh),
-        ElementsAre("cube: face 1 has two vertices in one place: it is subdivided as if they were two (and 1 "
+        ElementsAre("cube: face 1 has coincident vertices: it is subdivided as if they were two (and 1 "
                     "more)"));
     mesh.points[5] = mesh.points[4]; // face 3 (0 1 5 4) is a line now; the other two still share the edges
     EXPECT_THAT(warningsOf(mesh), ElementsAre("cube: face 3 has no area: it still shapes the limit surface",
-                                              HasSubstr("face 1 has two vertices in one place")));
-    EXPECT_THAT(warningsOf(mesh, Scheme::None), ElementsAre("cube: face 3 has no area: nothing is seen of it",
+                                              HasSubstr("face 1 has coincident vertices")));
+    EXPECT_THAT(warningsOf(mesh, Scheme::None), ElementsAre("cube: face 3 has no area: it is invisible",
                                                             HasSubstr("normals vary abruptly there")));
-    // A face that crosses itself has area on both sides of the crossing, though its area vector is zero.
+    // A self-intersecting face has area on both sides of the intersection, although its area vector is zero.
     ControlMesh crossed;
     crossed.name = "crossed";
     crossed.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 0, 0}, {2, 1, 0}};
@@ -123,16 +123,16 @@ TEST(MeshDefects, InwardShells_Warn) {
     EXPECT_THAT(
         warningsOf(mesh),
         ElementsAre(
-            "cube: face 1 and the rest of its closed shell of 6 look inwards (volume -8): right for a "
-            "cavity, inside out otherwise; a relief goes the other way"));
-    for (Vec3& point : mesh.points) // where the shell stands makes no difference
+            "cube: face 1 and the rest of its closed shell of 6 point inwards (volume -8): right for a "
+            "cavity, inside out otherwise; its relief is displaced the opposite way"));
+    for (Vec3& point : mesh.points) // the shell's position has no effect
         point += Vec3(100, 0, 0);
     EXPECT_THAT(warningsOf(mesh), ElementsAre(HasSubstr("volume -8)")));
     ControlMesh two = withSecondShell(cubeMesh(), Vec3(0), 0.5);
     for (int face = 6; face < 12; ++face)
         reverseFace(two, face);
     EXPECT_THAT(warningsOf(two), ElementsAre(HasSubstr("face 7 and the rest of its closed shell of 6")));
-    mesh.faceSizes.pop_back(); // open: which side is out can't be said
+    mesh.faceSizes.pop_back(); // open, so the outside is undefined
     mesh.faceVertices.resize(20);
     EXPECT_THAT(warningsOf(mesh), IsEmpty());
 }
@@ -153,11 +153,11 @@ TEST(MeshDefects, UnusedVerticesAndTags_Warn) {
 
 TEST(MeshDefects, DuplicateFace_IsRefused) {
     ControlMesh mesh = cubeMesh();
-    addFace(mesh, {7, 6, 4, 5}); // face 2, begun elsewhere
+    addFace(mesh, {7, 6, 4, 5}); // face 2 with another first vertex
     EXPECT_EQ(inputErrorOf([&] { checkControlMesh(mesh, Scheme::None); }),
               "cube: face 7: has the same vertices as face 2; expected each face once");
     mesh = bumpyGrid(2);
-    addFace(mesh, {1, 0, 2, 3}); // its other side
+    addFace(mesh, {1, 0, 2, 3}); // the same face with opposite orientation
     EXPECT_THAT(warningsOf(mesh), IsEmpty());
 }
 
@@ -171,7 +171,8 @@ TEST(MeshDefects, ZeroNormals_AreRefusedUnderSchemeNone) {
 }
 
 TEST(LimitCheck, DoubletBesideSharpEdge_IsRefused) {
-    // A pillow: two squares back to back, so that every vertex has two faces alone. Fine by itself.
+    // A pillow: two coincident squares with opposite orientation, so that every vertex has only two faces.
+    // Valid by itself.
     ControlMesh pillow;
     pillow.name = "pillow";
     pillow.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
@@ -192,7 +193,7 @@ TEST(VertexNormals, CancelingNormals_FallBackToFaces) {
     ControlMesh sheet = bumpyGrid(2);
     for (Vec3& point : sheet.points)
         point.y = 0;
-    addFace(sheet, {2, 3, 1, 0}); // a sheet of two sides: at every vertex their normals cancel
+    addFace(sheet, {2, 3, 1, 0}); // a double-sided sheet, whose normals cancel at every vertex
     const BaseSurface surface(sheet, Scheme::None);
     BaseSurface::Evaluator evaluator(surface);
     evaluator.setPatch(0);

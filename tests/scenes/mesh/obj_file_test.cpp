@@ -22,7 +22,7 @@ ControlMesh readText(const std::string& text) {
     return readObj(folder / "a.obj");
 }
 
-/// The message without the folder in front.
+/// The error message without the folder prefix.
 std::string messageFor(const std::string& text) {
     const std::string message = inputErrorOf([&] { readText(text); });
     return message.substr(std::min(message.size(), message.find("a.obj")));
@@ -104,7 +104,7 @@ TEST(ObjFile, Faults_NameTheirLine) {
         {kSquare, "a.obj: has no face"},
         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no area"},
         {"", "a.obj: is empty"},
-        {std::string("v 0 0 0\n\0\1", 10), "a.obj:2: a byte that is no text"},
+        {std::string("v 0 0 0\n\0\1", 10), "a.obj:2: a byte that is not text"},
     };
     for (const auto& [text, message] : cases)
         EXPECT_THAT(messageFor(text), HasSubstr(message)) << text;
@@ -113,7 +113,7 @@ TEST(ObjFile, Faults_NameTheirLine) {
 }
 
 TEST(ObjFile, SubdivisionTags_AreKept) {
-    // Vertices and faces of `t` lines count from 0. Tags may stand before what they speak of.
+    // Vertices and faces of `t` lines count from 0. Tags may precede the elements that they refer to.
     const ControlMesh mesh =
         readText("t crease 2/1/0 0 1 2.5\n" + kSquare + "f 1 2 3 4\n" +
                  "t crease 3/2/0 1 2 3 1 +2e0\n"
@@ -138,7 +138,7 @@ TEST(ObjFile, SubdivisionTags_AreKept) {
     EXPECT_TRUE(mesh.tags.boundaryCornersRound);
     EXPECT_FALSE(mesh.boundaryFacesSupportOnly);
     ASSERT_EQ(mesh.warnings.size(), 1u);
-    EXPECT_THAT(mesh.warnings[0], HasSubstr("a.obj:12: facevaryinginterpolateboundary is left aside"));
+    EXPECT_THAT(mesh.warnings[0], HasSubstr("a.obj:12: facevaryinginterpolateboundary is ignored"));
     EXPECT_TRUE(readText(kSquare + "f 1 2 3 4\nt interpolateboundary 1/0/0 0\n").boundaryFacesSupportOnly);
     EXPECT_FALSE(readText(kSquare + "f 1 2 3 4\nt interpolateboundary 1/0/0 1\n").tags.boundaryCornersRound);
 }
@@ -209,8 +209,7 @@ TEST(ObjFile, TruncatedAnywhere_IsReadOrRefused) {
         const bool read = worksOrIsRefused([&] { readText(whole.substr(0, length)); });
         EXPECT_EQ(read, length >= whole.find("3/3/1") + 5 &&
                             (length <= whole.find("f -4") || length + 1 >= whole.size()))
-            << length; // only after a whole face, and not within the second one but for its last digit or
-                       // line end
+            << length; // only after a complete face, or within the second one's last digit or line ending
     }
 }
 

@@ -1,4 +1,4 @@
-// The built-in shapes: what their limit surfaces must be, in closed form; topology; every error.
+// Built-in shapes: limit surfaces in closed form, topology and errors.
 #include "scenes/mesh/shapes/limit_points.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/base_surface.h"
@@ -14,7 +14,7 @@
 namespace plumbline {
 namespace {
 
-/// Calls `visit` with samples of the limit surface: at the vertices alone (steps 1), or in between too.
+/// Calls `visit` with samples of the limit surface, only at the vertices (steps 1) or also in between.
 void forSamples(const ControlMesh& mesh, int steps, const std::function<void(const BasePoint&)>& visit,
                 Scheme scheme = Scheme::CatmullClark) {
     const BaseSurface surface(mesh, scheme);
@@ -40,7 +40,7 @@ double torusError(const BasePoint& p) { // of a torus with radii 1 and 0.4
 
 // Rounding: sums of about 16 products of coordinates near 1, in OpenSubdiv and in the shape.
 constexpr double kRounding = 1e-13;
-// What interpolateLimit promises, relative to sizes near 2 here.
+// The tolerance of interpolateLimit, for sizes of about 2.
 constexpr double kInterpolated = 5e-12;
 
 TEST(Shapes, Plane_IsRectangle) {
@@ -79,13 +79,14 @@ TEST(Shapes, Quadric_LimitIsExact) {
 TEST(Shapes, TorusVertices_LimitsLieOnTorus) {
     EXPECT_LT(worst(makeTorus(1, 0.4, 16, 8), 1, torusError), kRounding);
     EXPECT_LT(worst(makeTorus(1, 0.4, 3, 3), 1, torusError), kRounding);
-    // In between, the interpolation error of cubic splines is of fourth order, h^4 (1 + c h^2): twice the
-    // segments leave 1/16 of it, a little less at finite h; c h^2 is below 1/10 from 32 segments on.
+    // Between vertices, the interpolation error of cubic splines is of fourth order, h^4 (1 + c h^2):
+    // doubling the segments reduces it to 1/16, slightly less at finite h; c h^2 is below 1/10 from 32
+    // segments on.
     const double coarse = worst(makeTorus(1, 0.4, 32, 16), 4, torusError);
     const double fine = worst(makeTorus(1, 0.4, 64, 32), 4, torusError);
     EXPECT_NEAR(coarse / fine, 16, 1.6);
-    // The header's 0.12 % of the radius at 8 segments around, plus the 16 around the axis: 1/16 of 1.4, for
-    // what the inner and outer circles are to the tube's.
+    // 0.12 % of the radius at 8 segments (shapes.h), plus the error of the 16 segments around the axis, 1/16
+    // of that for the radius 1.4.
     EXPECT_LT(worst(makeTorus(1, 0.4, 16, 8), 8, torusError), 0.0015 * 0.4);
 }
 
@@ -100,8 +101,9 @@ TEST(Shapes, Torus_HasTopologyAndUvs) {
         const double angle = 2 * kPi * p.uv.x, tube = 2 * kPi * p.uv.y, distance = 1 + 0.4 * std::cos(tube);
         const Vec3 expected(distance * std::cos(angle), 0.4 * std::sin(tube), -distance * std::sin(angle));
         EXPECT_LT(glm::length(p.position - expected), kRounding);
-        // By symmetry the limit normal at a vertex lies in the half plane of the axis and points out of the
-        // tube, within the slope error of the spline (third order: 2 degrees at 8 segments are ample).
+        // By symmetry, the limit normal at a vertex lies in the half-plane of the axis and points out of the
+        // tube, up to the slope error of the spline (third order; 2 degrees at 8 segments is a generous
+        // bound).
         const Vec3 outward(std::cos(tube) * std::cos(angle), std::sin(tube),
                            -std::cos(tube) * std::sin(angle));
         EXPECT_GT(glm::dot(p.normal, outward), std::cos(radians(2.0)));
@@ -139,7 +141,7 @@ TEST(Shapes, SphereVertices_LimitsLieOnSphere) {
         EXPECT_EQ(topology.euler(), 2);
         EXPECT_EQ(topology.boundaryEdges, 0);
         EXPECT_TRUE(topology.consistent);
-        // Top and bottom: three edges of the cube each, as the header says.
+        // Top and bottom have three seams each (shapes.h).
         EXPECT_EQ(topology.seamEdges, 6 * segments);
         forSamples(mesh, 2, [](const BasePoint& p) {
             EXPECT_GT(glm::dot(p.normal, glm::normalize(p.position)), 0.9);
@@ -166,7 +168,7 @@ TEST(Shapes, BoxUnderNone_HasHardEdges) {
             if (glm::length(glm::abs(relative) - 1.0) < kRounding) ++corners;
         },
         Scheme::None);
-    EXPECT_EQ(corners, 24); // each of eight from three faces
+    EXPECT_EQ(corners, 24); // each of the eight in three faces
 }
 
 TEST(Shapes, ClosedShapes_FaceOutward) {
@@ -177,7 +179,7 @@ TEST(Shapes, ClosedShapes_FaceOutward) {
 
 TEST(LimitPoints, BuiltInShapes_EqualOpenSubdiv) {
     // An n-gon of every kind, boundaries, corners and poles: the teapot's coarsest mesh, and a few n-gons.
-    // OpenSubdiv refines ten times on the way to an extraordinary vertex, coordinates up to 4 here.
+    // OpenSubdiv refines ten times toward an extraordinary vertex; coordinates are up to 4 here.
     const double bound = 10 * 4 * kRounding;
     ControlMesh pentagon;
     pentagon.name = "pentagon";
@@ -185,8 +187,7 @@ TEST(LimitPoints, BuiltInShapes_EqualOpenSubdiv) {
         pentagon.points.push_back(Vec3(std::cos(k * 1.2), std::sin(k * 1.2), 0.1 * k * k));
     pentagon.points.push_back(Vec3(0.1, 0.2, 1));
     pentagon.faceSizes = {5, 3, 3};
-    pentagon.faceVertices = {0, 1, 2, 3, 4, 1,
-                             0, 5, 2, 1, 5}; // vertex 1 is inside the boundary curve's reach
+    pentagon.faceVertices = {0, 1, 2, 3, 4, 1, 0, 5, 2, 1, 5}; // vertex 1 is adjacent to the boundary
     for (const ControlMesh& mesh : {makeTeapot(2), makeBox({1, 2, 3}, 1), pentagon}) {
         const std::vector<Vec3> limits = limitPoints(mesh);
         const BaseSurface surface(mesh, Scheme::CatmullClark);
@@ -269,8 +270,8 @@ std::array<Vec3, 4> innerRow(const std::array<Vec3, 16>& patch, int k) {
 }
 
 TEST(Teapot, PatchBorders_AreTangentContinuous) {
-    // Newell's patches are smooth across every shared border: the control points on either side of it lie on
-    // a line through it. A number mistyped anywhere near a border breaks this.
+    // Newell's patches are smooth across every shared border: adjacent control points on both sides are
+    // collinear with the border's. This detects typing errors in the data near borders.
     const auto patches = teapotPatches();
     int borders = 0;
     for (size_t p = 0; p < patches.size(); ++p)
@@ -289,8 +290,8 @@ TEST(Teapot, PatchBorders_AreTangentContinuous) {
                         EXPECT_LE(glm::dot(in, out), 0) << p << " " << q;
                     }
                 }
-    // 32 patches have 128 borders, 8 of them poles and 16 open; each of the others is met from both its
-    // patches.
+    // 32 patches have 128 borders, 8 of them poles and 16 open; each of the others is visited from both of
+    // its patches.
     EXPECT_EQ(borders, 128 - 8 - 16);
 }
 
@@ -301,7 +302,7 @@ TEST(Teapot, Bounds_AreThoseOfClassicData) {
             for (int i = 0; i <= 64; ++i)
                 bounds.add(bezier(patch, i / 64.0, j / 64.0));
     // Known extent of the surface (not of its control points): x -3 ... 3.43, y -2 ... 2, z 0 ... 3.15, z up.
-    // The tip of the spout is an extremum between samples, off by less than (1/128)^2 of its patch.
+    // The spout's tip is an extremum between samples, with an error of less than (1/128)^2 of its patch.
     EXPECT_NEAR(bounds.low.x, -3, 1e-9);
     EXPECT_NEAR(bounds.high.x, 3.434, 1e-3);
     EXPECT_NEAR(bounds.low.y, 0, 1e-9);
@@ -316,7 +317,7 @@ TEST(Teapot, Shells_AreFour) {
         const Topology topology = topologyOf(mesh);
         EXPECT_EQ(topology.faces, 32 * segments * segments);
         EXPECT_TRUE(topology.consistent);
-        // Body with its bottom and the lid are discs, handle and spout tubes.
+        // Body with bottom, and lid, are discs; handle and spout are tubes.
         EXPECT_EQ(topology.euler(), 1 + 1 + 0 + 0);
         EXPECT_EQ(topology.boundaryEdges, (4 + 4 + 2 * 2 + 2 * 2) * segments);
         const std::vector<double> volumes = partVolumes(mesh);

@@ -1,4 +1,4 @@
-// Small meshes for tests of what a user may bring.
+// Small meshes for tests.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
@@ -13,7 +13,7 @@ inline void addFace(ControlMesh& mesh, std::initializer_list<int> vertices) {
     mesh.faceVertices.insert(mesh.faceVertices.end(), vertices);
 }
 
-/// Corners of +-1; vertex k has x, y, z positive where bits 0, 1, 2 of k are set. Face 2 (the second) is the
+/// Corners at +-1; vertex k has x, y, z positive where bits 0, 1, 2 of k are set. Face 2 (the second) is the
 /// top one, z = 1.
 inline ControlMesh cubeMesh() {
     ControlMesh mesh;
@@ -25,7 +25,7 @@ inline ControlMesh cubeMesh() {
     return mesh;
 }
 
-/// side x side vertices, (i, bumps, -j) at index j * side + i; faces seen from +Y are outside.
+/// side x side vertices, (i, bumps, -j) at index j * side + i; faces point toward +Y.
 inline ControlMesh bumpyGrid(int side) {
     ControlMesh mesh;
     mesh.name = "grid";
@@ -67,7 +67,7 @@ inline ControlMesh prismMesh(int sides) {
     return mesh;
 }
 
-/// Every face cut into triangles about its first corner.
+/// Every face triangulated as a fan around its first corner.
 inline ControlMesh triangulated(const ControlMesh& mesh) {
     ControlMesh result;
     result.name = mesh.name;

@@ -6,8 +6,8 @@
 namespace plumbline {
 namespace {
 
-/// 4 x 2 pixels, 90 degrees high, at (0,0,3) looking at the origin: the picture at planar depth 1 is 2 tan 45
-/// = 2 high, so a pixel is 1 x 1 there and the picture reaches from x = -2 to 2.
+/// 4 x 2 pixels with a vertical field of view of 90 degrees, at (0,0,3) looking at the origin. At planar
+/// depth 1 the image is 2 tan 45 = 2 high, so a pixel is 1 x 1 and the image extends from x = -2 to 2.
 Camera squareRootFreeCamera() {
     Camera camera;
     camera.fovYDegrees = 90;
@@ -47,8 +47,7 @@ TEST(Camera, Orthographic_HasExactPixel) {
 
 TEST(Camera, Up_TurnsImage) {
     Camera camera = squareRootFreeCamera();
-    camera.upWorld = {2, 0,
-                      0}; // +X is up, so +Y points to the left of the picture: right = forward x up = -Y
+    camera.upWorld = {2, 0, 0}; // +X is up, so +Y points to the left: right = forward x up = -Y
     const Vec3 pixel = pixelFromWorld(camera, {0, 1, 2});
     expectNear(pixel, {2 - 1, 1, 1}, 1e-15);
 }
@@ -100,7 +99,7 @@ RC_GTEST_PROP(CameraProperty, PointOnPixelRay_ProjectsToPixel, ()) {
     const CameraRays rays(camera);
     const Vec3 point = rays.ray(x, y).at(distance);
     const Vec3 pixel = pixelFromWorld(camera, point);
-    // Wide views see their borders at a grazing angle, where a planar depth is a small part of the distance.
+    // At the borders of wide views, the planar depth is a small fraction of the distance.
     const double tolerance = kPixelTolerance * std::max(1.0, distance / pixel.z);
     RC_ASSERT(std::abs(pixel.x - x) < tolerance);
     RC_ASSERT(std::abs(pixel.y - y) < tolerance);

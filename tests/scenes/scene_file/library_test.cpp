@@ -1,4 +1,4 @@
-// The scenes that ship with the program: they load, and what they show is in the picture and of a sane size.
+// The scenes of the library: they load, and their objects are visible and have a reasonable size.
 #include "scenes/scene_file/scene_file.h"
 #include "scenes/scene_file/scene_library.h"
 #include "scenes/surface/base_surface.h"
@@ -47,7 +47,7 @@ TEST_P(LibraryScenes, EveryScene_ShowsItsObjects) {
         const bool cameraInside =
             glm::all(glm::greaterThan(camera, bounds.low)) && glm::all(glm::lessThan(camera, bounds.high));
         EXPECT_FALSE(cameraInside);
-        // Some point of the limit surface is in the picture, with a tenth of a picture to spare on either
+        // Some point of the limit surface is in the image, with a margin of a tenth of the image on each
         // side.
         int inside = 0;
         const BaseSurface surface(object.meshWorld(), object.scheme);
@@ -64,7 +64,7 @@ TEST_P(LibraryScenes, EveryScene_ShowsItsObjects) {
         }
         EXPECT_GT(inside, 0);
         if (object.relief) {
-            // Deep enough for more than a pixel, shallow enough that the far side stays the far side.
+            // Deeper than a pixel, but shallow enough not to reach the far side.
             EXPECT_GT(object.relief->depth, 0.005 * bounds.diagonal());
             EXPECT_LT(object.relief->depth, 0.1 * bounds.diagonal());
         }
@@ -72,8 +72,8 @@ TEST_P(LibraryScenes, EveryScene_ShowsItsObjects) {
 }
 
 TEST_P(LibraryScenes, EveryScene_MapsAreSeamlessOnObjects) {
-    // Where u wraps, the tile count must be whole, or the map has a cliff there that is not in it. Planes and
-    // boxes are open; of a cylinder only u closes.
+    // Where u wraps around, the tile count must be an integer, or the map is discontinuous there. Planes and
+    // boxes are open; on a cylinder only u wraps around.
     const Scene scene = readScene(findScene(GetParam()));
     for (const SceneObject& object : scene.objects) {
         if (!object.relief || object.mesh.name == "plane" || object.mesh.name == "box") continue;

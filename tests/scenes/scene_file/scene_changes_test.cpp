@@ -1,4 +1,4 @@
-// Scenes read with other values in some fields, and cameras by their orbit.
+// Overrides of scene fields, and cameras given as an orbit.
 #include "tests/errors.h"
 #include "tests/files.h"
 #include "tests/scenes/scene_file/scene_file_fixture.h"
@@ -26,11 +26,11 @@ TEST_F(ChangedScene, ChangedField_IsRead) {
          "object.torus.proxy_rate=3", "background=[0, 0, 1]", "object.torus.shape={ kind = \"sphere\" }"});
     EXPECT_EQ(scene.camera.width, 300);
     EXPECT_EQ(scene.objects[1].relief->depth, 0.25);
-    EXPECT_EQ(scene.objects[1].proxyRate, 3); // a field the file hasn't
+    EXPECT_EQ(scene.objects[1].proxyRate, 3); // a field that isn't in the file
     EXPECT_EQ(scene.lights[1].positionWorld, Vec3(4, 5, 6));
     EXPECT_EQ(scene.background, Vec3(0, 0, 1));
     EXPECT_EQ(scene.objects[1].mesh.name, "sphere");
-    EXPECT_EQ(scene.objects[0].colorMap->width, 2); // of two changes of a field the later one holds
+    EXPECT_EQ(scene.objects[0].colorMap->width, 2); // the later of two overrides applies
     EXPECT_EQ(scene.changes.size(), 8u);
 }
 
@@ -47,7 +47,8 @@ TEST_F(ChangedScene, DifferentChanges_HaveDifferentHashes) {
     EXPECT_EQ(readChanged({"camera.target=[0, 0.0, 0]"}).hash,
               readChanged({"camera.target=[-0.0, 0, 0]"}).hash);
     EXPECT_NE(readChanged({"camera.target=[0, 1, 0]"}).hash, readChanged({"camera.target=[1, 0, 0]"}).hash);
-    EXPECT_NE(readChanged({"purpose=\"1\""}).hash, readChanged({"purpose=\"1.0\""}).hash); // texts stay texts
+    EXPECT_NE(readChanged({"purpose=\"1\""}).hash,
+              readChanged({"purpose=\"1.0\""}).hash); // strings aren't parsed as numbers
 }
 
 TEST_F(ChangedScene, FaultyChange_IsNamedInError) {
@@ -71,13 +72,13 @@ TEST_F(ChangedScene, FaultyChange_IsNamedInError) {
                 }),
                 testing::HasSubstr("'light' is an array of 2; expected"));
     EXPECT_EQ(messageOfChange("purpose.a.b=2"),
-              "--scene-set purpose.a.b=2: 'purpose' is the text \"A test\"; expected a table");
+              "--scene-set purpose.a.b=2: 'purpose' is the string \"A test\"; expected a table");
     EXPECT_EQ(messageOfChange("camera.=2"),
               "--scene-set camera.=2: names no field; expected TABLE.FIELD=VALUE");
     EXPECT_EQ(messageOfChange("camera.width=1\nheight=2"),
               "--scene-set camera.width=1 height=2: '1 height=2' is more than a value");
-    EXPECT_THAT(messageOfChange("camera.width=wide"), testing::HasSubstr("'wide' is no TOML value"));
-    // Inside of a table that was put in, the field's own place.
+    EXPECT_THAT(messageOfChange("camera.width=wide"), testing::HasSubstr("'wide' is not a TOML value"));
+    // Inside an inserted table, the location of the field itself.
     EXPECT_EQ(messageOfChange("object.torus.shape={ kind = \"sphere\", radius = -1 }"),
               "--scene-set object.torus.shape={ kind = \"sphere\", radius = -1 }:1: "
               "object.torus.shape.radius: is -1; expected a "
@@ -91,7 +92,7 @@ TEST_F(SceneFile, Orbit_PlacesCameraAroundTarget) {
         return read(with(kPlace, "target = [1, 0.5, 0]\norbit = " + orbit + "\n")).camera;
     };
     const auto expectNear = [](const Vec3& found,
-                               const Vec3& expected) { // a few roundings of numbers up to 3
+                               const Vec3& expected) { // a few rounding errors of numbers up to 3
         EXPECT_LT(glm::length(found - expected), 1e-14) << found.x << " " << found.y << " " << found.z;
     };
     const Camera level = camera("{ distance = 2, polar_degrees = 90 }");
@@ -99,7 +100,7 @@ TEST_F(SceneFile, Orbit_PlacesCameraAroundTarget) {
     expectNear(level.upWorld, Vec3(0, 1, 0));
     const Camera side = camera("{ distance = 2, polar_degrees = 90, azimuth_degrees = 90 }");
     expectNear(side.positionWorld, Vec3(3, 0.5, 0));
-    // Straight from above: what is toward the azimuth is at the bottom of the picture.
+    // From straight above, the azimuth direction is at the bottom of the image.
     const Camera above = camera("{ distance = 2, polar_degrees = 0 }");
     expectNear(above.positionWorld, Vec3(1, 2.5, 0));
     expectNear(above.upWorld, Vec3(0, 0, -1));
@@ -110,9 +111,9 @@ TEST_F(SceneFile, Orbit_PlacesCameraAroundTarget) {
 
 TEST_F(SceneFile, OrbitWithPosition_IsRefused) {
     EXPECT_EQ(messageFor(with("up = [0, 1, 0.5]", "orbit = { distance = 2, polar_degrees = 10 }")),
-              "scene.toml:5: camera.position: stands beside orbit; expected one of the two");
+              "scene.toml:5: camera.position: is given together with orbit; expected one of the two");
     EXPECT_EQ(messageFor(with(kPlace, "target = [0, 1, 0]\norbit = { distance = 1e9, polar_degrees = 0 }\n")),
-              "scene.toml:6: camera.orbit: puts the camera outside: its position is 1000000001; expected "
+              "scene.toml:6: camera.orbit: gives an invalid camera position: it is 1000000001; expected "
               "-1000000000 to 1000000000");
     EXPECT_EQ(messageFor(with(kPlace, "orbit = { distance = 2, polar_degrees = 200 }\n")),
               "scene.toml:5: camera.orbit.polar_degrees: is 200; expected a number from 0 to 180");

@@ -19,7 +19,7 @@ std::string withCreases(const std::string& creases) {
 TEST_F(SceneFile, Creases_AreRead) {
     const SubdivisionTags tags =
         read(withCreases("[{ edges = [1, 2, 3], sharpness = 2.5 }, { vertex = 72, sharpness = 10 },\n"
-                         "  { edges = [3, 2], sharpness = 4 }]")) // the latest counts
+                         "  { edges = [3, 2], sharpness = 4 }]")) // the last one applies
             .objects[1]
             .mesh.tags;
     ASSERT_EQ(tags.creases.size(), 2u);
@@ -56,7 +56,7 @@ TEST_F(SceneFile, FaultyCreases_NameTheirLine) {
         {"[1]", "object.creases: holds 1"},
         {"[{ edges = [1, 2] }]", "object.creases.sharpness: is missing"},
         {"[{ sharpness = 2 }]",
-         "object.creases: has nothing to sharpen; expected edges = [vertex, vertex, …] or vertex"},
+         "object.creases: has neither edges nor vertex; expected edges = [vertex, vertex, …] or vertex"},
         {"[{ edges = [1, 2], vertex = 3, sharpness = 2 }]", "has both edges and vertex"},
         {"[{ edges = [1, 2], sharpness = -1 }]",
          "object.creases.sharpness: is -1; expected a number from 0 to"},
@@ -94,13 +94,13 @@ TEST_F(SceneFile, MeshWarnings_NameObject) {
     const std::vector<std::string> warnings = read(kWholeScene).warnings;
     ASSERT_EQ(warnings.size(), 2u);
     EXPECT_THAT(warnings[0], testing::StartsWith("quad: "));
-    EXPECT_THAT(warnings[0], HasSubstr("quad.obj:11: facevaryingpropagatecorners is left aside"));
+    EXPECT_THAT(warnings[0], HasSubstr("quad.obj:11: facevaryingpropagatecorners is ignored"));
     EXPECT_THAT(warnings[1], testing::StartsWith("quad: "));
     EXPECT_THAT(warnings[1], HasSubstr("quad.obj: vertex 5 belongs to no face: left out"));
 }
 
 TEST_F(SceneFile, BoxCorners_AreNumberedAsInReadme) {
-    // Edges of its front face, z = 1.5: infinitely sharp, their limit stays in that plane.
+    // Edges of its front face, z = 1.5: infinitely sharp, so their limit is in that plane.
     const Scene scene =
         read(with("kind = \"torus\", major = 1.0, minor = 0.25, segments = [12, 6] }",
                   "kind = \"box\", size = [1, 2, 3] }\ncreases = [{ edges = [1, 2, 3, 4, 1], sharpness = "

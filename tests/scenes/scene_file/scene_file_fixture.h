@@ -1,4 +1,4 @@
-// A scene file that uses every field, to be changed here and there by tests.
+// A scene file that uses every field, which tests modify.
 #pragma once
 
 #include "scenes/image/image_file.h"
@@ -76,7 +76,7 @@ class SceneFile : public testing::Test {
         return readScene(folder_ / "scene.toml");
     }
 
-    /// The message without the folder in front.
+    /// The error message without the folder prefix.
     std::string messageFor(const std::string& text) {
         const std::string message = inputErrorOf([&] { read(text); });
         const std::string prefix = folder_.path().string() + "/";

@@ -28,7 +28,7 @@ TEST_F(SceneFile, EveryField_IsRead) {
     EXPECT_EQ(scene.camera.height, 48);
     ASSERT_EQ(scene.lights.size(), 2u);
     EXPECT_EQ(scene.lights[0].kind, Light::Kind::Directional);
-    EXPECT_NEAR(glm::length(scene.lights[0].toLightWorld - Vec3(0, 0.6, 0.8)), 0, 1e-15); // 3-4-5, made unit
+    EXPECT_NEAR(glm::length(scene.lights[0].toLightWorld - Vec3(0, 0.6, 0.8)), 0, 1e-15); // 3-4-5, normalized
     EXPECT_EQ(scene.lights[1].name, "lamp");
     EXPECT_EQ(scene.lights[1].kind, Light::Kind::Point);
     EXPECT_EQ(scene.lights[1].positionWorld, Vec3(1, 2, 3));
@@ -67,10 +67,11 @@ TEST_F(SceneFile, MapByName_IsReadAlone) {
     const auto stone = readSceneMap(folder_ / "scene.toml", "stone");
     EXPECT_THAT(stone->depths(), ElementsAre(1, 0.8f));
     EXPECT_EQ(stone->wrapT(), Wrap::Clamp);
-    EXPECT_EQ(readSceneMap(folder_ / "scene.toml", "made")->width(), 16); // no object wears it
-    EXPECT_THAT(inputErrorOf([&] { readSceneMap(folder_ / "scene.toml", "stoen"); }),
-                HasSubstr("scene.toml: no height map of it is called \"stoen\"; expected made or stone; did "
-                          "you mean 'stone'?"));
+    EXPECT_EQ(readSceneMap(folder_ / "scene.toml", "made")->width(), 16); // not used by any object
+    EXPECT_THAT(
+        inputErrorOf([&] { readSceneMap(folder_ / "scene.toml", "stoen"); }),
+        HasSubstr("scene.toml: no height map of the scene is called \"stoen\"; expected made or stone; did "
+                  "you mean 'stone'?"));
 }
 
 TEST_F(SceneFile, ShortestScene_HasDefaults) {
@@ -90,8 +91,8 @@ TEST_F(SceneFile, ShortestScene_HasDefaults) {
     EXPECT_EQ(scene.objects[0].color, Vec3(0.8));
 }
 
-// The axis is the object's +z, turned by its rotation (10, 20, 30 degrees about x, y, z) but not scaled: cos
-// 20 cos 10 along z.
+// The axis is the object's +z, rotated (10, 20, 30 degrees about x, y, z) but not scaled: cos 20 cos 10 along
+// z.
 TEST_F(SceneFile, Along_DefaultsToNormal) {
     EXPECT_FALSE(read(kWholeScene).objects[0].relief->axisWorld);
     EXPECT_FALSE(read(with("depth = 0.08", "depth = 0.08, along = \"normal\"")).objects[0].relief->axisWorld);
@@ -118,13 +119,13 @@ TEST_F(SceneFile, Requirements_KeepTheirLine) {
     EXPECT_EQ(scene.requirements[2].text, "silhouette.iou >= 0.99");
     EXPECT_THAT(scene.requirements[2].where, HasSubstr("require.silhouette.iou"));
     EXPECT_THAT(scene.requirements[2].where, HasSubstr("scene.toml:"));
-    // Without quotes TOML makes a table of it.
+    // Without quotes TOML parses it as a table.
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\nsilhouette.iou = \">= 0.99\"\n"),
-                HasSubstr("require.silhouette: is a table; expected a text or an array of texts"));
+                HasSubstr("require.silhouette: is a table; expected a string or an array of strings"));
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = []\n"),
                 HasSubstr("has no bound"));
     EXPECT_THAT(messageFor(std::string(kWholeScene) + "\n[require]\n\"silhouette.iou\" = 0.99\n"),
-                HasSubstr("is 0.99; expected a text or an array of texts"));
+                HasSubstr("is 0.99; expected a string or an array of strings"));
 }
 
 TEST_F(SceneFile, Orthographic_IsRead) {
@@ -181,18 +182,19 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
         {"name = \"sun\"", "name = \"lamp\"", "light.name: \"lamp\" is taken already"},
         {"name = \"sun\"\n", "", "light.name: is missing"},
         {"to_light = [0, 3, 4]", "to_light = [0, 0, 0]", "scene.toml:14: light.to_light: is zero"},
-        {"to_light = [0, 3, 4]", "", "scene.toml:12: light: has no place; expected to_light"},
+        {"to_light = [0, 3, 4]", "",
+         "scene.toml:12: light: has neither to_light nor position; expected to_light"},
         {"to_light = [0, 3, 4]", "to_light = [0, 3, 4]\nposition = [1, 1, 1]",
          "has both to_light and position"},
         {"stores = \"height\"\n", "", "height_map.stores: is missing; expected height or depth"},
         {"stores = \"height\"", "stores = \"hieght\"", "did you mean 'height'?"},
         {"[\"repeat\", \"clamp\"]", "[\"repeat\", \"clmap\"]", "did you mean 'clamp'?"},
         {"[\"repeat\", \"clamp\"]", "[\"repeat\"]", "height_map.wrap: has 1 entries"},
-        {"[\"repeat\", \"clamp\"]", "\"repeat\"", "expected an array of texts"},
+        {"[\"repeat\", \"clamp\"]", "\"repeat\"", "expected an array of strings"},
         {"file = \"maps/stone.png\"", "file = \"maps/stoen.png\"",
          "scene.toml:22: height_map.file: no such file as"},
         {"file = \"maps/stone.png\"", "file = \"quad.obj\"", "quad.obj: is not a picture"},
-        {"file = \"maps/stone.png\"\n", "", "has no source; expected file or generate"},
+        {"file = \"maps/stone.png\"\n", "", "has neither file nor generate; expected file or generate"},
         {"kind = \"cobbles\"", "kind = \"cobles\"", "did you mean 'cobbles'?"},
         {"size = 16", "size = 0", "height_map.generate.size: is 0"},
         {"size = 16", "size = 100000", "height_map.generate.size: is 100000"},
@@ -201,10 +203,9 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
         {"name = \"quad\"", "name = \"torus\"", "object.name: \"torus\" is taken already"},
         {"mesh = \"quad.obj\"", "mesh = \"quat.obj\"", "scene.toml:32: object.mesh: no such file as"},
         {"mesh = \"quad.obj\"", "mesh = \"maps\"", "object.mesh: no such file as"},
-        {"mesh = \"quad.obj\"", "", "object: has no surface; expected mesh or shape"},
-        {"scheme = \"none\"", "scheme = \"catmull\"", "object.scheme: is the text \"catmull\""},
-        {"scheme = \"none\"", "scheme = \"loop\"",
-         "quad.obj:9: face 1: 4 vertices; expected triangles alone"},
+        {"mesh = \"quad.obj\"", "", "object: has neither mesh nor shape; expected mesh or shape"},
+        {"scheme = \"none\"", "scheme = \"catmull\"", "object.scheme: is the string \"catmull\""},
+        {"scheme = \"none\"", "scheme = \"loop\"", "quad.obj:9: face 1: 4 vertices; expected only triangles"},
         {"proxy_rate = 2", "proxy_rate = 65",
          "object.proxy_rate: is 65; expected a whole number from 1 to 64"},
         {"proxy_rate = 2", "proxy_rate = 1.5", "object.proxy_rate: is 1.5"},
@@ -220,19 +221,19 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
          "stone; did you mean 'stone'?"},
         {"map = \"stone\"", "map = \"stone\", constant = 0.5", "has both map and constant"},
         {"depth = 0.08", "depth = 0.08, seams = \"wedl\"",
-         "object.relief.seams: is the text \"wedl\"; expected weld or open; did you mean 'weld'?"},
+         "object.relief.seams: is the string \"wedl\"; expected weld or open; did you mean 'weld'?"},
         {"depth = 0.08", "depth = 0.08, along = \"axes\"",
-         "object.relief.along: is the text \"axes\"; expected normal or axis; did you mean 'axis'?"},
-        {"constant = 0.5, ", "", "object.relief: has no depths"},
+         "object.relief.along: is the string \"axes\"; expected normal or axis; did you mean 'axis'?"},
+        {"constant = 0.5, ", "", "object.relief: has neither map nor constant"},
         {"constant = 0.5", "constant = 1.5", "object.relief.constant: is 1.5"},
         {"constant = 0.5", "constant = 0.5, detph = 1", "object.relief.detph: unknown field"},
         {"color_map = \"maps/stone.png\"", "color_map = \"maps/stone.png\"\ncolor = [1, 1, 1]",
-         "stands beside color"},
+         "is given together with color"},
         {"color = [0.8, 0.75, 0.7]", "color = [8, 0.75, 0.7]", "object.color: is 8"},
-        {"kind = \"torus\"", "kind = \"tours\"", "object.shape.kind: is the text \"tours\""},
+        {"kind = \"torus\"", "kind = \"tours\"", "object.shape.kind: is the string \"tours\""},
         {"minor = 0.25", "minor = 0", "object.shape.minor: is 0"},
         {"minor = 0.25", "minro = 0.25", "object.shape.minro: unknown field"},
-        {"minor = 0.25", "minor = 2", "object.shape: "}, // larger than the major one: shapes.h says so
+        {"minor = 0.25", "minor = 2", "object.shape: "}, // larger than the major radius
         {"segments = [12, 6]", "segments = [12, 0]", "object.shape.segments: is 0"},
         {"segments = [12, 6]", "segments = 12", "object.shape.segments: is 12"},
         {"[[object]]\nname = \"torus\"", "[object2]\nname = \"torus\"", "object2: unknown field"},
@@ -293,7 +294,7 @@ TEST_F(SceneFile, Hash_FollowsEveryRelevantByte) {
     EXPECT_NE(read(kWholeScene).hash, otherMap);
 }
 
-// It changes no picture: results before and after stay comparable.
+// Requirements don't change the rendering, so results remain comparable.
 TEST_F(SceneFile, Hash_IgnoresRequirements) {
     const std::string hash = read(kWholeScene).hash, bound = "\"silhouette.iou\" = \">= 0.99\"";
     EXPECT_EQ(read(std::string(kWholeScene) + "[require]\n" + bound + "\n").hash, hash);
@@ -312,7 +313,8 @@ TEST_F(SceneFile, DamagedAnywhere_IsReadOrRefused) {
     int refused = 0;
     for (int i = 0; i < 400; ++i) {
         std::string text = kWholeScene;
-        // No digits, which might ask for a mesh of a million faces: that is allowed and slow.
+        // Digits aren't changed, because they might request a mesh of a million faces, which is valid but
+        // slow.
         for (int k = 0; k < 2; ++k)
             text[random() % text.size()] = "[]{}=\"x,.\n#\xff"[random() % 12];
         refused += !worksOrIsRefused([&] { read(text); });

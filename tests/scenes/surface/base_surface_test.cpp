@@ -1,4 +1,4 @@
-// The base surface against closed forms.
+// Compares the base surface with closed forms.
 #include "scenes/core/error.h"
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/displaced_surface.h"
@@ -13,8 +13,7 @@
 namespace plumbline {
 namespace {
 
-/// Control points over an n x n grid, x and z the grid's, y a function of both; faces seen from +Y are
-/// outside.
+/// Control points on an n x n grid in x and z, with y a function of both; faces point toward +Y.
 template <typename Height>
 ControlMesh gridMesh(int side, Height height) {
     ControlMesh mesh;
@@ -48,7 +47,7 @@ TEST(BaseSurface, RegularPatch_IsBicubicBSpline) {
     ControlMesh mesh = gridMesh(4, bumpyHeight);
     mesh.boundaryFacesSupportOnly = true;
     const BaseSurface surface(mesh, Scheme::CatmullClark);
-    ASSERT_EQ(surface.patches().size(), 1u); // of nine faces the middle one has a limit
+    ASSERT_EQ(surface.patches().size(), 1u); // of nine faces, only the middle one has a limit surface
     BaseSurface::Evaluator evaluator(surface);
     evaluator.setPatch(0);
     for (const double u : {0.0, 0.25, 0.3, 0.77, 1.0})
@@ -65,16 +64,15 @@ TEST(BaseSurface, RegularPatch_IsBicubicBSpline) {
 
 TEST(BaseSurface, CubeCorner_HasHalstead1993Limit) {
     // Halstead et al. 1993, appendix: limit of a vertex of valence n = (n^2 v + 4 sum(e) + sum(f)) / (n (n +
-    // 5)), e its edge neighbors, f the far corners of its quads. Cube of +-1, corner (1,1,1): sum(e) =
-    // (1,1,1), sum(f) =
-    // (-1,-1,-1), so (9 + 4 - 1) / 24 = 1/2. The normal is the diagonal by symmetry.
+    // 5)), e its edge neighbors, f the opposite corners of its quads. Cube of +-1, corner (1,1,1): sum(e) =
+    // (1,1,1), sum(f) = (-1,-1,-1), so (9 + 4 - 1) / 24 = 1/2. The normal is the diagonal by symmetry.
     const BaseSurface surface(cubeMesh(), Scheme::CatmullClark);
     BaseSurface::Evaluator evaluator(surface);
     evaluator.setPatch(1); // 4 5 7 6: its corner 2, at (1,1), is vertex 7
     const BasePoint corner = evaluator.point(1, 1);
     EXPECT_LT(glm::length(corner.position - Vec3(0.5)), 1e-14);
     EXPECT_LT(glm::length(corner.normal - Vec3(1) / std::sqrt(3.0)),
-              1e-6); // the level-10 patch beside the vertex
+              1e-6); // the level-10 patch at the vertex
 }
 
 TEST(BaseSurface, NormalDerivatives_MatchDifferences) {
@@ -102,7 +100,7 @@ TEST(BaseSurface, NormalDerivatives_MatchDifferences) {
     }
 }
 
-/// Patches of n-gons and triangles: derivatives against differences, in patch coordinates.
+/// Patches of n-gons and triangles: compares derivatives with finite differences in patch coordinates.
 TEST(BaseSurface, SubFaces_AreParameterizedPerPatch) {
     ControlMesh mesh;
     mesh.name = "pentagon pyramid";
@@ -117,7 +115,7 @@ TEST(BaseSurface, SubFaces_AreParameterizedPerPatch) {
     for (const Scheme scheme : {Scheme::CatmullClark, Scheme::None}) {
         const BaseSurface surface(mesh, scheme);
         ASSERT_EQ(surface.patches().size(),
-                  scheme == Scheme::None ? 5u + 5 : 5u + 5 * 3); // triangles: one, or cut
+                  scheme == Scheme::None ? 5u + 5 : 5u + 5 * 3); // triangles: one patch, or three sub-faces
         BaseSurface::Evaluator evaluator(surface);
         Vec3 center(0);
         for (int patch = 0; patch < 5; ++patch) {
@@ -129,7 +127,7 @@ TEST(BaseSurface, SubFaces_AreParameterizedPerPatch) {
             EXPECT_LT(glm::length(s.positionU - difference), 1e-8);
             EXPECT_LT(s.normal.z, 0); // the base faces down
             const Vec3 at = evaluator.point(1, 1).position;
-            if (patch > 0) { // all five meet in the face's center
+            if (patch > 0) { // all five meet at the face's center
                 EXPECT_LT(glm::length(at - center), 1e-14);
             }
             center = at;
@@ -160,7 +158,7 @@ TEST(BaseSurface, LoopOnFlatCage_IsFlat) {
 TEST(BaseSurface, Polygons_TakeFileNormalsElseAngleWeighted) {
     // A roof: two unit squares over z in [-1,0] and [0,1], folded along x at 90 degrees. At the ridge both
     // faces have an angle of 90 degrees, so the normal is their mean, straight up; at the eaves it is the
-    // face's own.
+    // face normal.
     ControlMesh mesh;
     mesh.name = "roof";
     mesh.points = {{0, 0, 1}, {1, 0, 1}, {1, 1, 0}, {0, 1, 0}, {1, 0, -1}, {0, 0, -1}};
@@ -225,7 +223,7 @@ TEST(DisplacedSurface, RampOnPlane_TiltsIt) {
     EXPECT_LT(glm::length(s.position - Vec3(0.5, -0.25, -0.3)), 1e-15);
     EXPECT_LT(glm::length(s.normal - Vec3(1, 1, 0) / std::sqrt(2.0)), 1e-15);
     EXPECT_DOUBLE_EQ(s.reliefDepth, 0.5);
-    // Tiling by 2 doubles the slope: -2 along x; offset lifts it.
+    // Tiling by 2 doubles the slope: -2 along x; the offset raises the surface.
     relief.tile = Vec2(2, 1);
     relief.offset = 0.1;
     const DisplacedSample tiled = displace(evaluator.sample(0.25, 0.3), &relief);

@@ -1,5 +1,5 @@
-// The proxy as a base: the triangles of the real-time module, closed, and on the limit surface as they get
-// finer.
+// The proxy as a base: identical to the triangles of the real-time renderer, closed, and convergent to the
+// limit surface.
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/proxy_mesh.h"
@@ -37,18 +37,19 @@ std::vector<SceneObject> objects() {
         tetrahedron.uvs.push_back(Vec2(0.3 * k, 0.7 * ((k * 5) % 12)));
         tetrahedron.faceUvs.push_back(k);
     }
-    return {reliefObject(makeSphere(1, 2), Scheme::CatmullClark, 3),
-            reliefObject(makeTorus(1, 0.4, 6, 5), Scheme::CatmullClark, 1),
-            reliefObject(makeBox(Vec3(2), 1), Scheme::None, 2), // hard edges: several normals a place
-            reliefObject(tetrahedron, Scheme::Loop, 4),
-            reliefObject(tetrahedron, Scheme::CatmullClark, 2),
-            reliefObject(tetrahedron, Scheme::None, 3),
-            reliefObject(makeQuadric(0.5, -0.2, 1, 2), Scheme::CatmullClark, 2), // faces without a limit
-            reliefObject(makeCylinder(1, 1, 5, 1), Scheme::CatmullClark, 2)};    // open
+    return {
+        reliefObject(makeSphere(1, 2), Scheme::CatmullClark, 3),
+        reliefObject(makeTorus(1, 0.4, 6, 5), Scheme::CatmullClark, 1),
+        reliefObject(makeBox(Vec3(2), 1), Scheme::None, 2), // hard edges: several normals per place
+        reliefObject(tetrahedron, Scheme::Loop, 4),
+        reliefObject(tetrahedron, Scheme::CatmullClark, 2),
+        reliefObject(tetrahedron, Scheme::None, 3),
+        reliefObject(makeQuadric(0.5, -0.2, 1, 2), Scheme::CatmullClark, 2), // faces without a limit surface
+        reliefObject(makeCylinder(1, 1, 5, 1), Scheme::CatmullClark, 2)};    // open
 }
 
-/// Patch k of the proxy base is triangle k of the proxy; at its corners everything is the proxy's own, to the
-/// bit.
+/// Patch k of the proxy base is triangle k of the proxy; its corners are bit-identical to the proxy's
+/// vertices.
 TEST(ProxyBase, Corners_AreProxyVertices) {
     for (const SceneObject& object : objects()) {
         SCOPED_TRACE(object.name);
@@ -63,8 +64,8 @@ TEST(ProxyBase, Corners_AreProxyVertices) {
             const BasePoint corner = evaluator.point(k % 3 == 1, k % 3 == 2);
             ASSERT_EQ(corner.position, vertex.position);
             ASSERT_EQ(textureCoordinates(corner, &*relief), vertex.st);
-            ASSERT_LT(glm::length(corner.normal - vertex.normal), 1e-15); // normalized once more
-            // The relief begins at the triangles: d = 1/2 of a depth of 0.1 below them.
+            ASSERT_LT(glm::length(corner.normal - vertex.normal), 1e-15); // normalized twice
+            // The relief is below the triangles: d = 1/2 with a depth of 0.1.
             ASSERT_DOUBLE_EQ(displacement(vertex.st, &*relief), -0.05);
         }
     }
@@ -76,8 +77,8 @@ TEST(ProxyBase, ClosedLimit_HasClosedProxy) {
         const Topology polygons = topologyOf(proxyPolygons(object));
         EXPECT_TRUE(polygons.consistent);
         const bool open = object.name == "quadric" || object.name == "cylinder";
-        // The quadric's limit is 2 x 2 faces, the cylinder's 5 with two rims; proxy_rate 2 makes two edges of
-        // each.
+        // The quadric's limit surface has 2 x 2 faces, the cylinder's 5 faces and two boundaries; proxy_rate
+        // 2 divides each edge in two.
         EXPECT_EQ(polygons.boundaryEdges, !open ? 0 : object.name == "quadric" ? 4 * 2 * 2 : 2 * 5 * 2);
         if (!open) {
             EXPECT_EQ(polygons.euler(), object.name == "torus" ? 0 : 2);
@@ -93,7 +94,8 @@ TEST(ProxyBase, Plane_IsPlane) {
                                 onProxy = reliefOn(object, Base::Proxy);
     BaseSurface::Evaluator onLimitAt(*limit), onProxyAt(*proxy);
     onLimitAt.setPatch(0);
-    // st is linear in place on the plane, so where both have the same st they have the same everything.
+    // On the plane st is a linear function of the position, so samples with equal st are equal in all other
+    // values.
     const auto atSt = [](BaseSurface::Evaluator& evaluator, const Relief& relief, const Vec2& st) {
         const BaseSample origin = evaluator.sample(0, 0);
         const Vec2 wanted = st - textureCoordinates(origin, &relief);
@@ -140,7 +142,8 @@ double distanceFromLimit(SceneObject object, int proxyRate) {
     return largest;
 }
 
-// A chord leaves its curve by h^2 / 8 of the curvature: each doubling of the rate leaves a quarter.
+// A chord deviates from its curve by h^2 / 8 times the curvature, so each doubling of the rate reduces the
+// distance to a quarter.
 TEST(ProxyBase, RisingRate_ConvergesWithSecondOrder) {
     const SceneObject torus = reliefObject(makeTorus(1, 0.4, 6, 5), Scheme::CatmullClark, 1);
     double coarse = distanceFromLimit(torus, 8);
@@ -152,7 +155,7 @@ TEST(ProxyBase, RisingRate_ConvergesWithSecondOrder) {
     EXPECT_LT(coarse, 1e-3);
 }
 
-// Bfr cuts a triangle under the bilinear scheme through sub-faces, whatever the rate; here it is one patch.
+// Under the bilinear scheme, Bfr divides a triangle into sub-faces for any rate; here it is a single patch.
 TEST(ProxyBase, Polygons_AreTriangulatedWithoutGaps) {
     ControlMesh mesh;
     mesh.name = "triangle";

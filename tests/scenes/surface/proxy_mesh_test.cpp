@@ -1,4 +1,4 @@
-// The proxy against shapes whose answer is known.
+// Compares the proxy with shapes of known curvature and size.
 #include "scenes/core/error.h"
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/proxy_mesh.h"
@@ -60,7 +60,7 @@ TEST(ProxyMesh, Cylinder_HasHalfItsCurvature) {
     }
 }
 
-// The ring of a quadric's apex lies on the quadric, and the fit has nothing left over.
+// The ring of a quadric's apex lies on the quadric, so the fit is exact.
 TEST(ProxyMesh, QuadricApex_IsExact) {
     SceneObject object;
     object.name = "patch";
@@ -107,7 +107,8 @@ TEST(ProxyMesh, Offset_PushesOutAndKeepsClosed) {
     for (const ProxyVertex& vertex : proxy.vertices)
         largest = std::max(largest, std::hypot(vertex.position.x, vertex.position.z));
     EXPECT_NEAR(largest, (4 + 2 * std::cos(2 * kPi / 16)) / 6 + 0.25, 1e-12);
-    // Every edge inside the mesh is used once in each direction by position, bit for bit: no cracks.
+    // There are no cracks: every inner edge, identified by bit-identical positions, is used once in each
+    // direction.
     std::map<std::array<double, 6>, int> edges;
     for (size_t k = 0; k < proxy.triangles.size(); ++k) {
         const Vec3 a = proxy.vertices[proxy.triangles[k]].position;
@@ -119,10 +120,10 @@ TEST(ProxyMesh, Offset_PushesOutAndKeepsClosed) {
         EXPECT_EQ(count, 1);
         open += !edges.count({edge[3], edge[4], edge[5], edge[0], edge[1], edge[2]});
     }
-    EXPECT_EQ(open, 2 * 16 * 2); // the two rims
+    EXPECT_EQ(open, 2 * 16 * 2); // the two boundaries
 }
 
-// Along an axis the offset moves the whole proxy, and changes nothing else of it.
+// Along an axis, the offset only translates the proxy.
 TEST(ProxyMesh, OffsetAlongAxis_TranslatesProxy) {
     SceneObject object = cylinder(16, 2, 1.0, 1.0);
     const ProxyMesh there = buildProxyMesh(object);
@@ -157,7 +158,7 @@ TEST(ProxyMesh, AnyFaceSizeAndRate_Works) {
             object.scheme = scheme;
             object.proxyRate = rate;
             const ProxyMesh proxy = buildProxyMesh(object);
-            double volume = 0; // closed and outward: positive, and for the polygons the prism's own
+            double volume = 0; // positive for a closed, outward surface; for polygons, that of the prism
             for (size_t k = 0; k < proxy.triangles.size(); k += 3)
                 volume += glm::dot(proxy.vertices[proxy.triangles[k]].position,
                                    glm::cross(proxy.vertices[proxy.triangles[k + 1]].position,

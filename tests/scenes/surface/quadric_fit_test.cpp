@@ -1,4 +1,4 @@
-// Quadrics of rings and of limit surfaces against surfaces whose curvature is known.
+// Compares quadrics of rings and of limit surfaces with surfaces of known curvature.
 #include "scenes/mesh/shapes/shapes.h"
 #include "scenes/surface/proxy_mesh.h"
 #include "scenes/surface/quadric_fit.h"
@@ -12,7 +12,8 @@
 namespace plumbline {
 namespace {
 
-/// Points of z = height(x, y) around the origin, `count` of them at a distance `reach`, the first at `turn`.
+/// Points of z = height(x, y) around the origin, `count` of them at a distance `reach`, the first at the
+/// angle `turn`.
 std::vector<Vec3> ringOn(const std::function<double(double, double)>& height, double reach, int count,
                          double turn = 0.2) {
     std::vector<Vec3> ring;
@@ -24,15 +25,15 @@ std::vector<Vec3> ringOn(const std::function<double(double, double)>& height, do
     return ring;
 }
 
-/// Tangents turned by `angle` from the axes, `apart` from each other.
+/// Tangents rotated by `angle` from the axes, with the angle `apart` between them.
 QuadricFrame frameAt(double angle, double apart = kPi / 2) {
     return {Vec3(0), Vec3(std::cos(angle), std::sin(angle), 0),
             3.0 * Vec3(std::cos(angle + apart), std::sin(angle + apart), 0), Vec3(0, 0, 1)};
 }
 
 TEST(QuadricFit, PointsOnQuadric_GiveItsCoefficients) {
-    // z = -(0.3 x^2 - 0.2 x y - 0.1 y^2), in its own frame to rounding, at every scale: coefficients go with
-    // 1 / size.
+    // z = -(0.3 x^2 - 0.2 x y - 0.1 y^2), in its own frame, up to rounding, at every scale: coefficients are
+    // proportional to 1 / size.
     for (const double size : {1e-3, 1.0, 1e3}) {
         const auto height = [&](double x, double y) {
             return -(0.3 * x * x - 0.2 * x * y - 0.1 * y * y) / size;
@@ -44,8 +45,8 @@ TEST(QuadricFit, PointsOnQuadric_GiveItsCoefficients) {
         EXPECT_GE(fit.condition, 1);
         EXPECT_LT(fit.condition, 10);
     }
-    // In oblique tangents 50 degrees apart x y' = ... : the same surface, so the same heights at the same
-    // points.
+    // With oblique tangents 50 degrees apart it is the same surface, so the heights at the same points are
+    // equal.
     const auto height = [](double x, double y) { return -(0.3 * x * x - 0.2 * x * y - 0.1 * y * y); };
     const QuadricFrame oblique = frameAt(0.4, 50 * kPi / 180);
     const QuadricCoefficients found = fitQuadric(oblique, ringOn(height, 0.2, 7)).threeTerms;
@@ -57,7 +58,7 @@ TEST(QuadricFit, PointsOnQuadric_GiveItsCoefficients) {
 }
 
 TEST(QuadricFit, SaddleXY_NeedsCrossTerm) {
-    // z = x y has no curvature along its axes; turned by 45 degrees it is (x^2 - y^2) / 2.
+    // z = x y has no curvature along its axes; rotated by 45 degrees it is (x^2 - y^2) / 2.
     const auto ring = ringOn([](double x, double y) { return x * y; }, 0.1, 8);
     const RingFit along = fitQuadric(frameAt(0), ring), turned = fitQuadric(frameAt(kPi / 4), ring);
     EXPECT_NEAR(along.twoTerms.a, 0, 1e-12);
@@ -70,30 +71,31 @@ TEST(QuadricFit, SaddleXY_NeedsCrossTerm) {
 
 TEST(QuadricFit, UndeterminedRing_IsReported) {
     const auto bowl = [](double x, double y) { return -(x * x + y * y); };
-    // On the axes x y = 0: A and B are known, C isn't. x^2 y^2 = 0: the best condition there is.
+    // On the axes x y = 0, so A and B are determined but C isn't; x^2 y^2 = 0 gives the best possible
+    // condition number.
     const RingFit axes = fitQuadric(frameAt(0), ringOn(bowl, 0.1, 4, 0));
     EXPECT_NEAR(axes.threeTerms.a, 1, 1e-12);
     EXPECT_NEAR(axes.threeTerms.b, 1, 1e-12);
     EXPECT_EQ(axes.threeTerms.c, 0);
     EXPECT_NEAR(axes.condition, 1, 1e-12);
-    // On the diagonals x^2 = y^2: only A + B is.
+    // On the diagonals x^2 = y^2, so only A + B is determined.
     const RingFit diagonals = fitQuadric(frameAt(0), ringOn(bowl, 0.1, 4, kPi / 4));
     EXPECT_EQ(diagonals.condition, kInfinity);
     EXPECT_EQ(diagonals.twoTerms.a, 0);
     EXPECT_EQ(diagonals.threeTerms.b, 0);
-    // Nearly so, by 0.01: x^2 and y^2 differ by 2 %. Correlation 1 - 2 * 0.02^2 / 4 ... the condition is (1 +
-    // r) / (1 - r).
+    // Nearly singular, by 0.01: x^2 and y^2 differ by 2 %. Correlation 1 - 2 * 0.02^2 / 4 ... the condition
+    // is (1 + r) / (1 - r).
     const RingFit near = fitQuadric(frameAt(0), ringOn(bowl, 0.1, 4, kPi / 4 + 0.01));
     EXPECT_NEAR(near.condition * std::pow(std::tan(0.02), 2), 1, 0.01);
     EXPECT_NEAR(near.twoTerms.a, 1, 1e-9);
     EXPECT_EQ(fitQuadric(frameAt(0), {}).condition, kInfinity);
     EXPECT_EQ(fitQuadric(frameAt(0, 1e-4), ringOn(bowl, 0.1, 7)).condition,
-              kInfinity); // tangents as good as one
+              kInfinity); // nearly parallel tangents
 }
 
 TEST(QuadricFit, DerivativesPushedOut_StopAtCenterOfCurvature) {
-    // Radii 2 and 4 along s and t, of tangents of any length. Pushed in by 1 they are 1 and 3; by 2, and
-    // there is no number for the first.
+    // Radii of curvature 2 and 4 along s and t, for tangents of any length. With an inward offset of 1 they
+    // are 1 and 3; with 2, the first is singular.
     const auto pushed = [](double offset) {
         return quadricOfDerivatives({3, 0, 0}, {0, 0.1, 0}, {3 / 2.0, 0, 0}, {0, 0.1 / 4, 0}, offset);
     };
@@ -117,9 +119,9 @@ SceneObject reliefOn(ControlMesh mesh, int rate, double offset = 0) {
 
 TEST(ProxyQuadrics, Sphere_HasHalfItsCurvature) {
     // z = -(X^2 + Y^2) / (2 R) in right-angled coordinates, so with tangents whose cosine is g A = B = 1 / (2
-    // R) and C = g / R. A ring at distance r falls by r^2 / (2 R) (1 + r^2 / (4 R^2)): r <= 0.07 adds 0.1 %.
-    // The limit surface of a sphere of 16 segments an edge has the curvature of one to 3 % where we look,
-    // around the middles of the cube's faces (worse at the cube's corners).
+    // R) and C = g / R. A ring at distance r is r^2 / (2 R) (1 + r^2 / (4 R^2)) below the tangent plane: r <=
+    // 0.07 adds 0.1 %. The curvature of the limit surface of a sphere with 16 segments per edge is accurate
+    // to 3 % around the centers of the cube's faces, where it is tested (worse at the cube's corners).
     const ProxyMesh proxy = buildProxyMesh(reliefOn(makeSphere(1, 16), 2));
     int seen = 0, square = 0;
     for (const ProxyVertex& vertex : proxy.vertices) {
@@ -161,8 +163,8 @@ TEST(ProxyQuadrics, ScaledPatch_HasScaledCoefficients) {
 }
 
 TEST(ProxyQuadrics, SaddleTurned45Degrees_HasCrossTerm) {
-    // The uvs of the patch z = 0.3 (x^2 - y^2) turned by 45 degrees: along s and t it doesn't bend, only
-    // across.
+    // The uvs of the patch z = 0.3 (x^2 - y^2) are rotated by 45 degrees, so it has no curvature along s and
+    // t, only the cross term.
     ControlMesh mesh = makeQuadric(0.3, -0.3, 1, 8);
     for (Vec2& uv : mesh.uvs)
         uv = Vec2(uv.x + uv.y, uv.y - uv.x);
@@ -182,8 +184,8 @@ TEST(ProxyQuadrics, SaddleTurned45Degrees_HasCrossTerm) {
     EXPECT_GT(seen, 5);
 }
 
-/// W with dn = W dP over the tangent plane, along the unit tangents of s and t: first form inverted, times
-/// minus the second.
+/// W with dn = W dP in the tangent plane, along the unit tangents of s and t: the inverse first fundamental
+/// form times minus the second.
 glm::dmat2 shapeOperator(const ProxyVertex& vertex) {
     const double cosine = glm::dot(glm::normalize(vertex.positionS), glm::normalize(vertex.positionT));
     const QuadricCoefficients& q = vertex.limitQuadric;
@@ -191,9 +193,9 @@ glm::dmat2 shapeOperator(const ProxyVertex& vertex) {
 }
 
 TEST(ProxyQuadrics, LimitCoefficients_AreThoseOfOffsetSurface) {
-    // Pushed out by o, radii of curvature grow by o in the directions they have: dn = W dP = W' dP' with P' =
-    // P + o n, so that W' (1 + o W) = W in any tangents; a vertex has those of P. Uvs turned as well: their
-    // tangents aren't the principal directions.
+    // With an outward offset o, radii of curvature grow by o in the same principal directions: dn = W dP = W'
+    // dP' with P' = P + o n, so W' (1 + o W) = W for any tangents; a vertex has those of P. Also tests
+    // rotated uvs, whose tangents aren't the principal directions.
     for (const bool turned : {false, true}) {
         ControlMesh mesh = makeTorus(1, 0.4, 24, 16);
         if (turned)
@@ -226,7 +228,7 @@ TEST(ProxyQuadrics, LimitCoefficients_AreThoseOfOffsetSurface) {
         }
     EXPECT_NEAR(std::min(a, b) * 2, 1 / outermost, 0.02);
     EXPECT_NEAR(std::max(a, b) * 2, 1 / 0.4, 0.1);
-    // The ring of a coarse proxy sees chords: within a few per cent of the same.
+    // The ring of a coarse proxy consists of chords and agrees to a few per cent.
     EXPECT_GT(outermost, 1.3);
 }
 

@@ -11,7 +11,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// d rises from 0 to 1 over the map's width and falls back in its last texel; the same in each row.
+/// d increases from 0 to 1 over the map's width and returns in its last texel; all rows are equal.
 std::shared_ptr<const HeightMap> rampMap(Wrap wrap = Wrap::Repeat, int size = 16) {
     std::vector<float> depths;
     for (int j = 0; j < size; ++j)
@@ -31,8 +31,8 @@ TornEdges tornOf(const ControlMesh& mesh, Scheme scheme, const Relief& relief) {
     return countTornEdges(BaseSurface(mesh, scheme), relief);
 }
 
-/// Two squares side by side along x, with uvs of their own: the left one's u runs over [0, 0.5], the right
-/// one's starts at 0.5 + jump.
+/// Two adjacent squares along x with separate uvs: the left one's u is in [0, 0.5], the right one's starts at
+/// 0.5 + jump.
 ControlMesh twoSquares(const Vec2& jump) {
     ControlMesh mesh = bumpyGrid(2);
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 0, -1}, {1, 0, -1}, {2, 0, -1}};
@@ -57,13 +57,13 @@ TEST(Seams, JumpByWholeTiles_TearsNothing) {
     EXPECT_EQ(tornOf(twoSquares({1e-7, 0}), Scheme::None, relief).byMap, 0); // single precision
     EXPECT_EQ(tornOf(twoSquares({0.25, 0}), Scheme::None, relief).byMap, 1);
     EXPECT_EQ(tornOf(twoSquares({0, 0.25}), Scheme::None, relief).byMap,
-              0);          // the map is the same in every row
-    Relief tiled = relief; // 0.25 * 4 is whole, 0.25 * 3 isn't
+              0);          // all rows of the map are equal
+    Relief tiled = relief; // 0.25 * 4 is an integer, 0.25 * 3 isn't
     tiled.tile = {4, 1};
     EXPECT_EQ(tornOf(twoSquares({0.25, 0}), Scheme::None, tiled).byMap, 0);
     tiled.tile = {-3, 1};
     EXPECT_EQ(tornOf(twoSquares({0.25, 0}), Scheme::None, tiled).byMap, 1);
-    Relief clamped = relief; // a map that doesn't repeat has no whole tiles: at u = 0.5 and 3.5 depths differ
+    Relief clamped = relief; // a clamped map isn't periodic: depths differ at u = 0.5 and 3.5
     clamped.map = rampMap(Wrap::Clamp);
     EXPECT_EQ(tornOf(twoSquares({3, 0}), Scheme::None, clamped).byMap, 1);
     EXPECT_EQ(tornOf(twoSquares({0, 3}), Scheme::None, clamped).byMap, 0);
@@ -81,8 +81,8 @@ TEST(Seams, DifferenceBelowOneCode_TearsNothing) {
 }
 
 TEST(Seams, OneDifferentTexel_IsFound) {
-    // 512 rows, all 0 but one at the middle of the map's height in its right half; the edge runs along t.
-    // Sides at u = 0.25 and 0.75 differ over two texels of 512, which 32 places wouldn't meet.
+    // 512 rows, all 0 except one at half the map's height in its right half; the edge is along t. The sides
+    // at u = 0.25 and 0.75 differ over two of 512 texels, which 32 sample points would miss.
     constexpr int kSize = 512;
     std::vector<float> depths(size_t(kSize) * kSize, 0.0f);
     for (int i = kSize / 2; i < kSize; ++i)
@@ -95,12 +95,12 @@ TEST(Seams, OneDifferentTexel_IsFound) {
 }
 
 TEST(Seams, ReversedUvs_AreComparedAtSamePlace) {
-    // The right square's v runs downwards: the sides agree in the middle of the edge alone, where the map
-    // varies with t.
+    // The right square's v runs downwards: if the map varies with t, the sides only agree at the edge's
+    // midpoint.
     ControlMesh mesh = twoSquares({0, 0});
     std::swap(mesh.uvs[4], mesh.uvs[7]);
     Relief relief = rampRelief();
-    EXPECT_EQ(tornOf(mesh, Scheme::None, relief).byMap, 0); // all rows are the same
+    EXPECT_EQ(tornOf(mesh, Scheme::None, relief).byMap, 0); // all rows are equal
     std::vector<float> depths;
     for (int j = 0; j < 16; ++j)
         depths.push_back(float(j) / 15);
@@ -114,7 +114,7 @@ TEST(Seams, BuiltInShapes_CloseAsDocumented) {
     const TornEdges torus = tornOf(makeTorus(1, 0.4, 16, 8), Scheme::CatmullClark, relief);
     EXPECT_EQ(torus.byMap, 0);
     EXPECT_EQ(torus.byNormals, 0);
-    relief.tile = {7.25, 3}; // a quarter of a tile is left over where u closes: 8 edges around the tube
+    relief.tile = {7.25, 3}; // a quarter of a tile remains where u wraps around: 8 edges around the tube
     EXPECT_EQ(tornOf(makeTorus(1, 0.4, 16, 8), Scheme::CatmullClark, relief).byMap, 8);
 }
 
@@ -126,7 +126,7 @@ TEST(Seams, SharpEdges_TearByNormals) {
     TornEdges torn = tornOf(box, Scheme::None, relief);
     EXPECT_EQ(torn.byMap, 0);
     EXPECT_EQ(torn.byNormals, 12);
-    relief.offset = 0.05; // offset - depth * d = 0: nothing moves
+    relief.offset = 0.05; // offset - depth * d = 0: no displacement
     EXPECT_EQ(tornOf(box, Scheme::None, relief).byNormals, 0);
     relief.offset = 0;
     relief.axisWorld = Vec3(0, 0, 1);
@@ -143,8 +143,8 @@ TEST(Seams, SharpEdges_TearByNormals) {
 }
 
 TEST(Seams, NgonAndTriangleEdges_AreComparedInFull) {
-    // A prism over a pentagon without normals: angle-weighted ones are one a vertex. Normals of the faces
-    // tear all 15.
+    // A pentagonal prism without normals has one angle-weighted normal per vertex. Face normals tear all 15
+    // edges.
     ControlMesh mesh = prismMesh(5);
     mesh.uvs = {Vec2(0.3, 0.4)};
     mesh.faceUvs.assign(mesh.faceVertices.size(), 0);

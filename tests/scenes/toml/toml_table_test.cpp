@@ -19,7 +19,7 @@ TEST(TomlTable, RequestedFields_AreRead) {
     EXPECT_EQ(root.text("name"), "n");
     EXPECT_TRUE(root.boolean("flag"));
     EXPECT_EQ(root.integer("count", 0, 9), 3);
-    EXPECT_EQ(root.number("size", 0, 9), 2); // a whole number is a number
+    EXPECT_EQ(root.number("size", 0, 9), 2); // an integer is a valid number
     EXPECT_EQ(root.vector3("place", -9, 9), Vec3(1, 2.5, -3));
     EXPECT_EQ(root.table("camera").integer("width", 1, 9), 8);
     ASSERT_EQ(root.tables("light").size(), 2u);
@@ -48,7 +48,7 @@ TEST(TomlTable, Fallback_ReplacesOnlyMissingField) {
     EXPECT_EQ(root.text("b", "x"), "x");
     EXPECT_EQ(root.choice("b", {"x", "y"}, "y"), "y");
     EXPECT_THAT(root.texts("b", std::vector<std::string>{"q"}), ElementsAre("q"));
-    EXPECT_THROW(root.integer("a", 2, 9, 5), InputError); // there, but wrong
+    EXPECT_THROW(root.integer("a", 2, 9, 5), InputError); // present but invalid
     EXPECT_EQ(inputErrorOf([&] { root.integer("b", 0, 9); }),
               "a.toml:1: b: is missing; expected a whole number from 0 to 9");
 }
@@ -59,7 +59,7 @@ TEST(TomlTable, WrongTypeOrRange_IsRefused) {
     EXPECT_EQ(inputErrorOf([&] { root.integer("a", 0, 9); }),
               "a.toml:1: a: is 1.5; expected a whole number from 0 to 9");
     EXPECT_THAT(inputErrorOf([&] { root.number("b", 0, 9); }),
-                HasSubstr("a.toml:2: b: is the text \"text\""));
+                HasSubstr("a.toml:2: b: is the string \"text\""));
     EXPECT_THAT(inputErrorOf([&] { root.vector3("c", 0, 9); }),
                 HasSubstr("is an array of 2; expected an array of 3"));
     EXPECT_THAT(inputErrorOf([&] { root.number("d", 0, 9); }),
@@ -67,7 +67,7 @@ TEST(TomlTable, WrongTypeOrRange_IsRefused) {
     EXPECT_THAT(inputErrorOf([&] { root.number("e", 0, 1e308); }), HasSubstr("is inf"));
     EXPECT_THAT(inputErrorOf([&] { root.text("f"); }), HasSubstr("is a date or time"));
     EXPECT_THAT(inputErrorOf([&] { root.integer("g", 0, 9); }), HasSubstr("is 99999999999"));
-    EXPECT_THAT(inputErrorOf([&] { root.vector3("h", 0, 9); }), HasSubstr("is the text \"x\""));
+    EXPECT_THAT(inputErrorOf([&] { root.vector3("h", 0, 9); }), HasSubstr("is the string \"x\""));
     EXPECT_THAT(inputErrorOf([&] { root.table("a"); }), HasSubstr("is 1.5; expected a table"));
     EXPECT_THAT(inputErrorOf([&] { root.tables("t"); }), HasSubstr("is a table; expected tables [[t]]"));
     EXPECT_THAT(inputErrorOf([&] { root.table("t").number("u", 0, 9); }), HasSubstr("a.toml:10: t.u: is -1"));
@@ -85,11 +85,12 @@ TEST(TomlTable, UnknownField_IsRefusedWithHint) {
 TEST(TomlTable, MultilineText_IsRefused) {
     const TomlTable root = parse("a = 'one'\nb = ''\nc = \"x\\ny\"\nd = 3\n");
     EXPECT_EQ(root.line("a"), "one");
-    EXPECT_EQ(inputErrorOf([&] { root.line("b"); }), "a.toml:2: b: is empty; expected a text of one line");
+    EXPECT_EQ(inputErrorOf([&] { root.line("b"); }), "a.toml:2: b: is empty; expected a single-line string");
     EXPECT_EQ(inputErrorOf([&] { root.line("c"); }),
-              "a.toml:3: c: has a control character; expected a text of one line");
-    EXPECT_EQ(inputErrorOf([&] { root.line("d"); }), "a.toml:4: d: is 3; expected a text in quotes");
-    EXPECT_EQ(inputErrorOf([&] { root.line("e"); }), "a.toml:1: e: is missing; expected a text of one line");
+              "a.toml:3: c: has a control character; expected a single-line string");
+    EXPECT_EQ(inputErrorOf([&] { root.line("d"); }), "a.toml:4: d: is 3; expected a string in quotes");
+    EXPECT_EQ(inputErrorOf([&] { root.line("e"); }),
+              "a.toml:1: e: is missing; expected a single-line string");
 }
 
 TEST(TomlTable, FaultyElement_NamesItsLine) {
@@ -98,24 +99,24 @@ TEST(TomlTable, FaultyElement_NamesItsLine) {
     EXPECT_THAT(root.distinctTexts("a"), ElementsAre("x", "y"));
     EXPECT_THAT(root.someOf("q", known, std::vector<std::string>{"z"}), ElementsAre("z"));
     EXPECT_EQ(inputErrorOf([&] { root.someOf("a", known); }),
-              "a.toml:3: a: holds the text \"y\"; expected x or yes");
+              "a.toml:3: a: holds the string \"y\"; expected x or yes");
     EXPECT_EQ(inputErrorOf([&] { root.someOf("b", known); }),
               "a.toml:6: b: holds \"x\" twice; expected each once");
     EXPECT_EQ(inputErrorOf([&] { root.distinctTexts("c"); }),
-              "a.toml:8: c: holds an empty text; expected texts");
-    EXPECT_EQ(inputErrorOf([&] { root.texts("d"); }), "a.toml:10: d: holds 3; expected texts");
+              "a.toml:8: c: holds an empty string; expected strings");
+    EXPECT_EQ(inputErrorOf([&] { root.texts("d"); }), "a.toml:10: d: holds 3; expected strings");
     EXPECT_EQ(inputErrorOf([&] { root.someOf("e", known); }),
               "a.toml:1: e: is missing; expected an array with some of x or yes");
     root.change("--scene-set", "b", "['y']");
     EXPECT_EQ(inputErrorOf([&] { root.someOf("b", known); }),
-              "--scene-set: holds the text \"y\"; expected x or yes");
+              "--scene-set: holds the string \"y\"; expected x or yes");
 }
 
 TEST(TomlTable, UnknownChoice_HasHint) {
     EXPECT_EQ(inputErrorOf([] {
                   parse("\nwrap = 'repaet'").choice("wrap", {"repeat", "clamp"});
               }),
-              "a.toml:2: wrap: is the text \"repaet\"; expected repeat or clamp; did you mean 'repeat'?");
+              "a.toml:2: wrap: is the string \"repaet\"; expected repeat or clamp; did you mean 'repeat'?");
 }
 
 TEST(TomlTable, SyntaxError_NamesItsLine) {
@@ -139,8 +140,7 @@ TEST(TomlTable, DeepKeys_AreRefusedBeforeParsing) {
     EXPECT_EQ(
         inputErrorOf([&] { parse("b = 1").change("--scene-set", "b", "{ " + deep(100000) + " = 1 }"); }),
         "--scene-set: has keys of more than 1000 parts within each other; expected a few");
-    // Inline tables within each other, also one after another in an array, keys in quotes, quotes and braces
-    // in texts.
+    // Nested inline tables, also several in an array, quoted keys, and quotes and braces in strings.
     const auto nested = [&](int levels, const std::string& key, const std::string& before = "") {
         std::string text = "b = ";
         for (int i = 0; i < levels; ++i)

@@ -121,9 +121,10 @@ TEST_F(StudyFile, Mistakes_NameTheirLine) {
     EXPECT_EQ(messageFor("label = \"B\"", "label = \"A\""),
               "mine.toml:23: grid.technique.label: is \"A\"; expected a text of its own");
     EXPECT_EQ(messageFor("first = \"A\"", "first = \"C\""),
-              "mine.toml:26: grid.pair.first: is the text \"C\"; expected A or B");
-    EXPECT_EQ(messageFor("columns = \"depth\"", "columns = \"deep\""),
-              "mine.toml:32: table.columns: is the text \"deep\"; expected scene, technique, depth or size");
+              "mine.toml:26: grid.pair.first: is the string \"C\"; expected A or B");
+    EXPECT_EQ(
+        messageFor("columns = \"depth\"", "columns = \"deep\""),
+        "mine.toml:32: table.columns: is the string \"deep\"; expected scene, technique, depth or size");
     EXPECT_EQ(messageFor("size = [10, 100]", "size = 11"),
               "mine.toml:41: plot.where.size: 11 is none of its values; expected 10, 100 or 1000; did you "
               "mean '10'?");
@@ -164,7 +165,7 @@ TEST_F(StudyFile, MisleadingStudy_IsRefused) {
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"reference\""),
               "mine.toml:20: grid.technique.label: is \"reference\"; expected a text of its own");
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"A\\n\""),
-              "mine.toml:20: grid.technique.label: has a control character; expected a text of one line");
+              "mine.toml:20: grid.technique.label: has a control character; expected a single-line string");
     EXPECT_EQ(messageFor("second = \"B\"", "second = \"A\""),
               "mine.toml:27: grid.pair.second: is the first; expected another technique");
     EXPECT_EQ(messageFor("rows = \"technique\"", "rows = \"depth\""),

@@ -1,4 +1,4 @@
-#include "reference/trace/polish.h"
+#include "reference/trace/refine_hit.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,15 +7,15 @@ namespace plumbline {
 
 namespace {
 
-// Newton doubles the digits: from a micro-triangle's few it is there in two or three steps, one more for each
-// crease between texels that is crossed.
-constexpr int kMostSteps = 12;
-// Starts of a search for a place the ray meets earlier.
+// Newton's method doubles the number of correct digits per step. From a micro-triangle it converges in two or
+// three steps, plus one for each crossed crease between texels.
+constexpr int kMaxSteps = 12;
+// Number of starting points when searching for an earlier intersection.
 constexpr int kStartsBefore = 6;
-// Settled: off the ray by less than that, as a fraction of the coordinates. At 1 degree to the surface the
-// depth is then 60 times that off, 2^-26: the last bits of the frame's floats. (Rounding of the evaluation is
-// near 2^-50.)
-constexpr double kSettled = 0x1p-32;
+// Converged: the distance from the ray is less than this fraction of the coordinates. At 1 degree to the
+// surface, the error in depth is then 60 times larger, 2^-26, which is the last bits of the frame's floats.
+// (The rounding error of the evaluation is about 2^-50.)
+constexpr double kConverged = 0x1p-32;
 bool isInside(const Vec2& uv, bool triangular) {
     return uv.x >= 0 && uv.y >= 0 && (triangular ? uv.x + uv.y <= 1 : uv.x <= 1 && uv.y <= 1);
 }
@@ -27,7 +27,7 @@ Vec2 clampToPatch(const Vec2& uv, bool triangular) {
     return inside;
 }
 
-/// Two unit vectors across the ray.
+/// Two orthonormal vectors perpendicular to the ray.
 struct Across {
     Vec3 x, y;
     explicit Across(const Vec3& direction) {
@@ -43,7 +43,7 @@ struct Across {
 
 } // namespace
 
-SurfaceSample Polisher::sampleAt(const PatchPlace& place) {
+SurfaceSample HitRefiner::sampleAt(const PatchPlace& place) {
     if (place.patch != patch_) {
         evaluator_.setPatch(place.patch);
         patch_ = place.patch;
@@ -52,45 +52,45 @@ SurfaceSample Polisher::sampleAt(const PatchPlace& place) {
     return {base, displace(base, relief_)};
 }
 
-PatchPlace Polisher::held(const PatchPlace& place) const {
+PatchPlace HitRefiner::clamped(const PatchPlace& place) const {
     return {place.patch, clampToPatch(place.uv, surface_.patch(place.patch).triangular)};
 }
 
-bool Polisher::move(PatchPlace& place, const Vec2& next) const {
+bool HitRefiner::move(PatchPlace& place, const Vec2& next) const {
     if (isInside(next, surface_.patch(place.patch).triangular)) {
         place.uv = next;
         return true;
     }
     if (const auto beyond = neighbors_.beyond(place.patch, next)) {
-        place = held(*beyond);
+        place = clamped(*beyond);
         return true;
     }
-    const PatchPlace onRim = held({place.patch, next});
+    const PatchPlace onRim = clamped({place.patch, next});
     if (onRim.uv == place.uv) return false;
     place = onRim;
     return true;
 }
 
-std::optional<PolishedHit> Polisher::polish(const Ray& ray, const PatchPlace& start, double distance,
-                                            double reachWorld) {
+std::optional<RefinedHit> HitRefiner::refine(const Ray& ray, const PatchPlace& start, double distance,
+                                             double reachWorld) {
     const Across across(ray.direction);
     const Vec3 origin = glm::abs(ray.origin);
-    const double settled = kSettled * (std::max({origin.x, origin.y, origin.z}) + std::abs(distance));
-    PatchPlace place = held(start);
+    const double tolerance = kConverged * (std::max({origin.x, origin.y, origin.z}) + std::abs(distance));
+    PatchPlace place = clamped(start);
     double smallest = kInfinity;
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
         const SurfaceSample sample = sampleAt(place);
         const Vec2 residual = across.of(sample.displaced.position - ray.origin);
         const double size = glm::length(residual);
-        if (size <= settled) {
+        if (size <= tolerance) {
             const double along = glm::dot(sample.displaced.position - ray.origin, ray.direction);
             if (!(std::abs(along - distance) <= reachWorld)) return std::nullopt;
-            return PolishedHit{place, along, sample};
+            return RefinedHit{place, along, sample};
         }
         const Vec2 byU = across.of(sample.displaced.positionU), byV = across.of(sample.displaced.positionV);
         const double determinant = byU.x * byV.y - byU.y * byV.x;
         if (!(std::abs(determinant) > 0)) return std::nullopt;
-        // Between two creases it may hop to and fro: half steps break that.
+        // The iteration may oscillate between two creases; half steps prevent that.
         const double damping = size < smallest ? 1 : 0.5;
         smallest = std::min(smallest, size);
         const Vec2 next =
@@ -102,20 +102,21 @@ std::optional<PolishedHit> Polisher::polish(const Ray& ray, const PatchPlace& st
     return std::nullopt;
 }
 
-PolishedHit Polisher::first(const Ray& ray, const PolishedHit& hit, double reachWorld) {
+RefinedHit HitRefiner::first(const Ray& ray, const RefinedHit& hit, double reachWorld) {
     const BaseSample& base = hit.sample.base;
     const AcrossRelief across = tangentsAcross(base, relief_);
     const double uu = glm::dot(across.byU, across.byU), uv = glm::dot(across.byU, across.byV),
                  vv = glm::dot(across.byV, across.byV), determinant = uu * vv - uv * uv;
-    PolishedHit first = hit;
+    RefinedHit first = hit;
     if (!(determinant > 0)) return first;
-    // Below the ray, a step before the hit: the step's part across the relief's direction, in u and v.
+    // Moves backwards along the ray: the component of a step orthogonal to the relief's direction, in u and
+    // v.
     const double alongU = -glm::dot(ray.direction, across.byU), alongV = -glm::dot(ray.direction, across.byV);
     const Vec2 byWorld = Vec2(alongU * vv - alongV * uv, alongV * uu - alongU * uv) / determinant;
     for (int step = 1; step <= kStartsBefore; ++step) {
         const double before = reachWorld * step / kStartsBefore;
         const auto other =
-            polish(ray, {hit.place.patch, hit.place.uv + byWorld * before}, hit.distance, reachWorld);
+            refine(ray, {hit.place.patch, hit.place.uv + byWorld * before}, hit.distance, reachWorld);
         if (other && other->distance < first.distance) first = *other;
     }
     return first;

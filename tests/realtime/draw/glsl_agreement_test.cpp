@@ -1,4 +1,4 @@
-// GLSL functions against their C++ twins and closed forms.
+// Compares GLSL functions with their C++ versions and with closed forms.
 #include "scenes/core/data_folder.h"
 #include "tests/realtime/draw/evaluate_glsl.h"
 #include "tests/realtime/gl_fixture.h"
@@ -77,10 +77,9 @@ class LookUp : public testing::TestWithParam<MapCase> {
         const HeightMap map = randomMap(width, height, wrapS, wrapT, 7);
         const std::vector<glm::vec4> points = coordinates(map, 11);
         const std::vector<glm::vec4> found = lookUp(map, points, hardware);
-        // The texel position st * size - 0.5 is rounded a few times at magnitude size: that is its error in
-        // texels, and neighboring depths differ by up to 1 along each axis. Interpolation itself adds a few
-        // roundings below 1. A sampler rounds the weights to 8 bits on GPUs, which the specification allows:
-        // half of 1/256 along each axis.
+        // The texel position st * size - 0.5 has a few rounding errors of magnitude size, in texels, and
+        // adjacent depths differ by up to 1 along each axis. Interpolation adds a few rounding errors below
+        // 1. Samplers of GPUs may round the weights to 8 bits: half of 1/256 along each axis.
         const double tolerance =
             4 * kFloatEpsilon * (width + height) + (hardware ? 2.0 / 512 : 0) + 4 * kFloatEpsilon;
         double largest = 0;
@@ -97,7 +96,7 @@ class LookUp : public testing::TestWithParam<MapCase> {
     void compareGradients(const HeightMap& map, const std::vector<glm::vec4>& points,
                           const std::vector<glm::vec4>& found) {
         for (size_t i = 0; i < points.size(); ++i) {
-            // On a crease the float may fall on the other side: there the gradients of both are right.
+            // At a crease the float may be on the other side, so the gradients of both sides are valid.
             const double s = points[i].x * map.width() - 0.5, t = points[i].y * map.height() - 0.5;
             if (std::abs(s - std::round(s)) < 1e-3 || std::abs(t - std::round(t)) < 1e-3) continue;
             const Vec2 expected = map.sample(Vec2(points[i].x, points[i].y)).gradient;
@@ -126,7 +125,7 @@ TEST(LookUpOfNonsense, NonFiniteSt_StaysInsideMap) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const HeightMap map = randomMap(8, 8, Wrap::Repeat, Wrap::Repeat, 1);
     const float infinity = std::numeric_limits<float>::infinity(), nan = std::nanf("");
-    // No answer is right; the look-up must not read outside of the texture.
+    // There is no correct result, but the lookup must not read outside the texture.
     EXPECT_EQ(lookUp(map,
                      {{infinity, 0, 0, 0}, {0, -infinity, 0, 0}, {nan, nan, 0, 0}, {1e30f, -1e30f, 0, 0}},
                      false)
@@ -134,8 +133,7 @@ TEST(LookUpOfNonsense, NonFiniteSt_StaysInsideMap) {
               4u);
 }
 
-// --- the end of the search interval over a quadric
-// ---------------------------------------------------------------------
+// --- the end of the search interval over a quadric -----------------------------------------------
 
 std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
     const auto context = createGlContext({});
@@ -165,7 +163,7 @@ TEST(SearchEnd, Erratum16_ExamplesAreRight) {
         EXPECT_NEAR(end.x, 1, 2 * kFloatEpsilon);
         EXPECT_EQ(end.y, 1);
     }
-    // t0 = v_d / f = 133 once was cut off at a sentinel of 100.
+    // Regression: t0 = v_d / f = 133 was truncated at a sentinel of 100.
     const auto far = searchEnds({{133, 1e5f, 0, 0}});
     EXPECT_NEAR(far[0].x, 133 / 1e5, 1e-9);
     EXPECT_EQ(far[0].y, 0);
@@ -183,13 +181,13 @@ TEST(SearchEnd, EveryCurvature_EndsAtFirstRoot) {
     const std::vector<glm::vec4> ends = searchEnds(arguments);
     for (size_t i = 0; i < arguments.size(); ++i) {
         const double v = arguments[i].x, f = arguments[i].y, tau = ends[i].x, discriminant = v * v - 4 * f;
-        // Within rounding of a double root either end is right; none of the cases is that close.
+        // Within rounding of a double root either end would be correct; none of the cases is that close.
         ASSERT_GT(std::abs(discriminant), 16 * kFloatEpsilon * v * v);
         SCOPED_TRACE(testing::Message() << "v_d " << v << " f " << f);
         ASSERT_TRUE(std::isfinite(tau));
         EXPECT_GT(tau, 0);
-        // d(tau) = v tau - f tau^2 must be the depth reported. tau is off by a few roundings, the
-        // discriminant by one of v^2, which its root magnifies by v / sqrt(discriminant); d changes by at
+        // d(tau) = v tau - f tau^2 must be the depth reported. tau has a few rounding errors, and the
+        // discriminant one of v^2, which its square root magnifies by v / sqrt(discriminant); d changes by at
         // most v + 2 |f| tau per unit of tau.
         const double relative =
             4 * kFloatEpsilon * (1 + (discriminant > 0 ? v / std::sqrt(discriminant) : 0));
