@@ -83,8 +83,8 @@ View chooseView(const SurfaceSurvey& survey, std::string& reason) {
     const Candidate& chosen = *std::ranges::find_if(
         candidates, [&](double share) { return share >= kGoodEnough * best; }, &Candidate::share);
     reason = fmt::format(
-        "{} degrees {} the horizon, {} degrees off +Z toward {}: of 16 views the first that shows the "
-        "broad side.",
+        "{} degrees {} the horizon, {} degrees off +Z toward {}: the first of 16 views that shows "
+        "nearly the largest area.",
         std::abs(chosen.elevation), chosen.elevation > 0 ? "above" : "below", std::abs(chosen.azimuth),
         chosen.azimuth > 0 ? "+X" : "-X");
     return viewAlong(viewDirection(chosen.azimuth, chosen.elevation));
@@ -123,7 +123,7 @@ Vec3 chooseLight(const SurfaceSurvey& survey, const View& view, std::string& rea
         candidates, [](double lit) { return lit >= kLitEnough; }, &Candidate::lit);
     if (chosen == candidates.end()) chosen = std::ranges::max_element(candidates, {}, &Candidate::lit);
     reason =
-        fmt::format("From the {} of the picture, aslant, so that the relief casts shadows.", chosen->name);
+        fmt::format("Oblique, from the {} of the image, so that the relief casts shadows.", chosen->name);
     return chosen->toLight;
 }
 

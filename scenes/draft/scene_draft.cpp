@@ -34,7 +34,7 @@ Scheme chooseScheme(const ControlMesh& mesh, std::string& reason) {
     const auto triangles = std::count(mesh.faceSizes.begin(), mesh.faceSizes.end(), 3);
     if (mesh.faceCount() > kFineMesh) {
         reason = fmt::format("{} faces are fine enough as they are; \"catmull-clark\" or \"loop\" would "
-                             "take them for a cage and smooth them.",
+                             "treat them as a control mesh and smooth them.",
                              mesh.faceCount());
         return Scheme::None;
     }
@@ -43,10 +43,10 @@ Scheme chooseScheme(const ControlMesh& mesh, std::string& reason) {
                  "they are.";
         return Scheme::Loop;
     }
-    reason = fmt::format(
-        "Faces with more corners than three ({} of {}): taken for a Catmull-Clark cage; \"none\" keeps "
-        "the polygons as they are.",
-        mesh.faceCount() - triangles, mesh.faceCount());
+    reason = fmt::format("Faces with more than three corners ({} of {}): treated as a Catmull-Clark control "
+                         "mesh; \"none\" keeps "
+                         "the polygons as they are.",
+                         mesh.faceCount() - triangles, mesh.faceCount());
     return Scheme::CatmullClark;
 }
 
@@ -58,18 +58,16 @@ double rounded(double value) {
 
 double chooseDepth(const SurfaceSurvey& survey, std::string& reason) {
     const double share = kDepthShare * survey.radius(), tight = kTightShare * survey.tightRadius;
-    reason =
-        share <= tight
-            ? fmt::format("depth: {} % of half the mesh's diagonal.", 100 * kDepthShare)
-            : "depth: half the radius of the tightest curves, so that the relief doesn't cross itself there.";
+    reason = share <= tight
+                 ? fmt::format("depth: {} % of half the mesh's diagonal.", 100 * kDepthShare)
+                 : "depth: half the smallest radius of curvature, so that the relief doesn't self-intersect.";
     return rounded(std::min(share, tight));
 }
 
 std::string depthGiven(const SurfaceSurvey& survey, double depth) {
     if (depth <= survey.tightRadius) return "depth: as given.";
-    return fmt::format("depth: as given; a twentieth of the surface bends with a radius below {:.2g}, where "
-                       "so deep a relief "
-                       "crosses itself.",
+    return fmt::format("depth: as given; 5 % of the surface has a radius of curvature below {:.2g}, "
+                       "where a relief this deep self-intersects.",
                        survey.tightRadius);
 }
 
@@ -100,7 +98,7 @@ Vec2 chooseTile(const ControlMesh& mesh, const SurfaceSurvey& survey, const Heig
                 const Camera& camera, std::string& reason) {
     if (!survey.uvScale)
         throw InputError(mesh.name, "its texture coordinates have no area", "uvs spread over the surface",
-                         "--tile S,T goes on without");
+                         "--tile S,T doesn't need it");
     const double width = map.width(), height = map.height();
     const double fromObject = kMapShare * 2 * survey.radius(),
                  fromPixels = pixelSide(camera) * std::sqrt(width * height);
@@ -110,13 +108,13 @@ Vec2 chooseTile(const ControlMesh& mesh, const SurfaceSurvey& survey, const Heig
     // if the uvs themselves repeat, their author intended it.
     Vec2 tile = glm::max(Vec2(1), glm::round(wanted));
     reason = fromObject >= fromPixels ? "tile: one map is about a third of the object, texels about square, "
-                                        "whole numbers so that seams close."
+                                        "integers so that seams are continuous."
                                       : "tile: a texel is about a pixel or larger, texels about square, "
-                                        "whole numbers so that seams close.";
+                                        "integers so that seams are continuous.";
     if (map.wrapS() == Wrap::Clamp) tile.x = 1;
     if (map.wrapT() == Wrap::Clamp) tile.y = 1;
     if (map.wrapS() == Wrap::Clamp || map.wrapT() == Wrap::Clamp)
-        reason += " A map that clamps isn't repeated.";
+        reason += " A map that clamps is not repeated.";
     return tile;
 }
 
@@ -124,7 +122,7 @@ int chooseProxyRate(const SurfaceSurvey& survey, Scheme scheme, std::string& rea
     int rate = 1;
     if (scheme == Scheme::None || survey.flat) {
         reason = fmt::format("The polygons real-time techniques get: {}.",
-                             survey.flat ? "the surface is flat, its faces will do" : "the mesh's own");
+                             survey.flat ? "the surface is flat, so its faces suffice" : "the mesh's own");
         return rate;
     }
     rate = std::clamp(
@@ -149,7 +147,7 @@ void requireUsableSize(const ControlMesh& mesh, const Bounds& bounds) {
 SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const DraftWishes& wishes) {
     if (!mesh.hasUvs())
         throw InputError(mesh.name, "has no uvs" + (mesh.uvsMissing.empty() ? "" : ": " + mesh.uvsMissing),
-                         "a mesh with a uv index at every corner: they say where the map lies");
+                         "a mesh with a uv index at every corner, because uvs place the map");
     Bounds bounds;
     for (const Vec3& point : mesh.points)
         bounds.add(point);
@@ -174,7 +172,7 @@ SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const Draft
     const std::vector<Vec3> hull = reliefHull(survey, map, draft.depth);
     frameWith(draft.camera, view, hull);
     draft.reasons.camera += fmt::format(
-        " All of the relief is in the picture, {:.0f} % of it free on every side.", 100 * kDraftMargin);
+        " The whole relief is in the image, with a margin of {:.0f} % on each side.", 100 * kDraftMargin);
     draft.toLight = chooseLight(survey, view, draft.reasons.light);
     draft.tile =
         wishes.tile ? *wishes.tile : chooseTile(placed, survey, map, draft.camera, draft.reasons.tile);

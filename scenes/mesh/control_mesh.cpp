@@ -203,7 +203,7 @@ void checkControlMesh(const ControlMesh& mesh, Scheme scheme) {
         checkDistinctVertices(mesh, face);
         if (scheme == Scheme::Loop && face.size != 3)
             throw InputError(whereOfFace(mesh, face.index), fmt::format("{} vertices", face.size),
-                             "triangles alone under scheme \"loop\"",
+                             "only triangles under scheme \"loop\"",
                              "\"catmull-clark\" takes faces of any size");
         area += faceArea(mesh, face);
     }

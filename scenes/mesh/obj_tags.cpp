@@ -77,7 +77,7 @@ class TagReader {
         // Each count is compared separately first, because the sum of very large counts may overflow.
         if (integers > there || numbers > there || texts > there || integers + numbers + texts != there)
             fail(fmt::format("{} values follow {} in a subdivision tag", there, shortened(words[1])),
-                 "as many as its counts say");
+                 "as many as its counts state");
         Tag tag{std::string(words[0]), {}, {}, {}};
         for (size_t i = 2; i < words.size(); ++i) {
             if (i < 2 + integers)
@@ -123,7 +123,7 @@ class TagReader {
     }
 
     void addHole(const Tag& tag) {
-        requireCounts(tag, !tag.integers.empty() && tag.numbers.empty() && tag.texts.empty(), "faces alone");
+        requireCounts(tag, !tag.integers.empty() && tag.numbers.empty() && tag.texts.empty(), "only faces");
         for (const int face : tag.integers)
             result_.tags.holes.push_back({face, line_});
     }

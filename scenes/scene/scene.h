@@ -54,16 +54,18 @@ struct Scene {
     std::vector<Light> lights;
     std::vector<SceneObject> objects;
     std::vector<SceneRequirement> requirements;
-    std::vector<std::string>
-        warnings; // a line each: what a user should know of meshes and maps before trusting figures
-    std::vector<std::filesystem::path> files; // read: the scene file, meshes and maps
-    std::string hash; // of what the scene file says (changes made, [require] left out) and every file it
-                      // names; hexadecimal
-    std::vector<std::string>
-        changes; // fields that were given other values than the file's: "camera.width=400"
+    /// Problems with meshes and maps that may affect results, one line each.
+    std::vector<std::string> warnings;
+    /// Files that were read: the scene file, meshes and maps.
+    std::vector<std::filesystem::path> files;
+    /// Hexadecimal hash of the scene file's values (with overrides, without [require]) and of all files it
+    /// names.
+    std::string hash;
+    /// Overridden fields: "camera.width=400".
+    std::vector<std::string> changes;
 };
 
-/// The one shading formula: color * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
+/// The shading formula: color * (0.05 + sum over lights of max(N.L, 0) * (1 - shadow)).
 /// GLSL version: writePoint in realtime/shaders/shading.glsl.
 inline constexpr double kAmbient = 0.05;
 

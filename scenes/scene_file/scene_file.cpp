@@ -78,7 +78,7 @@ class SceneReader {
     std::string readPurpose() const {
         std::string purpose = root_.text("purpose");
         if (purpose.find_first_not_of(" \t\n") == std::string::npos)
-            root_.fail("purpose", "is empty", "a sentence that says what the scene is for");
+            root_.fail("purpose", "is empty", "a sentence that states the purpose of the scene");
         return purpose;
     }
 

@@ -112,8 +112,7 @@ TEST_F(New, UnusableInput_IsRefusedWithoutFile) {
     for (const char* bad : {"0,1", "1", "1,2,3", "inf,1", ",", "1e7,1"})
         expectRefusal(make({"--tile", bad}), 2, "--tile");
     expectRefusal(make({"--scheme", "lop"}), 2, "did you mean 'loop'?");
-    expectRefusal(make({"--scheme", "loop"}), 2,
-                  "sheet.obj:19: face 1: 4 vertices; expected triangles alone");
+    expectRefusal(make({"--scheme", "loop"}), 2, "sheet.obj:19: face 1: 4 vertices; expected only triangles");
     expectRefusal(make({"--stores", "heigth"}), 2, "did you mean 'height'?");
     expectRefusal(make({"--wrap", "repeat"}), 2, "--wrap");
     writeFile(folder_ / "bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
