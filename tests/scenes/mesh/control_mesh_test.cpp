@@ -63,7 +63,7 @@ TEST(ControlMesh, InvalidMesh_NamesFault) {
         point.y = 0;
     EXPECT_THAT(messageFor(mesh), HasSubstr("no area"));
 
-    EXPECT_THAT(messageFor(quad(), Scheme::Loop), HasSubstr("4 vertices; expected triangles"));
+    EXPECT_THAT(messageFor(quad(), Scheme::Loop), HasSubstr("4 vertices; expected only triangles"));
     EXPECT_THAT(messageFor(ControlMesh()), HasSubstr("no face"));
 }
 
