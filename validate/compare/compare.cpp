@@ -13,7 +13,7 @@ namespace plumbline {
 namespace {
 
 void noteObjects(const FramePair& pair, std::vector<std::string>& notes) {
-    if (!pair.objectsToldApart())
+    if (!pair.hasObjectIds())
         notes.push_back(pair.missingChannel("id") + ": everything covered counts as one object");
 }
 
@@ -141,9 +141,9 @@ void measureAll(const MetricInput& input, Comparison& comparison) {
     const bool several = relief.size() != 1; // pooled over one, figures are that one's
     std::vector<Measurement> measurements;
     for (const PreparedMetric& metric : metrics) {
-        const bool ofPicture = metric.metric->scope == Scope::Picture;
-        if (ofPicture || several) measurements.push_back({&metric, relief, &comparison.pooled});
-        if (ofPicture) continue;
+        const bool ofImage = metric.metric->scope == Scope::Image;
+        if (ofImage || several) measurements.push_back({&metric, relief, &comparison.pooled});
+        if (ofImage) continue;
         for (const size_t index : all)
             measurements.push_back(
                 {&metric, std::span(all).subspan(index, 1), &comparison.objects[index].metrics});

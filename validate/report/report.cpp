@@ -144,7 +144,7 @@ void Report::saveTest(const std::string& stem, report::FrameEntry entry, const C
     if (data_.frames.size() == 1) {
         data_.objects = pair.objects();
         data_.depthRange = report::depthRange(comparison);
-        if (!pair.objectsToldApart() || !pair.reference().has("Z"))
+        if (!pair.hasObjectIds() || !pair.reference().has("Z"))
             saveReference(pair, comparison.referenceDepth);
     }
     entry.file = fmt::format("data/{}.js", safeFileName(stem));

@@ -114,7 +114,7 @@ Requirement parseRequirement(const std::string& text, const std::string& where) 
     requirement.light = name.light;
     const MetricInfo* metric = findMetric(requirement.key);
     if (!metric) refuseMetric(requirement);
-    if ((metric->scope == Scope::Picture || metric->scope == Scope::Technique) && !requirement.object.empty())
+    if ((metric->scope == Scope::Image || metric->scope == Scope::Technique) && !requirement.object.empty())
         throw InputError(where, fmt::format("no object has a {} of its own", requirement.key),
                          requirement.key + " without '@'");
     return requirement;

@@ -129,7 +129,7 @@ void addObjectsAndNotes(Json& json, const Comparison& comparison, bool withCost)
 Json toJson(const Comparison& comparison) {
     Json json;
     json["pooled_objects"] = comparison.pooledObjects;
-    addGroups(json, metricGroups(comparison.pooled, {Scope::Objects, Scope::ObjectsByLight, Scope::Picture}),
+    addGroups(json, metricGroups(comparison.pooled, {Scope::Objects, Scope::ObjectsByLight, Scope::Image}),
               false);
     addObjectsAndNotes(json, comparison, false);
     return json;
@@ -157,7 +157,7 @@ Json toJson(const TechniqueOutcome& technique) {
     }
     json["pooled_objects"] = technique.comparison.pooledObjects;
     Group groups = metricGroups(pooledFigures(technique),
-                                {Scope::Objects, Scope::ObjectsByLight, Scope::Picture, Scope::Technique});
+                                {Scope::Objects, Scope::ObjectsByLight, Scope::Image, Scope::Technique});
     if (technique.cost.msMedian) {
         groups.inner(kCostGroup).addLast("ms_runs", technique.msRuns);
         groups.inner(kCostGroup).addLast("timer", technique.timer);

@@ -64,7 +64,7 @@ TEST(Compare, MissingChannels_AreNoted) {
     EXPECT_THAT(result.notes, Contains(HasSubstr("no normal figures")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no st figures")));
     EXPECT_THAT(result.notes,
-                Contains(HasSubstr("the test frame has no channel R: no figures of the picture")));
+                Contains(HasSubstr("the test frame has no channel R: no image figures")));
     EXPECT_EQ(*result.pooled.figure("silhouette.iou"), 1);
     EXPECT_FALSE(result.pooled.figure("depth.mae"));
     EXPECT_FALSE(result.pooled.figure("shadow.agreement", "sun"));
@@ -107,7 +107,8 @@ TEST(Compare, Lights_ComeFromReferencesHeaderFirst) {
     other.metadata["light.fill"] = "to_light 0 0 -1";
     EXPECT_EQ(castPx(other, lit), 2);
     const Comparison unknown = compareFrames(frame, frame, {}, Camera());
-    EXPECT_THAT(unknown.notes, Contains(HasSubstr("no frame's header says where the light sun is")));
+    EXPECT_THAT(unknown.notes,
+                Contains(HasSubstr("neither header contains the direction or position of the light")));
     EXPECT_FALSE(unknown.pooled.figure("shadow.cast_agreement", "sun"));
     EXPECT_THAT(compareFrames(lit, lit, {}, std::nullopt).notes,
                 Contains(HasSubstr("the camera is not known: attached and cast")));

@@ -134,8 +134,8 @@ TEST(ContourDistance, NoContour_IsAbsentWithReason) {
         EXPECT_EQ(result.meanPx, result.hausdorff95Px);
         return result.meanPx.reason();
     };
-    EXPECT_THAT(reason(some, nothing), HasSubstr("the test frame shows no outline"));
-    EXPECT_THAT(reason(nothing, some), HasSubstr("the reference frame shows no outline"));
+    EXPECT_THAT(reason(some, nothing), HasSubstr("the test frame shows no contour"));
+    EXPECT_THAT(reason(nothing, some), HasSubstr("the reference frame shows no contour"));
     EXPECT_THAT(reason(nothing, nothing), HasSubstr("neither frame shows"));
     EXPECT_THAT(reason(full, full), HasSubstr("nothing beside it"));
     EXPECT_THAT(reason(full, some), HasSubstr("the reference frame"));

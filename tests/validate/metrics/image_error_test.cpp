@@ -38,7 +38,7 @@ TEST(ImageError, EqualImages_HaveNoPsnr) {
     EXPECT_EQ(*result.rmse, 0);
     EXPECT_EQ(*result.badpix2Codes, 0);
     EXPECT_FALSE(result.psnrDb);
-    EXPECT_EQ(result.psnrDb.reason(), "the pictures are equal");
+    EXPECT_EQ(result.psnrDb.reason(), "the images are equal");
 }
 
 // Four pixels, twelve codes: one pixel differs by 3, 4 and 0, another by 0, 0 and 12. Squares: 9 + 16 + 144 =
@@ -92,7 +92,7 @@ TEST(ImageError, OutOfRangeColors_AreClamped) {
     set(test, "R", 0, 0, 7);
     set(test, "G", 1, 0, -1);
     EXPECT_EQ(*errorOf(reference, test).rmse, 0);
-    EXPECT_EQ(errorOf(reference, test).psnrDb.reason(), "the pictures are equal");
+    EXPECT_EQ(errorOf(reference, test).psnrDb.reason(), "the images are equal");
 }
 
 TEST(ImageError, NanColors_AreCountedApart) {

@@ -174,7 +174,7 @@ TEST(SearchIterations, CoveredPixels_GiveMeanAndHistogram) {
     EXPECT_EQ(result.domainPx, 4u);
     EXPECT_DOUBLE_EQ(*result.mean, 1.5);
     EXPECT_EQ(*result.p99, 4);
-    EXPECT_EQ(*result.most, 4);
+    EXPECT_EQ(*result.max, 4);
     EXPECT_EQ(result.histogram, (std::vector<uint64_t>{1, 2, 0, 0, 1}));
 }
 
@@ -189,7 +189,7 @@ TEST(SearchIterations, LastBin_IsOpen) {
     ASSERT_EQ(result.histogram.size(), SearchIterations::kHistogramEnd + 1);
     EXPECT_EQ(result.histogram[63], 1u);
     EXPECT_EQ(result.histogram[64], 2u);
-    EXPECT_EQ(*result.most, 4000);
+    EXPECT_EQ(*result.max, 4000);
 }
 
 TEST(SearchIterations, NoChannel_IsAbsentWithReason) {
@@ -201,7 +201,7 @@ TEST(SearchIterations, NoChannel_IsAbsentWithReason) {
     Frame nothing = emptyFrame(2, 1);
     nothing.add("cost.iterations");
     const FramePair missed(frame, nothing, {});
-    EXPECT_THAT(computeSearchIterations(missed, allOf(missed)).most.reason(), HasSubstr("covers no pixel"));
+    EXPECT_THAT(computeSearchIterations(missed, allOf(missed)).max.reason(), HasSubstr("covers no pixel"));
 }
 
 TEST(FetchCost, NoChannel_IsAbsentWithReason) {

@@ -111,7 +111,7 @@ TEST(ShadowKinds, PixelsWithoutNormal_AreCountedApart) {
     EXPECT_EQ(*result.noNormalPx, 2);
     EXPECT_EQ(*result.cast.domainPx, 1);
     EXPECT_EQ(*result.attached.domainPx, 0);
-    EXPECT_THAT(result.attached.agreement.reason(), HasSubstr("turned away from the light"));
+    EXPECT_THAT(result.attached.agreement.reason(), HasSubstr("faces away from the light"));
 }
 
 TEST(ShadowKinds, NoLights_IsAbsentWithReason) {
@@ -126,7 +126,7 @@ TEST(ShadowKinds, NoLights_IsAbsentWithReason) {
         EXPECT_FALSE(result.attached.domainPx);
         return result.cast.agreement.reason();
     };
-    EXPECT_THAT(reason(pair, "sun", std::nullopt, camera), HasSubstr("where the light is (light.sun)"));
+    EXPECT_THAT(reason(pair, "sun", std::nullopt, camera), HasSubstr("position of the light (light.sun)"));
     EXPECT_THAT(reason(pair, "sun", light, std::nullopt), HasSubstr("camera is not known"));
     EXPECT_THAT(reason(pair, "moon", light, camera), HasSubstr("neither frame has a channel shadow.moon"));
     Frame bare(1, 1);

@@ -91,7 +91,7 @@ TEST(SilhouetteIou, NoId_UsesCoverage) {
     coverage[2] = 0.49f; // and just below it not
     coverage[3] = kNanF;
     const FramePair pair(reference, test, {});
-    EXPECT_FALSE(pair.objectsToldApart());
+    EXPECT_FALSE(pair.hasObjectIds());
     const SilhouetteIou result = computeSilhouetteIou(pair, allOf(pair));
     EXPECT_EQ(*result.iou, 1.0);
     EXPECT_EQ(result.unionPx, 2u);

@@ -175,7 +175,7 @@ TEST(ReportPage, Page_ShowsFiguresLimitsAndReasons) {
     EXPECT_THAT(page, HasSubstr("broken.glsl:3"));
     EXPECT_THAT(page, HasSubstr(">0.50000<small>0.47059–0.50000</small>"));
     EXPECT_THAT(page, HasSubstr(">0.7500<small>0.7500–0.8750</small>"));
-    EXPECT_THAT(page, HasSubstr("outline off<small>mean, px"));
+    EXPECT_THAT(page, HasSubstr("contour distance<small>mean, px"));
     // 4 missing, 4 extra, 12 px in 20.
     EXPECT_THAT(page, HasSubstr("<td data-value=\"4\">4</td><td data-value=\"4\">4</td>"));
     EXPECT_THAT(page, HasSubstr("<td data-value=\"0.6\">0.60</td><td data-value=\"1\">1.00</td>"));
