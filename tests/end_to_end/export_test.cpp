@@ -69,9 +69,9 @@ TEST_F(Export, RenamedDistances_CompareEqual) {
     EXPECT_THAT(technique["notes"].dump(), HasSubstr("dist is a distance along the ray"));
     EXPECT_THAT(technique["notes"].dump(), HasSubstr("no normal figures"));
 
-    expectRefused(run({"compare", "a.exr", "b.exr"}), "has no channel of a frame; its channels are dist");
+    expectRefused(run({"compare", "a.exr", "b.exr"}), "no channel name is recognized; its channels are dist");
     expectRefused(run({"compare", "a.exr", "b.exr", "--map", "dist=depth"}), "no channel is called 'depth'");
-    expectRefused(run({"compare", "b.exr", "b.exr", "--map", "dist=Z"}), "has no channel of a frame");
+    expectRefused(run({"compare", "b.exr", "b.exr", "--map", "dist=Z"}), "no channel name is recognized");
 }
 
 } // namespace

@@ -6,8 +6,8 @@
 #include "validate/cli/report_arguments.h"
 #include "validate/cli/requirements.h"
 #include "validate/cli/shared.h"
-#include "validate/compare/foreign_frame.h"
 #include "validate/compare/frame_metadata.h"
+#include "validate/compare/imported_frame.h"
 #include "validate/results/output_files.h"
 
 #include <CLI/CLI.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 struct Arguments {
     std::filesystem::path reference, test;
-    std::vector<std::string> channelMap;         // THEIRS=OURS, validate/compare/foreign_frame.h
+    std::vector<std::string> channelMap;         // THEIRS=OURS, validate/compare/imported_frame.h
     std::optional<std::filesystem::path> output; // folder
     bool json = false;
     ReportArguments report;
@@ -40,15 +40,15 @@ ReferenceSummary fromFile(const Frame& frame, const std::string& file) {
 }
 
 /// Of the view, from either file's header.
-std::optional<Camera> cameraOf(const ForeignFrame& reference, const ForeignFrame& test) {
+std::optional<Camera> cameraOf(const ImportedFrame& reference, const ImportedFrame& test) {
     std::optional<Camera> camera = cameraFromHeader(reference.frame, reference.file);
     return camera ? camera : cameraFromHeader(test.frame, test.file);
 }
 
 /// What the two headers leave open, or say differently.
-std::vector<std::string> headerNotes(const ForeignFrame& reference, const ForeignFrame& test) {
+std::vector<std::string> headerNotes(const ImportedFrame& reference, const ImportedFrame& test) {
     std::vector<std::string> notes;
-    for (const ForeignFrame* each : {&reference, &test})
+    for (const ImportedFrame* each : {&reference, &test})
         for (const std::string& field : leftOutFields(each->frame, each->file))
             notes.push_back(fmt::format("{}: the header field '{}' isn't as plumbline writes it: left out",
                                         each->file, field));
@@ -67,19 +67,19 @@ std::vector<std::string> headerNotes(const ForeignFrame& reference, const Foreig
 }
 
 /// Both frames as the channel table has them; returns what was assumed for that.
-std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& test) {
+std::vector<std::string> convertFrames(ImportedFrame& reference, ImportedFrame& test) {
     if (reference.frame.width() != test.frame.width() || reference.frame.height() != test.frame.height())
         return {}; // the camera isn't that of both; compareFrames refuses them
     std::vector<std::string> notes = headerNotes(reference, test);
     const std::optional<Camera> camera = cameraOf(reference, test);
-    for (ForeignFrame* each : {&reference, &test})
-        for (std::string& note : settleFrame(*each, camera))
+    for (ImportedFrame* each : {&reference, &test})
+        for (std::string& note : convertFrame(*each, camera))
             notes.push_back(std::move(note));
     return notes;
 }
 
-Results compareFiles(const Arguments& arguments, const ForeignFrame& referenceFile,
-                     const ForeignFrame& testFile, const std::vector<std::string>& assumed) {
+Results compareFiles(const Arguments& arguments, const ImportedFrame& referenceFile,
+                     const ImportedFrame& testFile, const std::vector<std::string>& assumed) {
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
     std::vector<ObjectInfo> objects = objectsFromHeader(reference, referenceFile.file);
     if (objects.empty()) objects = objectsFromHeader(test, testFile.file);
@@ -124,9 +124,9 @@ int runCompare(const Arguments& arguments) {
             "--single-file and --plain-report say what the report is to be like, and none is written",
             "-o DIR, the folder for it");
     const auto requirements = readRequirements(arguments.requirements.require);
-    ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
-    ForeignFrame testFile = readForeignFrame(arguments.test, parseChannelMap(arguments.channelMap));
-    const std::vector<std::string> assumed = settleFrames(referenceFile, testFile);
+    ImportedFrame referenceFile = readImportedFrame(arguments.reference, {});
+    ImportedFrame testFile = readImportedFrame(arguments.test, parseChannelMap(arguments.channelMap));
+    const std::vector<std::string> assumed = convertFrames(referenceFile, testFile);
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
     Results results = compareFiles(arguments, referenceFile, testFile, assumed);
     checkNames(requirements, results.techniques[0]);

@@ -57,14 +57,13 @@ TEST(Compare, MissingChannels_AreNoted) {
     const auto coverage = test.add("A");
     coverage[0] = coverage[1] = 1;
     const Comparison result = compareFrames(reference, test, {}, std::nullopt);
-    EXPECT_THAT(result.notes, Contains(HasSubstr("no channel id: everything covered counts as one object")));
+    EXPECT_THAT(result.notes, Contains(HasSubstr("no channel id: all covered pixels count as one object")));
     EXPECT_THAT(result.notes,
                 Contains(HasSubstr("the test frame has neither Z nor P.X P.Y P.Z: no depth figures")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no shadow figures for sun")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no normal figures")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no st figures")));
-    EXPECT_THAT(result.notes,
-                Contains(HasSubstr("the test frame has no channel R: no image figures")));
+    EXPECT_THAT(result.notes, Contains(HasSubstr("the test frame has no channel R: no image figures")));
     EXPECT_EQ(*result.pooled.figure("silhouette.iou"), 1);
     EXPECT_FALSE(result.pooled.figure("depth.mae"));
     EXPECT_FALSE(result.pooled.figure("shadow.agreement", "sun"));
