@@ -63,7 +63,7 @@ TEST_F(Validate, BadSceneRequirement_IsRefusedFirst) {
     for (const auto& [line, part] :
          {std::pair("\"silhouette.oiu\" = \">= 1\"", "did you mean 'silhouette.iou'"),
           {"\"silhouette.iou@tours\" = \">= 1\"", "did you mean 'torus'"},
-          {"\"silhouette.iou\" = \"1\"", "compares with nothing"}}) {
+          {"\"silhouette.iou\" = \"1\"", "contains no comparison"}}) {
         writeFile(folder_ / "small.toml", std::string(kSmallScene) + "\n[require]\n" + line + "\n");
         const Outcome refused = validate("out");
         EXPECT_EQ(refused.exitCode, 2);
@@ -445,7 +445,7 @@ TEST_F(Validate, OutputOverInput_IsRefused) {
           std::vector<std::string>{"bake", "small.toml#stone", "--kind", "max_mipmap", "-o", "small.toml"}}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exitCode, 2) << arguments[0];
-        EXPECT_THAT(outcome.err, HasSubstr("would be replaced, and is what is read"));
+        EXPECT_THAT(outcome.err, HasSubstr("this file is an input and would be overwritten"));
         EXPECT_EQ(readFile(folder_ / "small.toml"), before);
     }
 }

@@ -48,7 +48,7 @@ void checkNames(const std::vector<Requirement>& requirements, const TechniqueOut
 }
 
 bool holdRequirements(const std::vector<Requirement>& requirements, TechniqueOutcome& outcome) {
-    outcome.requirements = holdAgainst(requirements, outcome);
+    outcome.requirements = evaluateRequirements(requirements, outcome);
     bool all = true;
     for (const RequirementResult& result : outcome.requirements) {
         if (result.passed) continue;

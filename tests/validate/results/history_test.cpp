@@ -95,7 +95,7 @@ TEST(HistoryFile, DamagedLine_IsNamed) {
     };
     EXPECT_THAT(errorOf("<<<<<<< HEAD\n"), HasSubstr("h.jsonl:2: is not valid JSON; expected a line that"));
     EXPECT_THAT(errorOf(good.substr(0, good.size() / 2)), HasSubstr("h.jsonl:2: is not valid JSON"));
-    EXPECT_THAT(errorOf("[]\n"), HasSubstr("is no JSON object"));
+    EXPECT_THAT(errorOf("[]\n"), HasSubstr("is not a JSON object"));
     EXPECT_THAT(errorOf("{}\n"), HasSubstr("has no schema"));
     const auto changed = [&](const std::string& from, const std::string& to) {
         const size_t at = good.find(from);
@@ -108,9 +108,9 @@ TEST(HistoryFile, DamagedLine_IsNamed) {
                 HasSubstr("schema is array; expected 1"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":NaN")), HasSubstr("is not valid JSON"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":1e999")), HasSubstr("is not valid JSON"));
-    EXPECT_THAT(errorOf(changed("iou\":1", "iou\":\"1\"")), HasSubstr("silhouette.iou is no number"));
+    EXPECT_THAT(errorOf(changed("iou\":1", "iou\":\"1\"")), HasSubstr("silhouette.iou is not a number"));
     EXPECT_THAT(errorOf(changed("\"techniques\":[", "\"other\":[")), HasSubstr("has no techniques"));
-    EXPECT_THAT(errorOf(changed("\"torus\"", "3")), HasSubstr("scene.name is no text"));
+    EXPECT_THAT(errorOf(changed("\"torus\"", "3")), HasSubstr("scene.name is not a text"));
     EXPECT_THAT(errorOf(std::string(200000, '[')), HasSubstr("is not valid JSON"));
 }
 
@@ -123,10 +123,10 @@ TEST(HistoryFile, NoResults_AreRefused) {
     EXPECT_THAT(errorOf(good.substr(0, 300)), HasSubstr("r.json: is not valid JSON"));
     Results none = sampleResults();
     none.techniques.clear();
-    EXPECT_THAT(errorOf(toJson(none)), HasSubstr("holds no technique"));
+    EXPECT_THAT(errorOf(toJson(none)), HasSubstr("contains no technique"));
     Results twice = sampleResults();
     twice.techniques[1] = twice.techniques[0];
-    EXPECT_THAT(errorOf(toJson(twice)), HasSubstr("names 'linear_binary' twice"));
+    EXPECT_THAT(errorOf(toJson(twice)), HasSubstr("contains 'linear_binary' twice"));
 }
 
 TEST(HistoryMoves, FartherFromBest_IsWorse) {
@@ -214,7 +214,7 @@ TEST(HistoryMoves, Failure_IsRegressionOnce) {
     const SceneMoves mended = movesOf({good, failing("b"), worse});
     EXPECT_TRUE(mended.hasRegression()); // against "a"
     EXPECT_THAT(mended.notes,
-                ElementsAre("mine works again", "mine is held against 'a', where it worked last"));
+                ElementsAre("mine works again", "mine is compared with 'a', where it last worked"));
     EXPECT_FALSE(movesOf({failing("a"), worse}).hasRegression());
 }
 
@@ -225,9 +225,8 @@ TEST(HistoryMoves, OtherScenes_AreNotCompared) {
     proxy.base = "proxy";
     other.scene = "plane";
     EXPECT_THAT(movesOf({first, changed}).notes,
-                ElementsAre("not comparable with 'a': the scene's files or fields are others now"));
-    EXPECT_THAT(movesOf({first, proxy}).notes,
-                ElementsAre("not comparable with 'a': another base was displaced"));
+                ElementsAre("not comparable with 'a': files or fields of the scene have changed"));
+    EXPECT_THAT(movesOf({first, proxy}).notes, ElementsAre("not comparable with 'a': its base is different"));
     EXPECT_FALSE(movesOf({first, changed}).hasRegression());
     EXPECT_THAT(movesOf({first}).notes, ElementsAre("the first record of this scene"));
     // Back to the scene as it was: that record is the one to compare with.
@@ -244,7 +243,7 @@ TEST(HistoryMoves, AddedAndRemovedTechniques_AreNotes) {
     const SceneMoves scene = movesOf({two, one});
     EXPECT_FALSE(scene.hasRegression());
     ASSERT_EQ(scene.notes.size(), 2u);
-    EXPECT_EQ(scene.notes[0], "yours isn't in the latest record");
+    EXPECT_EQ(scene.notes[0], "yours is not in the latest record");
     EXPECT_THAT(scene.notes[1], HasSubstr("the reference's own error"));
     EXPECT_THAT(scene.moves, IsEmpty());
     EXPECT_EQ(scene.unmoved.at(0).second, 1u);
