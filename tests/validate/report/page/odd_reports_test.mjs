@@ -68,7 +68,7 @@ for (const { what, frames, text, panes } of [
     }));
     const metrics = [
       { key: "silhouette.iou", label: "IoU", unit: "", meaning: "", better: "high" },
-      { key: "cost.fetches_mean", label: "look-ups", unit: "1", meaning: "", better: "low" },
+      { key: "cost.fetches_mean", label: "lookups", unit: "1", meaning: "", better: "low" },
     ];
     const change = (data) => (data.metrics = metrics);
     const { page, account } = await openReport(t, painted(t, { frames, techniques, change }));

@@ -176,13 +176,13 @@ const kLayers = [
     read: { 1: "0.00°", 5: "22.50°", 9: "90.00°", 10: "no normal", 2: "not the same object in both" },
   },
   {
-    what: "look-ups",
+    what: "lookups",
     frame: "t1",
     layer: "fetches",
     pixels: picture(kDark, [nothing, 0, 2, 6], [kPale, 1], [kMedium, 3], [invalid, 9]),
     legend: ["nothing there 3", "not a finite number 1"],
-    ends: ["0", "10 look-ups", "20"],
-    read: { 3: "10 look-ups", 8: "40 look-ups", 6: "nothing there" },
+    ends: ["0", "10 lookups", "20"],
+    read: { 3: "10 lookups", 8: "40 lookups", 6: "nothing there" },
   },
   {
     what: "iterations",

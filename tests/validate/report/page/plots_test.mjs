@@ -39,7 +39,7 @@ function changedReport(t, change) {
   return file;
 }
 
-/** As many techniques as points, each with an IoU, a depth RMSE, a bias and look-ups. */
+/** As many techniques as points, each with an IoU, a depth RMSE, a bias and lookups. */
 function techniquesAt(data, points) {
   const [model] = data.results.techniques;
   data.results.techniques = points.map(({ name, quality, bias, cost }) => {
@@ -117,7 +117,7 @@ test("front of random points: equals the definition", async (t) => {
   }
 });
 
-test("technique without look-ups: listed as left out, with the reason", async (t) => {
+test("technique without lookups: listed as left out, with the reason", async (t) => {
   const file = changedReport(t, (data) => {
     const [first, second] = data.results.techniques;
     delete first.cost.fetches_mean;
