@@ -189,14 +189,14 @@ TEST_F(StudyRun, BadStudy_IsRefusedFirst) {
                 HasSubstr("expected auto, egl or osmesa"));
     EXPECT_EQ(filesBelow(folder_).size(), 2u); // study and scene: nothing was left behind
     EXPECT_EQ(errorOf({"study", "report", "tiny.toml", "-o", "out"}),
-              "out: holds no results of a study; expected the folder of 'plumbline study run tiny'\n");
+              "out: contains no results of a study; expected the folder of 'plumbline study run tiny'\n");
     EXPECT_THAT(errorOf({"study", "run", "nosuch"}),
                 HasSubstr("neither a file nor a study is called 'nosuch'"));
     writeFile(folder_ / "other.toml", study);
     ASSERT_EQ(run({"study", "run", "other.toml", "-o", "out"}).exitCode, 0);
     EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
-                HasSubstr("holds the results of study 'other'"));
-    EXPECT_THAT(errorOf({"study-case", "1"}), HasSubstr("'study-case' is for the program itself"));
+                HasSubstr("contains the results of study 'other'"));
+    EXPECT_THAT(errorOf({"study-case", "1"}), HasSubstr("'study-case' is an internal command"));
 }
 
 } // namespace

@@ -32,8 +32,8 @@ std::string endlessSearch() {
            round + "}\nreturn hitAt(ray, position.x);\n}\n";
 }
 const std::string kStopped =
-    "endless: not finished after 2 s and stopped; expected a search whose loops end; "
-    "--time-limit SECONDS gives it more";
+    "endless: not finished after 2 s and stopped; expected a search whose loops terminate; "
+    "--time-limit SECONDS raises the limit";
 
 class TimeLimit : public EndToEnd {
   protected:
@@ -208,7 +208,7 @@ TEST_F(EndToEnd, InternalCommand_IsRefusedForUsers) {
          {std::vector<std::string>{"draw-worker"}, {"draw-worker", "1"}}) {
         const Outcome refused = run(words);
         EXPECT_EQ(refused.exitCode, 2);
-        EXPECT_EQ(refused.err, "plumbline: 'draw-worker' is for the program itself; expected one of the "
+        EXPECT_EQ(refused.err, "plumbline: 'draw-worker' is an internal command; expected one of the "
                                "commands that --help lists\n");
         EXPECT_THAT(refused.out, IsEmpty());
     }

@@ -105,7 +105,7 @@ TEST_F(StudyFile, Mistakes_NameTheirLine) {
     EXPECT_EQ(messageFor("[0.02, 0.5]", "[]"),
               "mine.toml:12: grid.axis.values: is empty; expected at least one value");
     EXPECT_EQ(messageFor("[0.02, 0.5]", "[0.5, 0.5]"),
-              "mine.toml:12: grid.axis.values: 0.5 is there twice; expected each once");
+              "mine.toml:12: grid.axis.values: 0.5 occurs twice; expected each once");
     EXPECT_EQ(messageFor("[10, 1000]", "[10, 10]"),
               "mine.toml:16: grid.axis.range: [10, 10] is empty; expected [lowest, highest]");
     EXPECT_EQ(messageFor("[10, 1000]", "[0, 10]"),
@@ -119,17 +119,18 @@ TEST_F(StudyFile, Mistakes_NameTheirLine) {
     EXPECT_EQ(messageFor("name = \"size\"", "name = \"scene\""),
               "mine.toml:14: grid.axis.name: \"scene\" is taken already; expected another one");
     EXPECT_EQ(messageFor("label = \"B\"", "label = \"A\""),
-              "mine.toml:23: grid.technique.label: is \"A\"; expected a text of its own");
+              "mine.toml:23: grid.technique.label: is \"A\"; expected a unique text");
     EXPECT_EQ(messageFor("first = \"A\"", "first = \"C\""),
               "mine.toml:26: grid.pair.first: is the text \"C\"; expected A or B");
     EXPECT_EQ(messageFor("columns = \"depth\"", "columns = \"deep\""),
               "mine.toml:32: table.columns: is the text \"deep\"; expected scene, technique, depth or size");
     EXPECT_EQ(messageFor("size = [10, 100]", "size = 11"),
-              "mine.toml:41: plot.where.size: 11 is none of its values; expected 10, 100 or 1000; did you "
+              "mine.toml:41: plot.where.size: 11 is not one of its values; expected 10, 100 or 1000; did you "
               "mean '10'?");
-    EXPECT_EQ(messageFor("size = [10, 100]", "sise = 10"),
-              "mine.toml:41: plot.where.sise: is no axis of the grid; expected scene, technique, depth or "
-              "size; did you mean 'size'?");
+    EXPECT_EQ(
+        messageFor("size = [10, 100]", "sise = 10"),
+        "mine.toml:41: plot.where.sise: is not an axis of the grid; expected scene, technique, depth or "
+        "size; did you mean 'size'?");
     EXPECT_THAT(messageFor("small_torus", "small_tours"), HasSubstr("did you mean 'small_torus'?"));
 }
 
@@ -162,20 +163,21 @@ std::vector<StudyRow> sampleRows(const std::vector<StudyCase>& cases) {
 
 TEST_F(StudyFile, MisleadingStudy_IsRefused) {
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"reference\""),
-              "mine.toml:20: grid.technique.label: is \"reference\"; expected a text of its own");
+              "mine.toml:20: grid.technique.label: is \"reference\"; expected a unique text");
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"A\\n\""),
               "mine.toml:20: grid.technique.label: has a control character; expected a text of one line");
     EXPECT_EQ(messageFor("second = \"B\"", "second = \"A\""),
-              "mine.toml:27: grid.pair.second: is the first; expected another technique");
+              "mine.toml:27: grid.pair.second: is the same as first; expected another technique");
     EXPECT_EQ(messageFor("rows = \"technique\"", "rows = \"depth\""),
-              "mine.toml:32: table.columns: is what the rows are; expected another grouping");
+              "mine.toml:32: table.columns: is the same as rows; expected another grouping");
     EXPECT_EQ(
         messageFor("\"camera.height\", \"camera.width\"", "\"camera.height\", \"object.torus.relief.depth\""),
-        "mine.toml:15: grid.axis.fields: \"object.torus.relief.depth\" is changed twice; expected each field "
+        "mine.toml:15: grid.axis.fields: \"object.torus.relief.depth\" is set by two axes; expected each "
+        "field "
         "on one axis, once");
     EXPECT_EQ(messageFor("\"camera.height\"", "\"camera.height=5 #\""),
-              "mine.toml:15: grid.axis.fields: has \"camera.height=5 #\"; expected keys of the scene with "
-              "dots between them, as camera.width");
+              "mine.toml:15: grid.axis.fields: has \"camera.height=5 #\"; expected keys of the scene "
+              "separated by dots, for example camera.width");
 }
 
 TEST_F(StudyFile, PlotTexts_AreEscaped) {
@@ -364,13 +366,14 @@ TEST_F(StudyFile, ForeignFolder_IsRefused) {
     other.name = "another";
     const std::string where = (folder_ / "out").string();
     EXPECT_EQ(inputErrorOf([&] { StudyFolder(folder_ / "out", other); }),
-              where + ": holds the results of study 'mine'; expected those of 'another', or an empty folder; "
-                      "-o names another");
+              where +
+                  ": contains the results of study 'mine'; expected those of 'another', or an empty folder; "
+                  "choose another with -o");
     EXPECT_EQ(inputErrorOf([&] { StudyFolder(folder_.path(), study); }),
               folder_.path().string() +
-                  ": holds files that are no study's; expected an empty folder, or a new one");
+                  ": contains files that don't belong to a study; expected an empty folder, or a new one");
     EXPECT_THAT(inputErrorOf([&] { StudyFolder::open(folder_ / "none", study); }),
-                HasSubstr("holds no results of a study"));
+                HasSubstr("contains no results of a study"));
 }
 
 } // namespace

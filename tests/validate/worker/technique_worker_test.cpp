@@ -173,7 +173,7 @@ TEST_F(ScriptedWorkerTest, ExitBeforeAndWhileDrawing_IsReported) {
 TEST_F(ScriptedWorkerTest, TimeLimit_HoldsPerTechnique) {
     const std::string stopped =
         asMessage(InputError("linear_binary", "not finished after 1 s and stopped",
-                             "a search whose loops end", "--time-limit SECONDS gives it more"));
+                             "a search whose loops terminate", "--time-limit SECONDS raises the limit"));
     EXPECT_THAT(drawTwice({kReady, kDrawing, "exec sleep 60"}), ElementsAre(stopped, stopped));
 }
 
