@@ -1,4 +1,4 @@
-// Usage, and everything that must not depend on OpenGL: reference, compare, list.
+// Usage, and the commands that must work without OpenGL: reference, compare, list.
 #include "scenes/frame/frame_exr.h"
 #include "tests/end_to_end/program.h"
 #include "tests/validate/metrics/painted_frames.h"
@@ -87,7 +87,7 @@ TEST_F(EndToEnd, ReferenceOnAnyThreadCount_GivesEqualBytes) {
         way.insert(way.begin(), {"reference", scene, "--rate", "16"});
         const Outcome made = run(way);
         ASSERT_EQ(made.exitCode, 0) << made.err;
-        expectOnlyTheCertificate(made.err); // no terminal, no progress
+        expectOnlyTheCertificate(made.err); // no progress, because stderr is no terminal
     }
     const std::string bytes = readFile(folder_ / "a.exr");
     EXPECT_GT(bytes.size(), 1000u);
@@ -136,8 +136,8 @@ TEST_F(EndToEnd, FrameWithItself_HasNoError) {
 // right by one:
 //   silhouette: columns 3 … 9 shared (70), column 2 missing (10), column 10 extra (10): IoU 70/90
 //   depth: the test shows at x what the reference shows at x - 1, so e = -1/8 everywhere: bias -1/8, MAE =
-//   RMSE = p50 =
-//          p99 = max = 1/8; with a relief 1/2 deep that is 1/4 of it: above 1 % and 5 %, not above 25 %
+//          RMSE = p50 = p99 = max = 1/8; with a relief depth of 1/2 that is 1/4: above 1 % and 5 %, not above
+//          25 %
 //   shadow: reference dark in 3 4 of the shared columns, test in 3 4 5: TP 20, FP 10, FN 0, TN 40:
 //          agreement 60/70, IoU 20/30, F1 40/50, BER = (10/50 + 0)/2 = 0.1
 TEST_F(EndToEnd, FrameShiftedByOne_HasKnownIou) {
@@ -241,8 +241,8 @@ TEST_F(EndToEnd, CompareWithoutFolder_WritesNoReport) {
         expectRefusal(run({"compare", "a.exr", "a.exr", option}), 2, "none is written; expected -o DIR");
 }
 
-// Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain:
-// 12/15 at best, and so is a pixel outside: 12/17 at worst.
+// Columns 2 … 5 of four rows are 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain,
+// so the IoU is at most 12/15. A pixel outside is also uncertain, so it is at least 12/17.
 TEST_F(EndToEnd, UncertainReference_GivesIntervals) {
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     paintRectangle(reference, 2, 1, 6, 5);

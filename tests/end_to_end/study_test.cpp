@@ -1,4 +1,4 @@
-// Studies as a user runs them: interrupted, killed, gone on with, with cases that fail.
+// Studies as a user runs them: complete, interrupted, killed and resumed, and with cases that fail.
 #include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 class StudyRun : public EndToEnd {
   protected:
-    /// Cases of `width` pixels: one of each of the torus' depths.
+    /// Cases of `width` pixels, one for each depth of the torus.
     void writeStudy(const std::string& depths, const std::string& width = "48") const {
         writeFile(folder_ / "tiny.toml", R"(title = "Tiny"
 purpose = "For tests"
@@ -53,7 +53,7 @@ figure = "depth.rmse"
     }
 };
 
-/// Lines of a CSV file that have `text`.
+/// Number of lines of a CSV file that contain `text`.
 size_t linesWith(const std::string& csv, const std::string& text) {
     size_t count = 0;
     for (size_t begin = 0; begin < csv.size();) {
@@ -96,7 +96,7 @@ TEST_F(StudyRun, FailingCase_IsRecordedOthersRun) {
     const std::string csv = readFile(folder_ / "out/results.csv");
     EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
     EXPECT_EQ(linesWith(csv, "is -1; expected"), 1u);
-    // What was wrong is still wrong: not tried again.
+    // An error caused by the input remains, so the case isn't tried again.
     EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out,
                 HasSubstr("0 worked out in 0 s, 3 known before, 1 failed"));
 }
@@ -114,11 +114,11 @@ TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
     EXPECT_EQ(outcome.exitCode, 2);
     EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 worked out"));
     EXPECT_THAT(outcome.out, HasSubstr("2 failed"));
-    EXPECT_EQ(linesWith(outcome.err, "linear: ./mine"), 1u) << outcome.err; // said once, of both cases
+    EXPECT_EQ(linesWith(outcome.err, "linear: ./mine"), 1u) << outcome.err; // reported once for both cases
     const std::string csv = readFile(folder_ / "out/results.csv");
-    EXPECT_EQ(linesWith(csv, "nonsense"), 4u); // the technique, and the pair it is in
+    EXPECT_EQ(linesWith(csv, "nonsense"), 4u); // the technique and its pair
     EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
-    // Mended, it is another technique, and the cases are new.
+    // The fixed technique has another hash, so the cases are new.
     writeFile(folder_ / "mine/mine.glsl",
               "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
     const Outcome mended = run({"study", "run", "tiny.toml", "-o", "out"});
@@ -127,7 +127,7 @@ TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
 }
 
 TEST_F(StudyRun, Killed_Resumes) {
-    // Pictures that take about a second each.
+    // Images that take about a second each.
     writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09", "4000");
     const Running running = startProgram({"study", "run", "tiny.toml", "-o", "out", "--jobs", "1"}, folder_);
     ASSERT_TRUE(waitUntil([&] { return caseFiles() >= 2; }, 60));
@@ -154,7 +154,7 @@ TEST_F(StudyRun, Interrupted_EndsAtOnce) {
     EXPECT_EQ(finish(running).signal, SIGINT);
     for (const pid_t child : children)
         EXPECT_TRUE(waitUntil([&] { return isGone(child); }, 10));
-    // What was finished can be shown.
+    // The report shows the finished cases.
     EXPECT_EQ(run({"study", "report", "tiny.toml", "-o", "out"}).exitCode, 0);
     EXPECT_THAT(readFile(folder_ / "out/report/index.html"), HasSubstr("cases have no results yet"));
 }
@@ -187,7 +187,7 @@ TEST_F(StudyRun, BadStudy_IsRefusedFirst) {
     writeFile(folder_ / "tiny.toml", study);
     EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out", "--gl", "elg"}),
                 HasSubstr("expected auto, egl or osmesa"));
-    EXPECT_EQ(filesBelow(folder_).size(), 2u); // study and scene: nothing was left behind
+    EXPECT_EQ(filesBelow(folder_).size(), 2u); // study and scene only
     EXPECT_EQ(errorOf({"study", "report", "tiny.toml", "-o", "out"}),
               "out: contains no results of a study; expected the folder of 'plumbline study run tiny'\n");
     EXPECT_THAT(errorOf({"study", "run", "nosuch"}),

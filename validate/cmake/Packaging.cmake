@@ -1,9 +1,9 @@
-# Installation and packaging. There are two packages: a Debian package, which depends on the libraries it needs,
-# and a tarball, which contains them. `./plumbline package`, or `cpack` in the build folder, makes both; `-G DEB`
-# or `-G TGZ` only one.
+# Installation and packaging. There are two packages: a Debian package, which depends on the libraries it
+# needs, and a tarball, which contains them. `./plumbline package`, or `cpack` in the build folder, makes
+# both; `-G DEB` or `-G TGZ` only one.
 #
-# The program finds lib/plumbline and share/plumbline relative to its own location (scenes/core/data_folder.h),
-# so the prefix may be moved.
+# The program finds lib/plumbline and share/plumbline relative to its own location
+# (scenes/core/data_folder.h), so the prefix may be moved.
 install(TARGETS plumbline RUNTIME DESTINATION bin)
 install(TARGETS plumbline_images LIBRARY DESTINATION lib/plumbline)
 set_target_properties(plumbline PROPERTIES INSTALL_RPATH "$ORIGIN/../lib/plumbline")

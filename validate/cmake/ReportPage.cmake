@@ -1,6 +1,6 @@
-# Bundles the report's script and style from report/page/src with esbuild. Node and npm are needed for building
-# only. If they or npm's registry aren't available, the program is built without the page, and its reports are
-# plain pages that give the reason.
+# Bundles the report's script and style from report/page/src with esbuild. Node and npm are needed for
+# building only. If they or npm's registry aren't available, the program is built without the page, and its
+# reports are plain pages that give the reason.
 set(PLUMBLINE_REPORT_PAGE AUTO CACHE STRING "Bundle the interactive report: ON, OFF, or AUTO (if Node and npm are found)")
 set_property(CACHE PLUMBLINE_REPORT_PAGE PROPERTY STRINGS AUTO ON OFF)
 

@@ -1,9 +1,10 @@
-# Run by install() for the component `bundle`: copies every library that BUNDLE_PROGRAM and BUNDLE_LIBRARIES need,
-# except those of the C and C++ runtime, to lib/plumbline, and their licenses to share/doc/plumbline/bundled.
+# Run by install() for the component `bundle`: copies every library that BUNDLE_PROGRAM and BUNDLE_LIBRARIES
+# need, except those of the C and C++ runtime, to lib/plumbline, and their licenses to
+# share/doc/plumbline/bundled.
 #
-# The C and C++ runtime isn't bundled. A process can't load a second libc, and a libstdc++ older than the one that
-# the machine's GL driver was built with would keep that driver from loading. If the machine's glibc is new enough
-# for the program, so is its libstdc++.
+# The C and C++ runtime isn't bundled. A process can't load a second libc, and a libstdc++ older than the one
+# that the machine's GL driver was built with would keep that driver from loading. If the machine's glibc is
+# new enough for the program, so is its libstdc++.
 set(runtime "/(ld-linux[^/]*|lib(c|m|mvec|dl|rt|pthread|resolv|util|anl|stdc\\+\\+|gcc_s))\\.so\\.[0-9]+$")
 
 find_program(PATCHELF patchelf)
@@ -27,8 +28,8 @@ foreach(library IN LISTS libraries)
     get_filename_component(name ${library} NAME)
     file(REAL_PATH ${library} file)
     file(COPY_FILE ${file} ${folder}/${name})
-    # Each library searches its own folder. RUNPATH, not RPATH, because libraries that aren't bundled, such as the
-    # machine's GL driver, must find their own dependencies.
+    # Each library searches its own folder. RUNPATH, not RPATH, because libraries that aren't bundled, such as
+    # the machine's GL driver, must find their own dependencies.
     execute_process(COMMAND ${PATCHELF} --set-rpath $ORIGIN ${folder}/${name} COMMAND_ERROR_IS_FATAL ANY)
     string(REGEX REPLACE "^/usr/" "*/" pattern ${file}) # dpkg lists some files by their path before /lib became a link
     list(APPEND patterns ${pattern})

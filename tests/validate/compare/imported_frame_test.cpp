@@ -1,7 +1,9 @@
-// Frames laid out as other renderers' documentation and sources say, of a sphere whose every value is known.
-//   Blender 3.4 manual, "Passes"; intern/cycles/kernel/film/data_passes.h (camera_z_depth: planar)
-//   Mitsuba 3, src/integrators/aov.cpp (si.t, 0 on a miss) and src/sensors/perspective.cpp (the ray starts on
-//   the near plane) pbrt-v4, src/pbrt/film.cpp, GBufferFilm (camera space by default; zeros on a miss)
+// Frames in the layouts of other renderers' documentation and sources, of a sphere with known values:
+//   Blender 3.4   manual, "Passes"; intern/cycles/kernel/film/data_passes.h (camera_z_depth: planar)
+//   Mitsuba 3     src/integrators/aov.cpp (si.t, 0 on a miss), src/sensors/perspective.cpp (the ray starts on
+//   the near
+//                 plane)
+//   pbrt-v4       src/pbrt/film.cpp, GBufferFilm (camera space by default; zeros on a miss)
 #include "scenes/image/exr_file.h"
 #include "scenes/scene/camera.h"
 #include "tests/errors.h"
@@ -38,7 +40,7 @@ struct Hit {
     double distance, depth;
 };
 
-/// The unit sphere around the origin in that pixel's center: |o + t d| = 1.
+/// The hit with the unit sphere around the origin at the pixel's center: |o + t d| = 1.
 std::optional<Hit> hitAt(const Camera& camera, size_t pixel) {
     const CameraRays rays(camera);
     const Ray ray = rays.ray(double(pixel % kWidth) + 0.5, double(pixel / kWidth) + 0.5);
@@ -51,7 +53,7 @@ std::optional<Hit> hitAt(const Camera& camera, size_t pixel) {
 
 using Planes = std::map<std::string, std::vector<float>>;
 
-/// Every pixel's value of a channel: of its hit, or `miss`.
+/// The values of a channel: per pixel that of its hit, or `miss`.
 std::vector<float> plane(double miss, const std::function<double(const Hit&)>& valueOf) {
     std::vector<float> values;
     for (size_t pixel = 0; pixel < kWidth * kHeight; ++pixel) {
@@ -61,13 +63,13 @@ std::vector<float> plane(double miss, const std::function<double(const Hit&)>& v
     return values;
 }
 
-/// Three channels PREFIX.X and so on, 0 on a miss.
+/// Adds three channels, PREFIX.X and so on, 0 on a miss.
 void addVector(Planes& planes, const std::string& prefix, const std::function<Vec3(const Hit&)>& valueOf) {
     for (int axis = 0; axis < 3; ++axis)
         planes[prefix + "." + "XYZ"[axis]] = plane(0, [&](const Hit& hit) { return valueOf(hit)[axis]; });
 }
 
-/// As Blender's OBJ and PLY importers turn what has Y up.
+/// The rotation of Blender's OBJ and PLY importers for meshes with Y up.
 Vec3 zUp(const Vec3& v) {
     return {v.x, -v.z, v.y};
 }
@@ -100,7 +102,7 @@ class ImportedFrames : public testing::Test {
         writeExr(folder_ / "a.exr", kWidth, kHeight, spans, {});
         return readImportedFrame(folder_ / "a.exr", parseChannelMap(map));
     }
-    /// Also keeps the notes.
+    /// Also stores the notes.
     Frame converted(const Planes& planes, const std::vector<std::string>& map = {},
                     const std::optional<Camera>& camera = sphereCamera()) {
         ImportedFrame imported = read(planes, map);
@@ -128,7 +130,7 @@ void expectCoverage(const Frame& frame) {
     EXPECT_LT(covered, kWidth * kHeight - 100);
 }
 
-/// Rounding to float happened twice, of values below 4.
+/// Values below 4 were rounded to float twice.
 constexpr double kTwoRoundings = 1e-6;
 
 void expectDepth(const Frame& frame, double offBy = 0) {
@@ -183,7 +185,7 @@ TEST_F(ImportedFrames, BlenderWithPartialIndex_NotesLoss) {
     EXPECT_THAT(notes_, Contains(HasSubstr("1 pixels have a depth but no object id")));
 }
 
-// Whoever writes our names may still write 1e10 for nothing; this program doesn't.
+// Other programs that use our channel names may write 1e10 where there is no surface.
 TEST_F(ImportedFrames, OwnNamesFromOtherProgram_LoseInfiniteDepth) {
     Planes planes{{"Z", plane(1e10, [](const Hit& hit) { return hit.depth; })},
                   {"id", plane(1, [](const Hit&) { return 1; })}};
@@ -206,7 +208,7 @@ TEST_F(ImportedFrames, InfiniteDepthUnderId_IsNoDepth) {
     planes["ViewLayer.Depth.Z"][covered] = 1e10f;
     const Frame frame = converted(planes);
     EXPECT_EQ(frame.channel("id")[covered], 1.0f);
-    EXPECT_TRUE(std::isinf(frame.channel("Z")[covered])); // counted as invalid, no error of 1e10
+    EXPECT_TRUE(std::isinf(frame.channel("Z")[covered])); // counted as invalid, not as an error of 1e10
 }
 
 TEST_F(ImportedFrames, PositionSpace_IsMeasured) {
@@ -245,7 +247,7 @@ TEST_F(ImportedFrames, MitsubaDistances_AreImported) {
                                    "camera, Mitsuba's default near_clip")));
     EXPECT_THAT(errorOf(planes, {}, std::nullopt),
                 HasSubstr("dd.y.T is a distance along the ray, and the camera is not known"));
-    expectDepth(converted(planes, {"dd.y.T=distance"}), -near); // from the pinhole, as Mitsuba 2 counts
+    expectDepth(converted(planes, {"dd.y.T=distance"}), -near); // measured from the pinhole, as in Mitsuba 2
     expectDepth(converted(planes, {"dd.y.T=distance+0.01"}));
 }
 
@@ -270,7 +272,8 @@ Planes pbrtPlanes(bool cameraSpace) {
               [&](const Hit& hit) { return cameraSpace ? pbrtCamera(hit.position, 1) : hit.position; });
     addVector(planes, "Ns",
               [&](const Hit& hit) { return cameraSpace ? pbrtCamera(hit.normal, 0) : hit.normal; });
-    addVector(planes, "N", [](const Hit&) { return Vec3(0, 0, 1); }); // of facets: not what is wanted
+    addVector(planes, "N",
+              [](const Hit&) { return Vec3(0, 0, 1); }); // normals of facets, which must not be used
     return planes;
 }
 
@@ -291,10 +294,11 @@ TEST_F(ImportedFrames, PbrtInEitherSpace_IsImported) {
 }
 
 TEST_F(ImportedFrames, OwnNames_AreUnchanged) {
-    Planes planes{
-        {"Z", plane(kInfinity, [](const Hit& hit) { return hit.depth; })},
-        {"A", plane(0, [](const Hit&) { return 1; })},
-        {"shadow.T", plane(0, [](const Hit&) { return 1; })}}; // a light's name, not Mitsuba's depth
+    Planes planes{{"Z", plane(kInfinity, [](const Hit& hit) { return hit.depth; })},
+                  {"A", plane(0, [](const Hit&) { return 1; })},
+                  {"shadow.T", plane(0, [](const Hit&) {
+                       return 1;
+                   })}}; // the shadow of a light named T, not Mitsuba's distance
     addVector(planes, "N", [](const Hit&) { return Vec3(0, 0, 1); });
     const Frame frame = converted(planes, {}, std::nullopt);
     expectCoverage(frame);
@@ -305,7 +309,7 @@ TEST_F(ImportedFrames, OwnNames_AreUnchanged) {
     EXPECT_THAT(notes_, Contains(HasSubstr("has no coverage")));
 }
 
-/// A single layer of Blender: A is 1 all over, the depth of nothing 1e10.
+/// A single layer of Blender: A is 1 everywhere, depth is 1e10 where there is no surface.
 TEST_F(ImportedFrames, InfiniteDepth_IsNoCoverage) {
     const Planes planes{{"Z", plane(1e10, [](const Hit& hit) { return hit.depth; })},
                         {"A", plane(1, [](const Hit&) { return 1; })}};
@@ -350,7 +354,7 @@ TEST_F(ImportedFrames, TwoLayers_NeedMap) {
     expectDepth(converted(planes, {"ViewLayer.Depth.Z=Z"}));
     planes = blenderPlanes();
     planes["Composite.Combined.R"] = planes["ViewLayer.Combined.R"];
-    converted(planes); // is none
+    converted(planes); // a composite isn't a layer
 }
 
 TEST_F(ImportedFrames, NoUsableChannel_IsRefused) {

@@ -1,4 +1,4 @@
-// The history of a shader: records there and back, and what counts as worse.
+// The history of a shader: records are written and read, and regressions are found.
 #include "tests/errors.h"
 #include "tests/validate/results/sample_results.h"
 #include "validate/results/history_moves.h"
@@ -37,7 +37,7 @@ SceneMoves movesOf(const std::vector<HistoryRecord>& records,
     return scenes.at(0);
 }
 
-/// Of the one figure, from `before` to `after`.
+/// The verdict on one figure that changes from `before` to `after`.
 Verdict verdictOf(const std::string& figure, double before, double after,
                   const std::vector<std::string>& tolerances = {}) {
     const SceneMoves scene =
@@ -56,7 +56,7 @@ TEST(HistoryFile, PooledFigures_AreKept) {
     ASSERT_EQ(kept.techniques.size(), 2u);
     const auto& figures = kept.techniques[0].figures;
     EXPECT_EQ(figures.at("silhouette.missing_px"),
-              4); // the column the shifted square leaves: painted_frames.h
+              4); // the column that the shifted square leaves (painted_frames.h)
     EXPECT_TRUE(figures.contains("shadow.sun.agreement"));
     EXPECT_EQ(figures.at("cost.ms_median"), 12.5);
     EXPECT_FALSE(figures.contains("relief_depth"));
@@ -67,7 +67,7 @@ TEST(HistoryFile, PooledFigures_AreKept) {
                     .figures.contains("against_proxy.shadow.sun.iou"));
 }
 
-// A light may be called as a part of the results that holds no figures.
+// A light may have the name of a part of the results that contains no figures.
 TEST(HistoryFile, AnyLightName_IsKept) {
     Results results = sampleResults();
     for (const char* name : {"notes", "objects", "absent"})
@@ -139,10 +139,10 @@ TEST(HistoryMoves, FartherFromBest_IsWorse) {
     EXPECT_EQ(verdictOf("against_proxy.shadow.sun.ber", 0.1, 0.2), Verdict::Regression);
     EXPECT_EQ(verdictOf("depth.domain_px", 900, 100), Verdict::Neutral);
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2),
-              Verdict::Neutral); // the IoU is judged, in its interval
+              Verdict::Neutral); // its IoU is evaluated, with an interval
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"all=1%"}), Verdict::Neutral);
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"silhouette.missing_px=0.5"}), Verdict::Regression);
-    EXPECT_EQ(verdictOf("silhouette.hausdorff95_px", 1, 2), Verdict::Regression); // no count
+    EXPECT_EQ(verdictOf("silhouette.hausdorff95_px", 1, 2), Verdict::Regression); // a distance, not a count
     EXPECT_EQ(verdictOf("of.another.version", 1, 2), Verdict::Neutral);
 }
 
@@ -154,7 +154,7 @@ TEST(HistoryMoves, ChangeWithinInterval_IsTolerated) {
              record("b",
                     {{"silhouette.iou", after}, {"silhouette.iou_low", 0.5}, {"silhouette.iou_high", 1}})});
     };
-    ASSERT_EQ(scene(0.885).moves.size(), 1u); // the interval's own ends aren't judged
+    ASSERT_EQ(scene(0.885).moves.size(), 1u); // the ends of the interval aren't evaluated
     EXPECT_EQ(scene(0.885).moves[0].verdict, Verdict::Tolerated);
     EXPECT_EQ(scene(0.875).moves[0].verdict, Verdict::Regression);
     EXPECT_EQ(scene(0.92).moves[0].verdict, Verdict::Better);
@@ -173,7 +173,7 @@ TEST(HistoryMoves, Tolerance_CoversFigureAndItsCounts) {
               Verdict::Regression);
 }
 
-TEST(HistoryMoves, Cost_IsJudgedOnlyIfNamed) {
+TEST(HistoryMoves, Cost_IsEvaluatedOnlyIfNamed) {
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100), Verdict::Neutral);
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100, {"all=0"}), Verdict::Neutral);
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100, {"cost.ms_median=50%"}), Verdict::Regression);
@@ -191,7 +191,7 @@ TEST(HistoryMoves, MalformedTolerance_IsRefused) {
     EXPECT_THAT(inputErrorOf([] { Tolerances::parse({"all=1", "all=2"}); }), HasSubstr("given twice"));
 }
 
-TEST(HistoryMoves, VanishedFigure_IsRegressionIfJudged) {
+TEST(HistoryMoves, VanishedFigure_IsRegressionIfEvaluated) {
     const SceneMoves scene =
         movesOf({record("a", {{"depth.rmse", 1}, {"depth.domain_px", 5}, {"cost.ms_median", 3}}),
                  record("b", {{"st.mean_texels", 1}})});
@@ -211,9 +211,9 @@ TEST(HistoryMoves, Failure_IsRegressionOnce) {
                 ElementsAre("mine fails: mine.glsl:3: undeclared 'x'"));
     EXPECT_TRUE(movesOf({good, failing("b")}).hasRegression());
     EXPECT_FALSE(movesOf({good, failing("b"), failing("c")}).hasRegression());
-    const SceneMoves mended = movesOf({good, failing("b"), worse});
-    EXPECT_TRUE(mended.hasRegression()); // against "a"
-    EXPECT_THAT(mended.notes,
+    const SceneMoves fixed = movesOf({good, failing("b"), worse});
+    EXPECT_TRUE(fixed.hasRegression()); // compared with "a"
+    EXPECT_THAT(fixed.notes,
                 ElementsAre("mine works again", "mine is compared with 'a', where it last worked"));
     EXPECT_FALSE(movesOf({failing("a"), worse}).hasRegression());
 }
@@ -229,11 +229,11 @@ TEST(HistoryMoves, OtherScenes_AreNotCompared) {
     EXPECT_THAT(movesOf({first, proxy}).notes, ElementsAre("not comparable with 'a': its base is different"));
     EXPECT_FALSE(movesOf({first, changed}).hasRegression());
     EXPECT_THAT(movesOf({first}).notes, ElementsAre("the first record of this scene"));
-    // Back to the scene as it was: that record is the one to compare with.
+    // The original scene again: it is compared with the record of that scene.
     EXPECT_EQ(movesOf({first, changed, record("c", {{"silhouette.iou", 0.9}})}).before, "a");
     const auto both = latestMoves({first, other, first}, {}, {});
     ASSERT_EQ(both.size(), 2u);
-    EXPECT_EQ(latestMoves({first, other, first}, {first.scene}, {}).size(), 1u); // of that scene alone
+    EXPECT_EQ(latestMoves({first, other, first}, {first.scene}, {}).size(), 1u); // of that scene only
 }
 
 TEST(HistoryMoves, AddedAndRemovedTechniques_AreNotes) {

@@ -125,7 +125,8 @@ TEST(Requirement, AbsentFigure_Fails) {
     unlit.remove("shadow.sun");
     TechniqueOutcome dark;
     dark.comparison = compareFrames(unlit, unlit, {}, std::nullopt);
-    EXPECT_FALSE(held("shadow.false_lit_px <= 9", dark).passed); // counts of nothing are no zeros
+    EXPECT_FALSE(
+        held("shadow.false_lit_px <= 9", dark).passed); // counts of a missing channel are absent, not 0
 }
 
 TEST(Requirement, ShadowKey_CoversEveryLight) {

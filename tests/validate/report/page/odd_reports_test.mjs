@@ -14,7 +14,7 @@ import {
 } from "./painted_frames.mjs";
 import { colors } from "./painted_report.mjs";
 
-test("frames of equal names: are told apart", async (t) => {
+test("frames of equal names: are distinguished", async (t) => {
   const namesakes = ["reference", "all techniques"].map((name, i) => ({
     ...kTechnique,
     id: `t${i + 1}`,
