@@ -236,7 +236,7 @@ TEST_F(Bake, BadMaps_AreRefused) {
     expectRefused({"smal.toml#stone", "--kind", "max_mipmap"}, "smal.toml");
     expectRefused({"stone_tours#stone", "--kind", "max_mipmap"}, "did you mean 'stone_torus'?");
     expectRefused({"#", "--kind", "max_mipmap"}, "scene");
-    expectRefused(stores("small.toml#stone"), "--stores: found 'depth' beside a scene's map");
+    expectRefused(stores("small.toml#stone"), "--stores: found 'depth' with a scene's map");
     expectRefused({"small.toml#stone", "--kind", "max_mipmap", "--wrap", "clamp,clamp"}, "--wrap");
     expectRefused({"high.exr", "--kind", "max_mipmap"}, "--stores: is missing");
 }

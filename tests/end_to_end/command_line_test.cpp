@@ -24,11 +24,11 @@ TEST_F(EndToEnd, UnknownCommandsAndOptions_HaveHint) {
     expectRefusal(run({"compare", "only_one.exr"}), 2, "TEST");
     expectRefusal(run({"list", "scense"}), 2, "did you mean 'scenes'?");
     expectRefusal(run({"--frobnicate"}), 2, "--frobnicate");
-    expectRefusal(run({"study"}), 2, "study: nothing says what to do; expected run or report");
+    expectRefusal(run({"study"}), 2, "study: a subcommand is missing; expected run or report");
     expectRefusal(run({"study", "rum"}), 2,
                   "study: there is no 'rum'; expected run or report; did you mean 'run'?");
     expectRefusal(run({"study", "run"}), 2,
-                  "study run: STUDY is required; 'plumbline study run --help' lists what there is");
+                  "study run: STUDY is required; 'plumbline study run --help' lists the choices");
     expectRefusal(run({"study", "run", "quadric", "--jbos", "3"}), 2,
                   "study run: '--jbos' was not expected; did you mean '--jobs'?");
     expectRefusal(run({"list", "scenes", "extra"}), 2, "'extra' was not expected");
@@ -228,7 +228,7 @@ TEST_F(EndToEnd, CompareOfDifferentHeaders_ListsDifferences) {
     test.metadata = {{"camera", "Cam01"}, {"light.sun", "bright"}};
     const Outcome strange = compared();
     EXPECT_THAT(strange.out,
-                HasSubstr("note: test.exr: the header field 'camera' isn't as plumbline writes it"));
+                HasSubstr("note: test.exr: the header field 'camera' doesn't have plumbline's format"));
     EXPECT_THAT(strange.out, HasSubstr("note: test.exr: the header field 'light.sun' isn't"));
     reference.metadata["light.sun"] = "bright";
     reference.metadata["program"] = "plumbline 0.1.0";

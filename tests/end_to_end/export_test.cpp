@@ -43,7 +43,7 @@ TEST_F(Export, BadNames_AreRefusedFirst) {
     expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.stl"}),
                   "a name that ends in .ply or .obj");
     expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.ply", "--export-camera", "./a.ply"}),
-                  "is the name of two results");
+                  "is used for two results");
     expectRefused(runReference({"-o", "a.exr", "--export-camera", "small.toml"}), "would be overwritten");
     EXPECT_THAT(filesBelow(folder_), ElementsAre("small.toml"));
 }

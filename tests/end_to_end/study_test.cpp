@@ -68,7 +68,7 @@ TEST_F(StudyRun, FullRun_ComputesEachCaseOnce) {
     writeStudy("0.02, 0.05");
     const Outcome first = run({"study", "run", "tiny.toml", "-o", "out"});
     ASSERT_EQ(first.exitCode, 0) << first.err;
-    EXPECT_THAT(first.out, HasSubstr("2 cases: 2 worked out in"));
+    EXPECT_THAT(first.out, HasSubstr("2 cases: 2 computed in"));
     const std::string csv = readFile(folder_ / "out/results.csv");
     EXPECT_EQ(linesWith(csv, ",linear,reference,"), 2u);
     EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
@@ -76,9 +76,9 @@ TEST_F(StudyRun, FullRun_ComputesEachCaseOnce) {
     EXPECT_EQ(linesWith(csv, "small.toml,0.05,"), 3u);
 
     writeStudy("0.02, 0.05, 0.1");
-    EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out, HasSubstr("3 cases: 1 worked out in"));
+    EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out, HasSubstr("3 cases: 1 computed in"));
     const Outcome again = run({"study", "run", "tiny.toml", "-o", "out"});
-    EXPECT_THAT(again.out, HasSubstr("3 cases: 0 worked out in 0 s, 3 known before, 0 failed"));
+    EXPECT_THAT(again.out, HasSubstr("3 cases: 0 computed in 0 s, 3 already stored, 0 failed"));
 
     const Outcome report = run({"study", "report", "tiny.toml", "-o", "out"});
     EXPECT_EQ(report.out, "out/report/index.html\n") << report.err;
@@ -89,7 +89,7 @@ TEST_F(StudyRun, FailingCase_IsRecordedOthersRun) {
     writeStudy("0.02, -1, 0.05");
     const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(outcome.exitCode, 2);
-    EXPECT_THAT(outcome.out, HasSubstr("3 cases: 3 worked out"));
+    EXPECT_THAT(outcome.out, HasSubstr("3 cases: 3 computed"));
     EXPECT_THAT(outcome.out, HasSubstr("1 failed"));
     EXPECT_THAT(outcome.err,
                 HasSubstr("--scene-set object.torus.relief.depth=-1: is -1; expected a number from 0"));
@@ -98,7 +98,7 @@ TEST_F(StudyRun, FailingCase_IsRecordedOthersRun) {
     EXPECT_EQ(linesWith(csv, "is -1; expected"), 1u);
     // An error caused by the input remains, so the case isn't tried again.
     EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out,
-                HasSubstr("0 worked out in 0 s, 3 known before, 1 failed"));
+                HasSubstr("0 computed in 0 s, 3 already stored, 1 failed"));
 }
 
 TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
@@ -112,7 +112,7 @@ TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
               withLine(study, "name = \"linear:linear_steps=4\"", "name = \"./mine\""));
     const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(outcome.exitCode, 2);
-    EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 worked out"));
+    EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 computed"));
     EXPECT_THAT(outcome.out, HasSubstr("2 failed"));
     EXPECT_EQ(linesWith(outcome.err, "linear: ./mine"), 1u) << outcome.err; // reported once for both cases
     const std::string csv = readFile(folder_ / "out/results.csv");
@@ -123,7 +123,7 @@ TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
               "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
     const Outcome mended = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(mended.exitCode, 0) << mended.err;
-    EXPECT_THAT(mended.out, HasSubstr("2 cases: 2 worked out"));
+    EXPECT_THAT(mended.out, HasSubstr("2 cases: 2 computed"));
 }
 
 TEST_F(StudyRun, Killed_Resumes) {
@@ -140,8 +140,8 @@ TEST_F(StudyRun, Killed_Resumes) {
     ASSERT_LT(known, 8u) << "all done before it was killed";
     const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(8 - known) + " worked out"));
-    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(known) + " known before, 0 failed"));
+    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(8 - known) + " computed"));
+    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(known) + " already stored, 0 failed"));
 }
 
 TEST_F(StudyRun, Interrupted_EndsAtOnce) {

@@ -412,7 +412,7 @@ TEST_F(Validate, NanHits_AreReported) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("warning: nan: "));
     EXPECT_THAT(outcome.err,
-                HasSubstr("covered pixels have a position, depth, normal or st that is no number"));
+                HasSubstr("covered pixels have a position, depth, normal or st that isn't a number"));
     EXPECT_THAT(outcome.err, Not(HasSubstr("normal_mapping: ")));
     EXPECT_THAT(resultsOf("out")["techniques"][0]["notes"].dump(), HasSubstr("no figure counts them"));
 }

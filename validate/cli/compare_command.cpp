@@ -50,8 +50,9 @@ std::vector<std::string> headerNotes(const ImportedFrame& reference, const Impor
     std::vector<std::string> notes;
     for (const ImportedFrame* each : {&reference, &test})
         for (const std::string& field : leftOutFields(each->frame, each->file))
-            notes.push_back(fmt::format("{}: the header field '{}' isn't as plumbline writes it: left out",
-                                        each->file, field));
+            notes.push_back(
+                fmt::format("{}: the header field '{}' doesn't have plumbline's format and is left out",
+                            each->file, field));
     const auto differ = [&](const char* key) {
         const std::string a = metadataOf(reference.frame, key, ""), b = metadataOf(test.frame, key, "");
         return !a.empty() && !b.empty() && a != b;
@@ -119,10 +120,8 @@ void writeComparison(const Arguments& arguments, const Results& results, const F
 
 int runCompare(const Arguments& arguments) {
     if (!arguments.output && (arguments.report.singleFile || arguments.report.plain))
-        throw InputError(
-            "compare",
-            "--single-file and --plain-report say what the report is to be like, and none is written",
-            "-o DIR, the folder for it");
+        throw InputError("compare", "--single-file and --plain-report apply to a report, and none is written",
+                         "-o DIR, the folder for it");
     const auto requirements = readRequirements(arguments.requirements.require);
     ImportedFrame referenceFile = readImportedFrame(arguments.reference, {});
     ImportedFrame testFile = readImportedFrame(arguments.test, parseChannelMap(arguments.channelMap));
@@ -149,14 +148,14 @@ int runCompare(const Arguments& arguments) {
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
-    command.add_option("REFERENCE", arguments->reference, "The true frame, EXR")->required();
-    command.add_option("TEST", arguments->test, "The frame to judge, EXR")->required();
+    command.add_option("REFERENCE", arguments->reference, "The reference frame, EXR")->required();
+    command.add_option("TEST", arguments->test, "The frame to compare with it, EXR")->required();
     command.add_option("-o", arguments->output, "Folder for results and report")->type_name("DIR");
     command.add_flag("--json", arguments->json, "Print results.json instead of the table");
     arguments->report.addTo(command);
     command
         .add_option("--map", arguments->channelMap,
-                    "A channel of TEST is one of ours: Depth.Z=Z, dist=distance (along the ray), "
+                    "Map a channel of TEST to one of ours: Depth.Z=Z, dist=distance (along the ray), "
                     "Normal.Y=-N.Z; may be repeated")
         ->type_name("THEIRS=OURS")
         ->allow_extra_args(false);
@@ -167,7 +166,7 @@ CommandRun addOptions(CLI::App& command) {
 } // namespace
 
 Command compareCommand() {
-    return {"compare", "Hold one frame against another, of any renderer", addOptions};
+    return {"compare", "Compare a frame with a reference frame, of any renderer", addOptions};
 }
 
 } // namespace plumbline

@@ -12,7 +12,8 @@ namespace plumbline {
 void RequirementArguments::addTo(CLI::App& command) {
     command
         .add_option("--require", require,
-                    "What must be reached, as \"silhouette.iou >= 0.99\", else exit code 1; may be repeated")
+                    "A requirement, for example \"silhouette.iou >= 0.99\"; exit code 1 if not reached; may "
+                    "be repeated")
         ->type_name("METRIC>=X")
         ->allow_extra_args(false);
 }

@@ -1,4 +1,4 @@
-// One case of a study, worked out in a process of its own (as the parent sees it: case_pool.h).
+// One case of a study, computed in a separate process (case_pool.h is its parent's side).
 #pragma once
 
 #include "validate/study/study_cases.h"
@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// What the process is to do beyond the case itself.
+/// Options of the process, in addition to the case.
 struct CaseOptions {
     std::string memory, errorPx; // of the reference; errorPx empty: its own default
     std::string glBackend = "auto";
