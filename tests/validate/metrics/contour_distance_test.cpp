@@ -139,7 +139,7 @@ TEST(ContourDistance, NoContour_IsAbsentWithReason) {
     EXPECT_THAT(reason(some, nothing), HasSubstr("the test frame shows no contour"));
     EXPECT_THAT(reason(nothing, some), HasSubstr("the reference frame shows no contour"));
     EXPECT_THAT(reason(nothing, nothing), HasSubstr("neither frame shows"));
-    EXPECT_THAT(reason(full, full), HasSubstr("nothing beside it"));
+    EXPECT_THAT(reason(full, full), HasSubstr("or all of them"));
     EXPECT_THAT(reason(full, some), HasSubstr("the reference frame"));
     EXPECT_EQ(pooled(some, nothing).referencePx, 1u);
 }

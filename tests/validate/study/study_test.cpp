@@ -173,8 +173,7 @@ TEST_F(StudyFile, MisleadingStudy_IsRefused) {
     EXPECT_EQ(
         messageFor("\"camera.height\", \"camera.width\"", "\"camera.height\", \"object.torus.relief.depth\""),
         "mine.toml:15: grid.axis.fields: \"object.torus.relief.depth\" is set by two axes; expected each "
-        "field "
-        "on one axis, once");
+        "field on one axis only");
     EXPECT_EQ(messageFor("\"camera.height\"", "\"camera.height=5 #\""),
               "mine.toml:15: grid.axis.fields: has \"camera.height=5 #\"; expected keys of the scene "
               "separated by dots, for example camera.width");
