@@ -1,4 +1,4 @@
-// What an action throws, for tests of error messages.
+// Catches the exceptions of an action, for tests of error messages.
 #pragma once
 
 #include "scenes/core/error.h"
@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// The message of the exception `action` throws; empty if it throws none of the type.
+/// The message of the exception of this type that `action` throws; empty if it throws none.
 template <class Error, class Action>
 std::string messageOf(const Action& action) {
     try {
@@ -20,7 +20,7 @@ std::string messageOf(const Action& action) {
     return {};
 }
 
-/// What the InputError says that `action` must throw.
+/// The message of the InputError that `action` must throw.
 template <class Action>
 std::string inputErrorOf(const Action& action) {
     const std::string message = messageOf<InputError>(action);
@@ -29,7 +29,7 @@ std::string inputErrorOf(const Action& action) {
     return message;
 }
 
-/// Runs `action`; an InputError is as good as none. Anything else it throws fails the test.
+/// Runs `action`, which may throw InputError; the test fails for any other exception.
 template <class Action>
 bool worksOrIsRefused(const Action& action) {
     try {

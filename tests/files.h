@@ -1,4 +1,4 @@
-// Whole files, read and written byte for byte; the test fails where that can't be done.
+// Reads and writes whole files, byte for byte. The test fails if that isn't possible.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ inline std::string readFile(const std::filesystem::path& file) {
     return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// Its folder is created if need be.
+/// Creates its folder if necessary.
 inline void writeFile(const std::filesystem::path& file, const std::string& text) {
     std::filesystem::create_directories(file.parent_path());
     std::ofstream stream(file, std::ios::binary);

@@ -1,5 +1,5 @@
-// The layout's rule, checked on the text of the tree: scenes/ holds what reference/ and realtime/ agree on,
-// those two never include each other, and within each the folders build on one another in one order.
+// Checks the rule of the layout in the sources: scenes/ contains what reference/ and realtime/ must agree on,
+// these two never include each other, and within each of them folders include only those listed before them.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -15,9 +15,9 @@
 namespace plumbline {
 namespace {
 
-/// What the files of a folder may include beside those of that folder: folders with all below them, or single
-/// headers. Rows above only, so that no two folders include each other. A file belongs to the longest name
-/// that holds it.
+/// What the files of a folder may include, in addition to files of that folder: folders with their
+/// subfolders, or single headers. Only earlier rows may be listed, so that no two folders include each other.
+/// A file belongs to the longest name that is a prefix of its path.
 struct Folder {
     std::string_view name;
     std::vector<std::string_view> mayInclude;
@@ -112,10 +112,10 @@ TEST(IncludeOrder, EveryFile_IncludesOnlyFoldersBelow) {
         }
     std::ranges::sort(offenses);
     EXPECT_TRUE(offenses.empty()) << fmt::format("{}", fmt::join(offenses, "\n"));
-    EXPECT_GT(files, 100u); // the tree was found
+    EXPECT_GT(files, 100u); // the sources were found
 }
 
-/// Whether a row's files are among those a name stands for, or it is the row of the header named.
+/// Whether the files of a row are in the named folder, or the row contains the named header.
 bool covers(std::string_view name, const Folder& row) {
     return isWithin(row.name, name) || folderOf(name) == &row;
 }

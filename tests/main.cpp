@@ -3,7 +3,8 @@
 
 #include <gmock/gmock.h>
 
-/// Nothing failed, but something was skipped: its output says what and why. CTest reports it as skipped.
+/// Exit code if no test failed but one was skipped; CTest reports it as skipped. The output contains the
+/// reason.
 constexpr int kSkipped = 77;
 
 int main(int argc, char** argv) {

@@ -1,4 +1,4 @@
-// Frames read back from their files.
+// Reads the frames that a program has written.
 #pragma once
 
 #include "scenes/frame/frame.h"
@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// The channels of the file that the channel table has, and its string attributes as metadata. Throws as
+/// The channels of the file that are in the channel table, and its string attributes as metadata. Throws as
 /// readExr does.
 inline Frame readFrame(const std::filesystem::path& file) {
     ExrPlanes exr = readExr(file, [](std::vector<std::string> names) {

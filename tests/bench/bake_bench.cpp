@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kSizes[] = {128, 256, 512, 1024, 2048};
 constexpr int kDefinitionSize = 128, kFieldSize = 256;
-constexpr double kLongSeconds = 30; // a run that four times a smaller one's time would pass isn't begun
+constexpr double kLongSeconds = 30; // a run is skipped if four times the time of the smaller one exceeds this
 
 const char* const kConeKinds[] = {"cone_step", "cone_step_relaxed", "cone_step_relaxed_2007",
                                   "cone_step_quad"};
@@ -50,7 +50,8 @@ HeightMap seamlessMap(const std::string& generated, int size) {
     return generateMap(generated, size, 1, Wrap::Repeat, Wrap::Repeat);
 }
 
-/// What slice 0 is the minimum of: all pairs, the nearest images of each, on all threads.
+/// The brute-force computation of slice 0: all pairs, with the nearest periodic images of each, on all
+/// threads.
 double definitionSeconds(const HeightMap& map, const ConeRule& rule) {
     const ConePairs pairs(map, ConeSlice::Texels, rule);
     return seconds([&] {

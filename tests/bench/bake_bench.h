@@ -1,10 +1,10 @@
-// Baked maps: how long each kind takes, and what it saves of the definition it is exactly equal to.
+// Baked maps: time to bake each kind, and the speedup over the definition to which it is exactly equal.
 #pragma once
 
 namespace plumbline {
 
-/// Bakes every kind of cone map from the generated height maps at growing sizes, and the distance field where
-/// there is one; prints medians. Sizes whose smaller one took long are left out.
+/// Bakes every kind of cone map from the generated height maps at increasing sizes, and the distance field if
+/// there is one; prints medians. Sizes are skipped if the smaller one took too long.
 void printBakes();
 
 } // namespace plumbline

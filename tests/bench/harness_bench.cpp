@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kRuns = 15;
 
-/// One float target, as small as a search's answer can be written.
+/// One float target, the smallest that stores the result of a search.
 class BareTarget {
   public:
     BareTarget(int width, int height) : framebuffer_(GlFramebuffer::make()), width_(width), height_(height) {
@@ -60,7 +60,7 @@ std::string without(std::string text, const std::string& piece) {
     return text;
 }
 
-/// The file with every count taken out of it.
+/// The file without counters.
 void addUncounted(ShaderSource& source, const std::filesystem::path& file) {
     std::string text = readWholeFile(file);
     for (const char* count :
@@ -69,8 +69,7 @@ void addUncounted(ShaderSource& source, const std::filesystem::path& file) {
     source.addText(file.string(), text);
 }
 
-/// The search and its surface with nothing around them: no normal, shading, shadows or channels, nothing
-/// counted.
+/// The search and its surface alone: no normal, shading, shadows, channels or counters.
 StageSources bareSources(const Technique& technique) {
     const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
     StageSources sources;
@@ -109,8 +108,8 @@ std::unique_ptr<GlProgram> buildBareProgram(const Technique& technique) {
     return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
 }
 
-/// Instructions of the optimized shader's functions, 0 if the tools aren't there. Declarations, labels and
-/// the like don't count.
+/// Number of instructions in the functions of the optimized shader; 0 if the tools aren't installed.
+/// Declarations and labels aren't counted.
 int instructionCount(const ShaderSource& source) {
     const std::filesystem::path file =
         std::filesystem::temp_directory_path() / fmt::format("plumbline-bench-{}.frag", ::getpid());
@@ -142,7 +141,7 @@ class Harness {
     struct Times {
         double fullMs, bareMs;
     };
-    /// Medians of frames drawn in turn, harness and bare, technique after technique.
+    /// Medians of frames drawn alternately with harness and bare shader, technique by technique.
     std::vector<Times> times(const std::vector<std::string>& texts) {
         struct Entry {
             Technique technique;
@@ -211,7 +210,7 @@ void printHarness() try {
     fmt::print("\nharness and bare shader, stone_torus, {}; no shadows\n", harness.renderer());
     fmt::print("{:<40}{:>12}{:>10}{:>16}{:>14}{:>8}\n", "technique", "harness ms", "bare ms",
                "search in it ms", "in bare ms", "ratio");
-    // What both spend without a search: vertices, the ray, and in the harness normal, shading and channels.
+    // Time of both without a search: vertices, the ray, and in the harness normal, shading and channels.
     const Harness::Times none = harness.times({"normal_mapping"})[0];
     fmt::print("{:<40}{:>12.2f}{:>10.2f}\n", "normal_mapping (no search)", none.fullMs, none.bareMs);
     for (const char* technique :
@@ -235,7 +234,7 @@ void printSurfaces() try {
                                             "quadric_nearest"};
     fmt::print("\nsurfaces under linear_binary, 64 + 6, stone_torus, {}; no shadows; drawn in turn\n",
                harness.renderer());
-    fmt::print("{:<26}{:>10}{:>12}{:>10}{:>14}\n", "surface", "look-ups", "harness ms", "bare ms",
+    fmt::print("{:<26}{:>10}{:>12}{:>10}{:>14}\n", "surface", "lookups", "harness ms", "bare ms",
                "instructions");
     for (const char* filter : {"exact", "hardware"}) {
         std::vector<std::string> texts;

@@ -1,12 +1,12 @@
-// What the harness adds to a search: the same search in it and in a bare shader.
+// The overhead of the harness: the same search in it and in a bare shader.
 #pragma once
 
 namespace plumbline {
 
-/// Prints a row a technique, on stone_torus at 800 x 600. Says why, if there is no OpenGL.
+/// Prints a row for each technique, on stone_torus at 800 x 600, or the reason if there is no OpenGL.
 void printHarness();
 
-/// Prints what each surface costs under one search: Eq. 6 of RP-351 against Eq. 7 and the others.
+/// Prints the cost of each surface with the same search: Eq. 6 of RP-351, Eq. 7 and the others.
 void printSurfaces();
 
 } // namespace plumbline

@@ -1,6 +1,6 @@
-// ./plumbline bench [--section=NAME] [Google Benchmark's options]: whole processes, then baked maps, then the
-// metrics of a pair, then what the harness adds to searches, then what a report costs, then stages of the
-// reference and their ratios to bare libraries.
+// ./plumbline bench [--section=NAME] [Google Benchmark's options]: whole processes, baked maps, the metrics
+// of a pair of frames, the overhead of the harness, the cost of a report, and the stages of the reference
+// with their ratios to bare libraries.
 #include "scenes/scene_file/scene_library.h"
 #include "tests/bench/bake_bench.h"
 #include "tests/bench/harness_bench.h"
@@ -28,8 +28,8 @@ using plumbline::TemporaryFolder;
 
 constexpr double kValidateSecondsAim = 30; // every technique on every surface
 
-/// A run of the reference at one rate: a torus cage of `around` x 8 faces, and what the project promises on
-/// two cores. (Blender 3.4 Cycles takes 6.0 s and 1.47 GB for 4.2 M micro-triangles, 20.2 s and 4.87 GB
+/// A run of the reference at one rate: a torus cage of `around` x 8 faces, and the goals on two cores. (For
+/// comparison, Blender 3.4 Cycles takes 6.0 s and 1.47 GB for 4.2 M micro-triangles, 20.2 s and 4.87 GB
 /// for 16.8 M.)
 struct ReferenceRun {
     int around, rate;
@@ -69,7 +69,7 @@ bool printProcess(const std::string& title, const ProcessResult& result, const s
     return true;
 }
 
-/// The library's stone_torus with so many faces around.
+/// The library's stone_torus with the given number of faces around.
 std::string writeTorus(const std::filesystem::path& folder, int around) {
     std::ifstream library(plumbline::findScene("stone_torus"));
     std::string text((std::istreambuf_iterator<char>(library)), std::istreambuf_iterator<char>());
@@ -82,10 +82,10 @@ std::string writeTorus(const std::filesystem::path& folder, int around) {
     return file.string();
 }
 
-/// What a micro-triangle more costs, from each size to the next: flat if cost grows linearly.
+/// Cost per additional micro-triangle, from each size to the next; constant if the cost is linear.
 void printCurve(const ProcessResult& coarsest,
                 const std::vector<std::pair<ReferenceRun, ProcessResult>>& curve) {
-    fmt::print("\n{:<44}{:>14}{:>18}\n", "from … to", "ns a triangle", "bytes a triangle");
+    fmt::print("\n{:<44}{:>14}{:>18}\n", "from … to", "ns/triangle", "bytes/triangle");
     ProcessResult before = coarsest;
     double triangles = 16 * 8 * 2 * 64.0;
     for (const auto& [run, result] : curve) {
@@ -104,7 +104,7 @@ void printTechniques(const std::filesystem::path& resultsFile) {
     std::ifstream stream(resultsFile);
     const nlohmann::json results = nlohmann::json::parse(stream);
     const double microTriangles = results.at("reference").at("micro_triangles");
-    fmt::print("\n{:<32}{:>12}   timer\n", "technique (stone_torus)", "ms a frame");
+    fmt::print("\n{:<32}{:>12}   timer\n", "technique (stone_torus)", "ms/frame");
     for (const auto& technique : results.at("techniques")) {
         if (!technique.contains("cost") || !technique.at("cost").contains("ms_median")) continue;
         fmt::print("{:<32}{:>12.1f}   {}, {}\n", technique.at("name").get<std::string>(),
@@ -148,7 +148,7 @@ void printProcesses() {
 constexpr const char* kSections[] = {"processes", "bakes",  "metrics", "harness",
                                      "surfaces",  "report", "stages"};
 
-/// Takes --section=NAME out of the arguments; empty: all. Throws for a name there isn't.
+/// Removes --section=NAME from the arguments and returns NAME; empty: all. Throws for an unknown name.
 std::string takeSection(int& argc, char** argv) {
     const std::string option = "--section=";
     for (int i = 1; i < argc; ++i) {
@@ -173,7 +173,8 @@ int main(int argc, char** argv) {
         benchmark::Initialize(&argc, argv);
         if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
         const auto wanted = [&](const char* section) { return only.empty() || only == section; };
-        // A child's peak memory begins at what its parent holds when it is started: while that is little.
+        // First, while this process uses little memory, because a child's peak memory starts at that of its
+        // parent.
         if (wanted("processes")) printProcesses();
         if (wanted("bakes")) plumbline::printBakes();
         if (wanted("metrics")) plumbline::printMetrics();

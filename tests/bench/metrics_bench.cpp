@@ -20,8 +20,8 @@ namespace {
 constexpr int kWidth = 1920, kHeight = 1080;
 constexpr int kRuns = 9;
 
-/// A ring of 40 % of the picture's pixels in front of a floor that fills the rest of its lower half.
-/// `wobble`: pixels by which its outline, and shares by which the rest, is off.
+/// A ring that covers 40 % of the image in front of a floor that fills the rest of its lower half. `wobble`:
+/// the error of its outline in pixels, and the scale of the errors of other channels.
 Frame paintedFrame(double wobble, bool isReference) {
     Frame frame(kWidth, kHeight);
     for (const char* name : {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S",
@@ -85,7 +85,7 @@ Scene sceneOfBoth() {
 }
 
 struct Times {
-    double wallMs, cpuMs; // medians; CPU of all threads together
+    double wallMs, cpuMs; // medians; CPU time of all threads
 };
 
 Times timesOf(const std::function<void()>& run) {
@@ -94,7 +94,7 @@ Times timesOf(const std::function<void()>& run) {
         const auto start = std::chrono::steady_clock::now();
         const std::clock_t startCpu = std::clock();
         run();
-        if (i == 0) continue; // warms up
+        if (i == 0) continue; // warm-up
         wall.push_back(
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
         cpu.push_back(1000.0 * static_cast<double>(std::clock() - startCpu) / CLOCKS_PER_SEC);

@@ -1,10 +1,10 @@
-// What `validate` computes of a pair of frames, and how long it takes.
+// The time that the metrics of a pair of frames take.
 #pragma once
 
 namespace plumbline {
 
-/// Compares two frames of 1920 x 1080 pixels, a torus and a floor behind it as two techniques might draw
-/// them, with every channel; prints medians of wall and CPU time, on all threads and on one.
+/// Compares two frames of 1920 x 1080 pixels with every channel, a torus in front of a floor with the errors
+/// of a typical technique; prints medians of wall and CPU time, on all threads and on one.
 void printMetrics();
 
 } // namespace plumbline

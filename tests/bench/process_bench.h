@@ -1,4 +1,4 @@
-// Whole processes, as a user runs them: wall time and peak memory.
+// Wall time and peak memory of whole processes.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ struct ProcessResult {
     int runs = 0;
 };
 
-/// Runs a command `runs` times after one warm-up, its output thrown away.
+/// Runs a command `runs` times after one warm-up and discards its output.
 ProcessResult runProcess(const std::vector<std::string>& command, int runs);
 
 } // namespace plumbline

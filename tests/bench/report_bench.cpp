@@ -53,7 +53,7 @@ std::vector<Judged> judge(const std::filesystem::path& frames, const Frame& refe
     return all;
 }
 
-/// As `validate` writes it: the page anew after every technique.
+/// As `validate` does, writes the page again after every technique.
 double secondsToWrite(const std::filesystem::path& folder, const Frame& reference,
                       const std::vector<Judged>& techniques) {
     std::filesystem::create_directories(folder);
@@ -93,7 +93,7 @@ void printReport() {
     const Frame reference = readFrame(folder.path() / "frames" / "reference.exr");
     const std::vector<Judged> techniques = judge(folder.path() / "frames", reference);
     std::vector<double> seconds;
-    for (int run = 0; run <= kRuns; ++run) { // the first warms up
+    for (int run = 0; run <= kRuns; ++run) { // the first is a warm-up
         const double taken = secondsToWrite(folder.path() / "again", reference, techniques);
         if (run > 0) seconds.push_back(taken);
     }

@@ -1,9 +1,9 @@
-// What a report costs to write, and how large it is.
+// Time and size of a report.
 #pragma once
 
 namespace plumbline {
 
-/// Of sixteen techniques on stone_torus, 800 x 600: seconds and bytes, beside the aims.
+/// For sixteen techniques on stone_torus, 800 x 600: seconds and bytes, with the goals.
 void printReport();
 
 } // namespace plumbline

@@ -24,7 +24,7 @@ namespace {
 constexpr int kRates[] = {64, 128, 256}; // 1.05, 4.19 and 16.8 M micro-triangles
 constexpr int kRepetitions = 5;
 
-/// The scene with one object, its surface, and the rays of its picture.
+/// The scene with one object, its surface, and the rays of its image.
 struct Torus {
     Scene scene = readScene(findScene("stone_torus"));
     std::unique_ptr<BaseSurface> surface = makeBaseSurface(scene.objects[0]);
@@ -44,8 +44,8 @@ double seconds(Work work) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Times `stage` and, right after each run of it, `bare`: machines drift, and what is asked for is the ratio
-/// of both.
+/// Times `stage` and, after each run of it, `bare`. They alternate because the speed of machines drifts and
+/// the ratio of both is measured.
 template <typename Stage, typename Bare>
 void runPaired(benchmark::State& state, double items, Stage stage, Bare bare) {
     std::vector<double> ratios;
@@ -59,7 +59,7 @@ void runPaired(benchmark::State& state, double items, Stage stage, Bare bare) {
     state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(items));
 }
 
-/// Bare: nothing but OpenSubdiv, the same number of samples with first derivatives, on all cores.
+/// Bare: OpenSubdiv only, the same number of samples with first derivatives, on all cores.
 void tessellateStage(benchmark::State& state) {
     const int rate = static_cast<int>(state.range(0));
     const int patchCount = static_cast<int>(torus().surface->patches().size());
@@ -94,7 +94,7 @@ void buildStage(benchmark::State& state) {
                             static_cast<int64_t>(microMeshSize(*torus().surface, rates).microTriangles));
 }
 
-/// Where the shadow rays of a frame start: every lit or cast-shadowed point, a little off the surface.
+/// Origins of a frame's shadow rays: every lit or cast-shadowed point, offset from the surface.
 std::vector<Vec3f> shadowRayOrigins(const Frame& frame, const Vec3& toLight) {
     std::vector<Vec3f> origins;
     for (size_t i = 0; i < frame.pixelCount(); ++i) {
@@ -138,7 +138,7 @@ struct TracedTorus {
     }
     static Vec3 toLight() { return torus().scene.lights[0].toLightWorld; }
     Frame render() const { return traceFrame(torus().scene, objects, embree).frame; }
-    /// The frame's rays with nothing around them.
+    /// The frame's rays without further work.
     void traceRays(const EmbreeScene& scene) const {
         const auto width = static_cast<size_t>(frame.width());
         forEachFlushed(frame.pixelCount(), [&](size_t i) {
@@ -152,7 +152,7 @@ struct TracedTorus {
     double rayCount() const { return static_cast<double>(frame.pixelCount() + shadowOrigins.size()); }
 };
 
-/// The frame's rays, none of which slips through at a vertex. Bare: Embree alone.
+/// The frame's rays, without leaks at vertices. Bare: Embree alone.
 void raysStage(benchmark::State& state) {
     const TracedTorus traced(static_cast<int>(state.range(0)));
     runPaired(
@@ -160,7 +160,7 @@ void raysStage(benchmark::State& state) {
         [&] { traced.traceRays(traced.bare); });
 }
 
-/// The whole frame: rays, hits in double, moved onto the surface, normals by second derivatives, color.
+/// The whole frame: rays, hits refined onto the surface in double, normals by second derivatives, color.
 /// Bare: Embree's rays alone.
 void traceStage(benchmark::State& state) {
     const TracedTorus traced(static_cast<int>(state.range(0)));
@@ -169,7 +169,7 @@ void traceStage(benchmark::State& state) {
         [&] { traced.traceRays(traced.bare); });
 }
 
-/// Prints and keeps the medians.
+/// Prints and stores the medians.
 class KeepingReporter : public benchmark::ConsoleReporter {
   public:
     KeepingReporter() : ConsoleReporter(OO_None) {}

@@ -1,4 +1,4 @@
-// The stages of the reference, one by one, under Google Benchmark.
+// Benchmarks the stages of the reference with Google Benchmark.
 #pragma once
 
 #include <map>
@@ -10,13 +10,14 @@ namespace plumbline {
 struct StageResult {
     double realMs = 0;
     double itemsPerSecond = 0; // micro-triangles, or rays
-    double ofBare = 0; // speed as a share of the bare library's, measured in turn; 0: nothing to compare with
+    double ofBare = 0;         // speed relative to the bare library, measured alternately; 0: no comparison
 };
 
 /// Registers the stages for Google Benchmark, on the library scene `stone_torus`.
 void registerStageBenchmarks();
 
-/// Runs what is registered, prints Google Benchmark's table, and returns the medians by name ("trace/128").
+/// Runs the registered benchmarks, prints Google Benchmark's table, and returns the medians by name
+/// ("trace/128").
 std::map<std::string, StageResult> runStageBenchmarks();
 
 } // namespace plumbline

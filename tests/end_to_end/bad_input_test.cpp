@@ -1,5 +1,4 @@
-// Everything a user can get wrong in a scene, a mesh, an image or a frame: exit 2, one line, nothing left
-// behind.
+// Mistakes in a scene, a mesh, an image or a frame: exit code 2, one line on stderr, no files left.
 #include "scenes/frame/frame_exr.h"
 #include "tests/end_to_end/program.h"
 #include "tests/validate/metrics/painted_frames.h"
@@ -17,7 +16,7 @@ using ::testing::Not;
 
 class BadInput : public EndToEnd {
   protected:
-    /// Runs the reference on a scene of this text; it must refuse, naming `part`, and leave nothing.
+    /// Runs the reference on a scene of this text and expects an error that contains `part` and no files.
     void expectSceneRefused(const std::string& text, const std::string& part) const {
         writeFile(folder_ / "scene.toml", text);
         const auto before = filesBelow(folder_);
@@ -28,7 +27,7 @@ class BadInput : public EndToEnd {
                            const std::string& part) const {
         expectSceneRefused(withLine(kSmallScene, line, replacement), part);
     }
-    /// The small scene with its torus replaced by a mesh file of this text, without a scheme that needs more.
+    /// Replaces the torus of the small scene by a mesh file of this text, without subdivision.
     void expectMeshRefused(const std::string& obj, const std::string& part) const {
         writeFile(folder_ / "mesh.obj", obj);
         expectLineRefused("shape = { kind = \"torus\", major = 1.0, minor = 0.4, segments = [12, 6] }",
@@ -60,16 +59,17 @@ TEST_F(BadInput, BadScenes_AreRefused) {
     const std::string text = kSmallScene;
     expectSceneRefused(text.substr(0, text.find("minor") + 8), "scene.toml:");          // truncated
     expectSceneRefused("", "scene.toml");                                               // empty
-    expectSceneRefused(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), "scene.toml"); // a picture
+    expectSceneRefused(std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16), "scene.toml"); // an image
     expectSceneRefused(text + std::string(1, '\0'), "scene.toml");
     expectLineRefused("fov_y_degrees = 40", "fov_y_degres = 40",
-                      "fov_y_degrees"); // unknown key, with a guess
+                      "fov_y_degrees"); // unknown key, with a suggestion
     expectLineRefused("purpose = ", "porpoise = 1\npurpose = ", "porpoise");
     expectLineRefused("fov_y_degrees = 40", "fov_y_degrees = nan", "fov_y_degrees");
     expectLineRefused("fov_y_degrees = 40", "fov_y_degrees = \"wide\"", "fov_y_degrees");
     expectLineRefused("fov_y_degrees = 40", "fov_y_degrees = 180", "fov_y_degrees");
     expectLineRefused("position = [1.1, 2.0, 2.9]", "position = [1.1, inf, 2.9]", "position");
-    expectLineRefused("position = [1.1, 2.0, 2.9]", "position = [0, -0.12, 0]", "target"); // looks nowhere
+    expectLineRefused("position = [1.1, 2.0, 2.9]", "position = [0, -0.12, 0]",
+                      "target"); // no view direction
     expectLineRefused("to_light = [-0.7, 0.6, 0.5]", "to_light = [0, 0, 0]", "to_light");
     expectLineRefused("depth = 0.1", "depth = -1", "depth");
     expectLineRefused("map = \"stone\"", "map = \"wood\"", "wood");
@@ -94,7 +94,7 @@ TEST_F(BadInput, BadMeshes_AreRefused) {
     expectMeshRefused(square + "f 1/1 2/2 3/3 9/4\n", "mesh.obj:9"); // index out of range
     expectMeshRefused(square + "f 1/1 2/2 3/3 4/9\n", "mesh.obj:9");
     expectMeshRefused(square + "f 0/1 2/2 3/3 4/4\n", "mesh.obj:9");
-    expectMeshRefused(square + "f 1/1 2/2\n", "mesh.obj:9"); // cut off
+    expectMeshRefused(square + "f 1/1 2/2\n", "mesh.obj:9"); // truncated
     expectMeshRefused(square + "f 1 2 3 4\n", "uv");         // a relief needs uvs
     expectMeshRefused(withLine(square, "v 1 0 -1", "v 1 nan -1") + "f 1/1 2/2 3/3 4/4\n", "mesh.obj:3");
     expectMeshRefused("v 0 0 0\nv 0 0 0\nv 0 0 0\nv 0 0 0\nvt 0 0\nf 1/1 2/1 3/1 4/1\n", "area");
@@ -144,7 +144,7 @@ TEST_F(BadInput, BadFrames_AreRefused) {
     writeFrame(emptyFrame(8, 9), folder_ / "taller.exr");
     expectFrameRefused("taller.exr", "8 x 9");
     Frame blind(8, 8);
-    blind.add("R"); // a Z alone would say what it covers
+    blind.add("R"); // Z would define its coverage
     writeFrame(blind, folder_ / "blind.exr");
     expectFrameRefused("blind.exr", "channel A");
     Frame odd = good;
@@ -159,7 +159,7 @@ TEST_F(BadInput, BadFrames_AreRefused) {
     expectRefused(run({"compare", ".", "good.exr"}), ".");
 }
 
-// Permission bits don't stop root, a regular file in the way stops everybody.
+// Permissions don't restrict root, so a regular file in place of the folder is used instead.
 TEST_F(BadInput, UnwritableOutput_IsRefused) {
     const std::string scene = writeSmallScene();
     Frame frame = emptyFrame(2, 2);

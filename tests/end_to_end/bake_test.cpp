@@ -1,4 +1,4 @@
-// plumbline bake: what it prints and writes, its cache under two processes at once and under damage, and bad
+// plumbline bake: output, files, the cache with two concurrent processes and with damaged files, and bad
 // input.
 #include "scenes/image/exr_file.h"
 #include "scenes/image/image_file.h"
@@ -20,7 +20,7 @@ using ::testing::StartsWith;
 
 class Bake : public EndToEnd {
   protected:
-    /// `plumbline bake …` with a cache of this test's own.
+    /// Runs `plumbline bake …` with a cache for this test only.
     Outcome bake(std::vector<std::string> arguments) const { return bakeIn(folder_, std::move(arguments)); }
     Outcome bakeIn(const std::filesystem::path& workingFolder, std::vector<std::string> arguments) const {
         arguments.insert(arguments.begin(), "bake");
@@ -28,7 +28,7 @@ class Bake : public EndToEnd {
     }
     std::vector<std::string> keptFiles() const { return filesBelow(folder_ / "cache"); }
 
-    /// Exit 2 (or another), one line that says `part`, nothing on stdout, nothing left behind.
+    /// Expects the exit code, one line that contains `part`, nothing on stdout, and no files.
     void expectRefused(const std::vector<std::string>& arguments, const std::string& part,
                        int exitCode = 2) const {
         const auto before = filesBelow(folder_);
@@ -42,7 +42,7 @@ class Bake : public EndToEnd {
         EXPECT_EQ(filesBelow(folder_), before) << part;
     }
 
-    /// A gray picture, row 0 on top.
+    /// A gray image, row 0 = top.
     void writeGray(const std::string& name, int width, int height, const std::vector<float>& values) const {
         writeExr(folder_ / name, width, height, {{"R", values}, {"G", values}, {"B", values}}, {});
     }
@@ -55,8 +55,8 @@ std::vector<std::string> withScale(std::vector<std::string> arguments) {
     return arguments;
 }
 
-// Heights 1, 3/4, 1/2, 1/4 a row: depths 0, 1/4, 1/2, 3/4 along s. The bounds of the four patches, the last
-// one back to the first under repeat.
+// Heights 1, 3/4, 1/2, 1/4 in each row, that is, depths 0, 1/4, 1/2, 3/4 along s. With repeat the last of the
+// four patches goes back to the first.
 TEST_F(Bake, KnownImage_EqualsHandComputed) {
     writeGray("ramp.exr", 4, 1, {1.0f, 0.75f, 0.5f, 0.25f});
     const Outcome made =
@@ -74,7 +74,7 @@ TEST_F(Bake, KnownImage_EqualsHandComputed) {
     EXPECT_EQ(picture.attributes.at("map"), "ramp.exr");
     EXPECT_THAT(picture.attributes.at("program"), StartsWith("plumbline "));
 
-    // As depths the same picture is another map; clamped, another one again.
+    // Interpreted as depths, or clamped, the same image is a different map.
     for (const auto& [stores, wrap, last] :
          {std::tuple("depth", "repeat,repeat", 0.25f), std::tuple("depth", "clamp,repeat", 0.25f),
           std::tuple("height", "clamp,repeat", 0.75f)}) {
@@ -89,8 +89,8 @@ TEST_F(Bake, KnownImage_EqualsHandComputed) {
     EXPECT_EQ(keptFiles().size(), 4u);
 }
 
-// Depths 0, 1/4, 1/2, 3/4 along s fall by 1 a map width: by 0.5 world units on 2, so the normal is (1/4, 0,
-// 1). The same along t, on 3 world units: (0, 1/6, 1).
+// Depths 0, 1/4, 1/2, 3/4 along s have a slope of 1 per map width, that is, 0.5 world units over 2, so the
+// normal is (1/4, 0, 1). Along t, over 3 world units, it is (0, 1/6, 1).
 TEST_F(Bake, Scale_TakesEffect) {
     const auto slope = [&](const std::string& map, const std::string& channel) {
         EXPECT_EQ(bake(withScale({map, "--kind", "normal", "--stores", "depth", "-o", "n.exr"})).exitCode, 0);
@@ -138,7 +138,7 @@ TEST_F(Bake, CacheAndOneThread_GiveEqualBytes) {
     EXPECT_TRUE(two == one);
 }
 
-// Both may make the map; one file is left, whole, whoever renamed last.
+// Both may bake the map. One complete file must remain, from the process that renamed last.
 TEST_F(Bake, TwoProcesses_ShareCache) {
     const std::string scene = writeSmallScene();
     for (const char* folder : {"a", "b"})
@@ -172,10 +172,10 @@ TEST_F(Bake, DamagedFile_IsRemade) {
     for (const std::string& damaged : {std::string(), good.substr(0, good.size() - 1), good + "x", flipped,
                                        std::string(good.size(), '\0')}) {
         writeFile(file, damaged);
-        const Outcome anew = bake(arguments);
-        EXPECT_EQ(anew.exitCode, 0) << anew.err;
-        EXPECT_THAT(anew.out, HasSubstr("made now"));
-        EXPECT_THAT(anew.err, StartsWith("warning: " + file.string() + ": is damaged"));
+        const Outcome rebaked = bake(arguments);
+        EXPECT_EQ(rebaked.exitCode, 0) << rebaked.err;
+        EXPECT_THAT(rebaked.out, HasSubstr("made now"));
+        EXPECT_THAT(rebaked.err, StartsWith("warning: " + file.string() + ": is damaged"));
         const Outcome kept = bake(arguments);
         EXPECT_THAT(kept.out, HasSubstr("from the cache"));
         EXPECT_THAT(kept.err, IsEmpty());
@@ -236,7 +236,7 @@ TEST_F(Bake, BadMaps_AreRefused) {
     expectRefused({"smal.toml#stone", "--kind", "max_mipmap"}, "smal.toml");
     expectRefused({"stone_tours#stone", "--kind", "max_mipmap"}, "did you mean 'stone_torus'?");
     expectRefused({"#", "--kind", "max_mipmap"}, "scene");
-    expectRefused(stores("small.toml#stone"), "--stores: found 'depth' beside a scene's map");
+    expectRefused(stores("small.toml#stone"), "--stores: found 'depth' with a scene's map");
     expectRefused({"small.toml#stone", "--kind", "max_mipmap", "--wrap", "clamp,clamp"}, "--wrap");
     expectRefused({"high.exr", "--kind", "max_mipmap"}, "--stores: is missing");
 }

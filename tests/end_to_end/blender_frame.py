@@ -1,11 +1,11 @@
-"""Renders a mesh and a camera that `plumbline reference --export-mesh --export-camera` wrote, in Blender's Cycles:
+"""Renders a mesh and a camera that `plumbline reference --export-mesh --export-camera` wrote with Blender's Cycles:
 
     blender -b -P tests/end_to_end/blender_frame.py -- MESH.ply CAMERA.json OUT.exr
 
-OUT.exr: multilayer, 32-bit float, one ray through the center of each pixel; passes Combined, Z, Position, Normal, UV and
-IndexOB (the object_id of the mesh file). `plumbline compare REFERENCE.exr OUT.exr` reads it as it is.
+OUT.exr: multilayer, 32-bit float, one ray through the center of each pixel; passes Combined, Z, Position, Normal, UV
+and IndexOB (the object_id of the mesh file). `plumbline compare REFERENCE.exr OUT.exr` reads it directly.
 
-The world is taken over without turning it: Y stays up. Blender 3.4; needs NumPy.
+The world isn't rotated: Y stays up. Blender 3.4; needs NumPy.
 """
 import json
 import math
@@ -25,7 +25,7 @@ FACE = numpy.dtype([("count", "u1"), ("corners", "<i4", 3), ("object_id", "<i4")
 
 
 def read_mesh(path):
-    """Vertices and faces of a .ply of plumbline; reads no other."""
+    """Vertices and faces of a .ply file that plumbline wrote; other files aren't supported."""
     with open(path, "rb") as file:
         counts = {}
         for line in iter(file.readline, b"end_header\n"):
@@ -42,7 +42,7 @@ def read_mesh(path):
 
 
 def add_object(name, object_id, vertices, triangles):
-    """An object of some of the triangles, with the vertices they use, their st as UV and smooth normals."""
+    """An object with some of the triangles and the vertices they use; st becomes UV, normals are smooth."""
     used, corners = numpy.unique(triangles, return_inverse=True)
     corners = corners.astype(numpy.int32).ravel()
     mesh = bpy.data.meshes.new(name)
@@ -63,7 +63,7 @@ def add_object(name, object_id, vertices, triangles):
 
 
 def add_camera(description):
-    """The camera of the JSON; Blender's also looks down its -Z with +Y up."""
+    """The camera of the JSON. Blender's camera also looks down its -Z with +Y up."""
     data = bpy.data.cameras.new("camera")
     data.sensor_fit = "VERTICAL"
     if description["projection"] == "perspective":
@@ -102,7 +102,7 @@ def set_up_render(description, out):
     scene.cycles.samples = 1
     scene.cycles.use_adaptive_sampling = False
     scene.cycles.use_denoising = False
-    # One sample a pixel, anywhere within the filter: its width is the least that Blender takes, 0.01 pixels.
+    # One sample per pixel within the filter, whose width is Blender's minimum, 0.01 pixels.
     scene.cycles.pixel_filter_type = "BOX"
     scene.cycles.filter_width = 0.01
     scene.cycles.max_bounces = 0
@@ -138,8 +138,9 @@ def main():
     bpy.ops.render.render(write_still=True)
 
 
-# Blender ends with 0 after an exception of a script unless told otherwise (--python-exit-code); sys.exit is no such exception.
+# After an exception in a script Blender exits with 0 unless --python-exit-code is given; sys.exit works
+# without it.
 try:
     main()
-except Exception as error:  # noqa: BLE001: whatever it is, it has to reach the exit code
+except Exception as error:  # noqa: BLE001: every exception must set the exit code
     sys.exit(f"blender_frame.py: {error}")

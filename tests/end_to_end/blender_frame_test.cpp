@@ -1,4 +1,4 @@
-// Another renderer, given the exported mesh and camera, must draw the very picture: Blender's Cycles by
+// Another renderer must draw the same image from the exported mesh and camera: Blender's Cycles, run by
 // blender_frame.py.
 #include "tests/end_to_end/program.h"
 
@@ -18,7 +18,7 @@ class BlenderFrame : public EndToEnd {
         if (std::system("command -v blender > /dev/null") != 0)
             GTEST_SKIP() << "no blender on this machine (Debian: apt install blender python3-numpy)";
     }
-    /// blender's exit code, 124 where it takes longer than four minutes; what it says is in blender.log.
+    /// Blender's exit code, 124 if it takes longer than four minutes. Its output is in blender.log.
     int runBlender(const std::string& mesh, const std::string& camera, const std::string& out) const {
         const std::string command = "cd '" + folder_.string() +
                                     "' && timeout 240 blender -b -P '" PLUMBLINE_SOURCE_DIR
@@ -39,12 +39,13 @@ TEST_F(BlenderFrame, ExportedMesh_CoversEqualPixels) {
     EXPECT_THAT(compared.out, HasSubstr("read as a frame of Blender"));
     const auto results = nlohmann::json::parse(compared.out);
     const auto& figures = results["techniques"][0];
-    // Blender aims within 0.005 pixels of the center: a contour of some 2000 pixels may change hands in about
-    // ten of 212 000.
+    // Blender samples within 0.005 pixels of the center, so about ten pixels of a contour of some 2000 (of
+    // 212 000 covered) may differ.
     EXPECT_GE(figures["silhouette"]["iou"], 0.9999);
     EXPECT_GT(figures["silhouette"]["reference_px"], 200000);
-    // The reference's depth is on the surface itself, Blender's on micro-triangles that are so far from it,
-    // along rays that may be slanted. A distance taken for planar depth would be off by 0.1 and more.
+    // The reference's depth is that of the surface itself, Blender's that of micro-triangles at this distance
+    // from it, along oblique rays. A distance interpreted as planar depth would have an error of 0.1 and
+    // more.
     EXPECT_LT(figures["depth"]["p99"], 4 * results["reference"]["error_world_p99"].get<double>());
     EXPECT_LT(results["reference"]["error_world_p99"], 0.005);
     // Likewise; a micro-triangle is a texel wide.

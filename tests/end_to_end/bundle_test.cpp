@@ -1,5 +1,5 @@
-// The tarball's tree: the installed program with the libraries it needs, which must do without this
-// machine's.
+// The contents of the tarball: the installed program with its libraries, which must not need those of this
+// machine.
 #include "tests/end_to_end/installed_program.h"
 
 #include <gmock/gmock.h>
@@ -15,12 +15,12 @@ using namespace test;
 using Bundle = EndToEnd;
 
 TEST_F(Bundle, BundledProgram_NeedsOnlyCAndCxxRuntime) {
-    if (shell("patchelf --version").exitCode != 0) GTEST_SKIP() << "patchelf isn't there";
+    if (shell("patchelf --version").exitCode != 0) GTEST_SKIP() << "patchelf is missing";
     const fs::path moved = installAndMove(folder_, {"bundle"}), libraries = moved / "lib/plumbline";
     std::vector<fs::path> loaded{moved / "bin/plumbline", libraries / "plumbline_images.so"};
     if (fs::exists(libraries / "libOSMesa.so.8")) loaded.push_back(libraries / "libOSMesa.so.8");
 
-    // As ldd writes them: "name => path (address)", "name => not found", "path (address)".
+    // Lines of ldd: "name => path (address)", "name => not found", "path (address)".
     const std::regex runtime(
         "\\S*(linux-vdso|ld-linux-x86-64|libc|libm|libmvec|libdl|librt|libpthread|libresolv|libutil|"
         "libstdc\\+\\+|libgcc_s)\\.so\\.\\d+ .*");
@@ -40,7 +40,7 @@ TEST_F(Bundle, BundledProgram_NeedsOnlyCAndCxxRuntime) {
             ++bundled;
         }
     }
-    EXPECT_GT(bundled, 20u); // Embree, TBB, OpenSubdiv, OpenEXR, OpenImageIO and what they need
+    EXPECT_GT(bundled, 20u); // Embree, TBB, OpenSubdiv, OpenEXR, OpenImageIO and their dependencies
     const ShellOutcome doctor = shell((moved / "bin/plumbline").string() + " doctor");
     EXPECT_THAT(doctor.text, testing::HasSubstr("ok   pictures         " + libraries.string()));
     EXPECT_THAT(filesBelow(moved / "share/doc/plumbline/bundled"), testing::Contains("packages.txt"));

@@ -1,4 +1,4 @@
-// Usage, and everything that must not depend on OpenGL: reference, compare, list.
+// Usage, and the commands that must work without OpenGL: reference, compare, list.
 #include "scenes/frame/frame_exr.h"
 #include "tests/end_to_end/program.h"
 #include "tests/validate/metrics/painted_frames.h"
@@ -24,11 +24,11 @@ TEST_F(EndToEnd, UnknownCommandsAndOptions_HaveHint) {
     expectRefusal(run({"compare", "only_one.exr"}), 2, "TEST");
     expectRefusal(run({"list", "scense"}), 2, "did you mean 'scenes'?");
     expectRefusal(run({"--frobnicate"}), 2, "--frobnicate");
-    expectRefusal(run({"study"}), 2, "study: nothing says what to do; expected run or report");
+    expectRefusal(run({"study"}), 2, "study: a subcommand is missing; expected run or report");
     expectRefusal(run({"study", "rum"}), 2,
                   "study: there is no 'rum'; expected run or report; did you mean 'run'?");
     expectRefusal(run({"study", "run"}), 2,
-                  "study run: STUDY is required; 'plumbline study run --help' lists what there is");
+                  "study run: STUDY is required; 'plumbline study run --help' lists the choices");
     expectRefusal(run({"study", "run", "quadric", "--jbos", "3"}), 2,
                   "study run: '--jbos' was not expected; did you mean '--jobs'?");
     expectRefusal(run({"list", "scenes", "extra"}), 2, "'extra' was not expected");
@@ -87,7 +87,7 @@ TEST_F(EndToEnd, ReferenceOnAnyThreadCount_GivesEqualBytes) {
         way.insert(way.begin(), {"reference", scene, "--rate", "16"});
         const Outcome made = run(way);
         ASSERT_EQ(made.exitCode, 0) << made.err;
-        expectOnlyTheCertificate(made.err); // no terminal, no progress
+        expectOnlyTheCertificate(made.err); // no progress, because stderr is no terminal
     }
     const std::string bytes = readFile(folder_ / "a.exr");
     EXPECT_GT(bytes.size(), 1000u);
@@ -136,8 +136,8 @@ TEST_F(EndToEnd, FrameWithItself_HasNoError) {
 // right by one:
 //   silhouette: columns 3 … 9 shared (70), column 2 missing (10), column 10 extra (10): IoU 70/90
 //   depth: the test shows at x what the reference shows at x - 1, so e = -1/8 everywhere: bias -1/8, MAE =
-//   RMSE = p50 =
-//          p99 = max = 1/8; with a relief 1/2 deep that is 1/4 of it: above 1 % and 5 %, not above 25 %
+//          RMSE = p50 = p99 = max = 1/8; with a relief depth of 1/2 that is 1/4: above 1 % and 5 %, not above
+//          25 %
 //   shadow: reference dark in 3 4 of the shared columns, test in 3 4 5: TP 20, FP 10, FN 0, TN 40:
 //          agreement 60/70, IoU 20/30, F1 40/50, BER = (10/50 + 0)/2 = 0.1
 TEST_F(EndToEnd, FrameShiftedByOne_HasKnownIou) {
@@ -228,7 +228,7 @@ TEST_F(EndToEnd, CompareOfDifferentHeaders_ListsDifferences) {
     test.metadata = {{"camera", "Cam01"}, {"light.sun", "bright"}};
     const Outcome strange = compared();
     EXPECT_THAT(strange.out,
-                HasSubstr("note: test.exr: the header field 'camera' isn't as plumbline writes it"));
+                HasSubstr("note: test.exr: the header field 'camera' doesn't have plumbline's format"));
     EXPECT_THAT(strange.out, HasSubstr("note: test.exr: the header field 'light.sun' isn't"));
     reference.metadata["light.sun"] = "bright";
     reference.metadata["program"] = "plumbline 0.1.0";
@@ -241,8 +241,8 @@ TEST_F(EndToEnd, CompareWithoutFolder_WritesNoReport) {
         expectRefusal(run({"compare", "a.exr", "a.exr", option}), 2, "none is written; expected -o DIR");
 }
 
-// Columns 2 … 5 of four rows: 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain:
-// 12/15 at best, and so is a pixel outside: 12/17 at worst.
+// Columns 2 … 5 of four rows are 16 pixels. The test lacks column 2: 12/16. Column 2 of row 1 is uncertain,
+// so the IoU is at most 12/15. A pixel outside is also uncertain, so it is at least 12/17.
 TEST_F(EndToEnd, UncertainReference_GivesIntervals) {
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     paintRectangle(reference, 2, 1, 6, 5);
@@ -282,8 +282,8 @@ TEST_F(EndToEnd, ImportedCoverageAndDepth_AreCompared) {
     Frame frame(2, 1);
     frame.add("A")[0] = 1;
     frame.add("Z")[0] = 2;
-    writeFrame(frame, folder_ / "foreign.exr");
-    const Outcome compared = run({"compare", "foreign.exr", "foreign.exr"});
+    writeFrame(frame, folder_ / "imported.exr");
+    const Outcome compared = run({"compare", "imported.exr", "imported.exr"});
     EXPECT_EQ(compared.exitCode, 0) << compared.err;
     EXPECT_THAT(compared.out, HasSubstr("note: neither frame has a channel id"));
     EXPECT_THAT(compared.out, HasSubstr("no normal figures"));

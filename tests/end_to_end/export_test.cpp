@@ -1,4 +1,4 @@
-// Mesh and camera for other renderers, and frames back from them.
+// Export of mesh and camera for other renderers, and import of their frames.
 #include "scenes/image/exr_file.h"
 #include "tests/end_to_end/program.h"
 #include "tests/read_frame.h"
@@ -43,18 +43,18 @@ TEST_F(Export, BadNames_AreRefusedFirst) {
     expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.stl"}),
                   "a name that ends in .ply or .obj");
     expectRefused(runReference({"-o", "a.exr", "--export-mesh", "a.ply", "--export-camera", "./a.ply"}),
-                  "is the name of two results");
-    expectRefused(runReference({"-o", "a.exr", "--export-camera", "small.toml"}), "would be replaced");
+                  "is used for two results");
+    expectRefused(runReference({"-o", "a.exr", "--export-camera", "small.toml"}), "would be overwritten");
     EXPECT_THAT(filesBelow(folder_), ElementsAre("small.toml"));
 }
 
-/// The reference's own frame under Mitsuba's names, its depth along the rays: nothing may differ.
+/// The reference's frame with Mitsuba's channel names and distances along the rays must compare equal.
 TEST_F(Export, RenamedDistances_CompareEqual) {
     ASSERT_EQ(runReference({"-o", "a.exr"}).exitCode, 0);
     const Frame frame = readFrame(folder_ / "a.exr");
     std::map<std::string, std::vector<float>> planes;
     std::vector<float>& distance = planes["dist"];
-    const Vec3 eye(1.1, 2.0, 2.9); // of the small scene
+    const Vec3 eye(1.1, 2.0, 2.9); // camera of the small scene
     for (size_t pixel = 0; pixel < frame.pixelCount(); ++pixel) {
         const Vec3 position(frame.channel("P.X")[pixel], frame.channel("P.Y")[pixel],
                             frame.channel("P.Z")[pixel]);
@@ -65,13 +65,13 @@ TEST_F(Export, RenamedDistances_CompareEqual) {
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
     const auto technique = nlohmann::json::parse(outcome.out)["techniques"][0];
     EXPECT_EQ(technique["silhouette"]["iou"], 1.0);
-    EXPECT_LT(technique["depth"]["max"], 1e-5); // floats of a few units
+    EXPECT_LT(technique["depth"]["max"], 1e-5); // rounding of floats of a few units
     EXPECT_THAT(technique["notes"].dump(), HasSubstr("dist is a distance along the ray"));
     EXPECT_THAT(technique["notes"].dump(), HasSubstr("no normal figures"));
 
-    expectRefused(run({"compare", "a.exr", "b.exr"}), "has no channel of a frame; its channels are dist");
+    expectRefused(run({"compare", "a.exr", "b.exr"}), "no channel name is recognized; its channels are dist");
     expectRefused(run({"compare", "a.exr", "b.exr", "--map", "dist=depth"}), "no channel is called 'depth'");
-    expectRefused(run({"compare", "b.exr", "b.exr", "--map", "dist=Z"}), "has no channel of a frame");
+    expectRefused(run({"compare", "b.exr", "b.exr", "--map", "dist=Z"}), "no channel name is recognized");
 }
 
 } // namespace

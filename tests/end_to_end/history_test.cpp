@@ -1,4 +1,4 @@
-// plumbline history: results kept, exit 1 where they became worse.
+// plumbline history: stores results, and exits with 1 if they became worse.
 #include "tests/end_to_end/program.h"
 #include "tests/validate/results/sample_results.h"
 
@@ -48,7 +48,7 @@ TEST_F(History, Regression_DecidesExitCode) {
     EXPECT_EQ(worse.exitCode, 1);
     EXPECT_EQ(worse.err, "regression: painted: linear_binary: depth.rmse from 0.25 to 0.75; tolerated 0\n");
     EXPECT_EQ(lines(), 3);
-    EXPECT_EQ(history({}).exitCode, 1); // only looks
+    EXPECT_EQ(history({}).exitCode, 1); // compares only
     EXPECT_EQ(history({"--tolerance", "depth.rmse=0.5"}).exitCode, 0);
     EXPECT_EQ(lines(), 3);
 }
@@ -57,15 +57,15 @@ TEST_F(History, DryRun_WritesNothing) {
     EXPECT_EQ(history({"base.json"}).exitCode, 0);
     const std::string before = file();
     EXPECT_EQ(history({"worse.json", "--dry-run"}).exitCode, 1);
-    EXPECT_EQ(history({"worse.json", "--dry-run"}).exitCode, 1); // still red
+    EXPECT_EQ(history({"worse.json", "--dry-run"}).exitCode, 1); // still a regression
     EXPECT_EQ(file(), before);
 }
 
 TEST_F(History, RepeatedResults_AreKeptOnce) {
     EXPECT_EQ(history({"base.json", "worse.json"}).exitCode, 1);
-    EXPECT_EQ(history({"worse.json"}).exitCode, 1); // nothing new, and still worse
+    EXPECT_EQ(history({"worse.json"}).exitCode, 1); // nothing is added, still a regression
     EXPECT_EQ(lines(), 2);
-    EXPECT_EQ(history({"base.json"}).exitCode, 0); // mended, though FILE has held it before
+    EXPECT_EQ(history({"base.json"}).exitCode, 0); // fixed; added although FILE contains an equal record
     EXPECT_EQ(lines(), 3);
     const Outcome again = history({"base.json", "--label", "other"});
     EXPECT_THAT(again.out, HasSubstr("base.json: nothing new, it is record 3 ('plumbline 0.1.0')\n"));
@@ -79,7 +79,7 @@ TEST_F(History, DamagedFile_IsUnchanged) {
     expectRefusal(history({"better.json"}), 2, "h.jsonl:2: is not valid JSON");
     EXPECT_EQ(file(), damaged);
     expectRefusal(run({"history", "base.json", "better.json"}), 2,
-                  "base.json:1: is not valid JSON"); // swapped
+                  "base.json:1: is not valid JSON"); // arguments swapped
 }
 
 TEST_F(History, BadInput_LeavesFileUnchanged) {

@@ -1,4 +1,4 @@
-// The installed program, moved to another place than it was installed to.
+// The installed program, after its prefix was moved.
 #include "scenes/core/data_folder.h"
 #include "tests/end_to_end/installed_program.h"
 

@@ -1,4 +1,4 @@
-// Ctrl-C in the middle of the work: gone at once, nothing left behind.
+// Ctrl-C during work: the program ends immediately and leaves no files.
 #include "tests/end_to_end/program.h"
 
 #include <chrono>
@@ -10,9 +10,9 @@ namespace {
 
 class Interrupt : public EndToEnd {};
 
-// 67 million micro-triangles take several seconds; half a second in, it is tessellating. A second is what a
-// user is promised; a busy machine may need longer to clear a gigabyte away, and without the signal it would
-// go on for longer than this waits.
+// 67 million micro-triangles take several seconds; after half a second it is tessellating. Users are promised
+// an end within a second. A busy machine may need longer to release a gigabyte, so the test waits longer, but
+// less than the run would take without the signal.
 TEST_F(Interrupt, DuringTessellation_EndsWithoutFile) {
     const Running running = startProgram(
         {"reference", "stone_torus", "--rate", "512", "--memory", "4G", "-o", "out/frame.exr"}, folder_);

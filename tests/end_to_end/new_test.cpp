@@ -1,4 +1,4 @@
-// plumbline new: a scene file that runs.
+// plumbline new: it writes a scene file that works.
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
@@ -13,7 +13,7 @@ using namespace test;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-/// A bent sheet of 2 x 2 quads with uvs.
+/// A curved sheet of 2 x 2 quads with uvs.
 const char* const kSheet =
     "v -1 0 1\nv 0 0.2 1\nv 1 0 1\nv -1 0.2 0\nv 0 0.5 0\nv 1 0.2 0\nv -1 0 -1\nv 0 0.2 -1\nv 1 0 -1\n"
     "vt 0 0\nvt 0.5 0\nvt 1 0\nvt 0 0.5\nvt 0.5 0.5\nvt 1 0.5\nvt 0 1\nvt 0.5 1\nvt 1 1\n"
@@ -23,7 +23,7 @@ class New : public EndToEnd {
   protected:
     void SetUp() override {
         writeFile(folder_ / "sheet.obj", kSheet);
-        // A height map that needs no OpenImageIO and no shared data.
+        // A height map that needs neither OpenImageIO nor shared data.
         Frame map(16, 16);
         for (const char* channel : {"R", "G", "B"}) {
             const std::span<float> values = map.add(channel);
@@ -40,7 +40,7 @@ class New : public EndToEnd {
         return run(arguments);
     }
 
-    /// Of a small picture: the share of it that shows the object, and whether its border is free.
+    /// For a small image: the share of covered pixels, and whether the border is free.
     void expectFramed(const std::string& scene, int width, int height) const {
         const Outcome drawn =
             run({"reference", scene, "--scene-set", "camera.width=" + std::to_string(width), "--scene-set",

@@ -65,7 +65,7 @@ std::vector<char*> pointersTo(std::vector<std::string>& texts) {
     return pointers;
 }
 
-/// Waits for the process; kills it at the limit.
+/// Waits for the process; kills it after the limit.
 int waitFor(pid_t process) {
     const auto end = std::chrono::steady_clock::now() + kTimeLimit;
     int status = 0;
@@ -118,7 +118,7 @@ Running startProgram(const std::vector<std::string>& arguments, const fs::path& 
 namespace {
 
 struct ProcessState {
-    char state = 'X'; // of /proc/PID/stat; X: there is no such process
+    char state = 'X'; // from /proc/PID/stat; X: no such process
     pid_t parent = 0;
 };
 
@@ -126,7 +126,7 @@ ProcessState stateOf(const std::string& process) {
     std::ifstream stream("/proc/" + process + "/stat");
     std::string text;
     std::getline(stream, text);
-    const size_t nameEnd = text.rfind(')'); // the name before it may hold anything
+    const size_t nameEnd = text.rfind(')'); // the name before it may contain any characters
     if (nameEnd == std::string::npos) return {};
     ProcessState result;
     std::istringstream(text.substr(nameEnd + 1)) >> result.state >> result.parent;
@@ -151,7 +151,7 @@ bool isGone(pid_t process) {
     const std::string name = std::to_string(process);
     const char state = stateOf(name).state;
     if (state != 'Z') return state == 'X';
-    std::error_code error; // the first of its threads can be a zombie while others still go
+    std::error_code error; // its main thread can be a zombie while others are running
     const auto threads = std::distance(fs::directory_iterator("/proc/" + name + "/task", error), {});
     return error || threads <= 1;
 }

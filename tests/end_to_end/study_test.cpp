@@ -1,4 +1,4 @@
-// Studies as a user runs them: interrupted, killed, gone on with, with cases that fail.
+// Studies as a user runs them: complete, interrupted, killed and resumed, and with cases that fail.
 #include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using ::testing::HasSubstr;
 
 class StudyRun : public EndToEnd {
   protected:
-    /// Cases of `width` pixels: one of each of the torus' depths.
+    /// Cases of `width` pixels, one for each depth of the torus.
     void writeStudy(const std::string& depths, const std::string& width = "48") const {
         writeFile(folder_ / "tiny.toml", R"(title = "Tiny"
 purpose = "For tests"
@@ -53,7 +53,7 @@ figure = "depth.rmse"
     }
 };
 
-/// Lines of a CSV file that have `text`.
+/// Number of lines of a CSV file that contain `text`.
 size_t linesWith(const std::string& csv, const std::string& text) {
     size_t count = 0;
     for (size_t begin = 0; begin < csv.size();) {
@@ -68,7 +68,7 @@ TEST_F(StudyRun, FullRun_ComputesEachCaseOnce) {
     writeStudy("0.02, 0.05");
     const Outcome first = run({"study", "run", "tiny.toml", "-o", "out"});
     ASSERT_EQ(first.exitCode, 0) << first.err;
-    EXPECT_THAT(first.out, HasSubstr("2 cases: 2 worked out in"));
+    EXPECT_THAT(first.out, HasSubstr("2 cases: 2 computed in"));
     const std::string csv = readFile(folder_ / "out/results.csv");
     EXPECT_EQ(linesWith(csv, ",linear,reference,"), 2u);
     EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
@@ -76,9 +76,9 @@ TEST_F(StudyRun, FullRun_ComputesEachCaseOnce) {
     EXPECT_EQ(linesWith(csv, "small.toml,0.05,"), 3u);
 
     writeStudy("0.02, 0.05, 0.1");
-    EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out, HasSubstr("3 cases: 1 worked out in"));
+    EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out, HasSubstr("3 cases: 1 computed in"));
     const Outcome again = run({"study", "run", "tiny.toml", "-o", "out"});
-    EXPECT_THAT(again.out, HasSubstr("3 cases: 0 worked out in 0 s, 3 known before, 0 failed"));
+    EXPECT_THAT(again.out, HasSubstr("3 cases: 0 computed in 0 s, 3 already stored, 0 failed"));
 
     const Outcome report = run({"study", "report", "tiny.toml", "-o", "out"});
     EXPECT_EQ(report.out, "out/report/index.html\n") << report.err;
@@ -89,16 +89,16 @@ TEST_F(StudyRun, FailingCase_IsRecordedOthersRun) {
     writeStudy("0.02, -1, 0.05");
     const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(outcome.exitCode, 2);
-    EXPECT_THAT(outcome.out, HasSubstr("3 cases: 3 worked out"));
+    EXPECT_THAT(outcome.out, HasSubstr("3 cases: 3 computed"));
     EXPECT_THAT(outcome.out, HasSubstr("1 failed"));
     EXPECT_THAT(outcome.err,
                 HasSubstr("--scene-set object.torus.relief.depth=-1: is -1; expected a number from 0"));
     const std::string csv = readFile(folder_ / "out/results.csv");
     EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
     EXPECT_EQ(linesWith(csv, "is -1; expected"), 1u);
-    // What was wrong is still wrong: not tried again.
+    // An error caused by the input remains, so the case isn't tried again.
     EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "out"}).out,
-                HasSubstr("0 worked out in 0 s, 3 known before, 1 failed"));
+                HasSubstr("0 computed in 0 s, 3 already stored, 1 failed"));
 }
 
 TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
@@ -112,22 +112,22 @@ TEST_F(StudyRun, FailingTechnique_CostsItsRows) {
               withLine(study, "name = \"linear:linear_steps=4\"", "name = \"./mine\""));
     const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(outcome.exitCode, 2);
-    EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 worked out"));
+    EXPECT_THAT(outcome.out, HasSubstr("2 cases: 2 computed"));
     EXPECT_THAT(outcome.out, HasSubstr("2 failed"));
-    EXPECT_EQ(linesWith(outcome.err, "linear: ./mine"), 1u) << outcome.err; // said once, of both cases
+    EXPECT_EQ(linesWith(outcome.err, "linear: ./mine"), 1u) << outcome.err; // reported once for both cases
     const std::string csv = readFile(folder_ / "out/results.csv");
-    EXPECT_EQ(linesWith(csv, "nonsense"), 4u); // the technique, and the pair it is in
+    EXPECT_EQ(linesWith(csv, "nonsense"), 4u); // the technique and its pair
     EXPECT_EQ(linesWith(csv, ",binary,reference,"), 2u);
-    // Mended, it is another technique, and the cases are new.
+    // The fixed technique has another hash, so the cases are new.
     writeFile(folder_ / "mine/mine.glsl",
               "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, reliefDepth(ray.st)); }\n");
     const Outcome mended = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(mended.exitCode, 0) << mended.err;
-    EXPECT_THAT(mended.out, HasSubstr("2 cases: 2 worked out"));
+    EXPECT_THAT(mended.out, HasSubstr("2 cases: 2 computed"));
 }
 
 TEST_F(StudyRun, Killed_Resumes) {
-    // Pictures that take about a second each.
+    // Images that take about a second each.
     writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08, 0.09", "4000");
     const Running running = startProgram({"study", "run", "tiny.toml", "-o", "out", "--jobs", "1"}, folder_);
     ASSERT_TRUE(waitUntil([&] { return caseFiles() >= 2; }, 60));
@@ -140,8 +140,8 @@ TEST_F(StudyRun, Killed_Resumes) {
     ASSERT_LT(known, 8u) << "all done before it was killed";
     const Outcome outcome = run({"study", "run", "tiny.toml", "-o", "out"});
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
-    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(8 - known) + " worked out"));
-    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(known) + " known before, 0 failed"));
+    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(8 - known) + " computed"));
+    EXPECT_THAT(outcome.out, HasSubstr(std::to_string(known) + " already stored, 0 failed"));
 }
 
 TEST_F(StudyRun, Interrupted_EndsAtOnce) {
@@ -154,7 +154,7 @@ TEST_F(StudyRun, Interrupted_EndsAtOnce) {
     EXPECT_EQ(finish(running).signal, SIGINT);
     for (const pid_t child : children)
         EXPECT_TRUE(waitUntil([&] { return isGone(child); }, 10));
-    // What was finished can be shown.
+    // The report shows the finished cases.
     EXPECT_EQ(run({"study", "report", "tiny.toml", "-o", "out"}).exitCode, 0);
     EXPECT_THAT(readFile(folder_ / "out/report/index.html"), HasSubstr("cases have no results yet"));
 }
@@ -187,16 +187,16 @@ TEST_F(StudyRun, BadStudy_IsRefusedFirst) {
     writeFile(folder_ / "tiny.toml", study);
     EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out", "--gl", "elg"}),
                 HasSubstr("expected auto, egl or osmesa"));
-    EXPECT_EQ(filesBelow(folder_).size(), 2u); // study and scene: nothing was left behind
+    EXPECT_EQ(filesBelow(folder_).size(), 2u); // study and scene only
     EXPECT_EQ(errorOf({"study", "report", "tiny.toml", "-o", "out"}),
-              "out: holds no results of a study; expected the folder of 'plumbline study run tiny'\n");
+              "out: contains no results of a study; expected the folder of 'plumbline study run tiny'\n");
     EXPECT_THAT(errorOf({"study", "run", "nosuch"}),
                 HasSubstr("neither a file nor a study is called 'nosuch'"));
     writeFile(folder_ / "other.toml", study);
     ASSERT_EQ(run({"study", "run", "other.toml", "-o", "out"}).exitCode, 0);
     EXPECT_THAT(errorOf({"study", "run", "tiny.toml", "-o", "out"}),
-                HasSubstr("holds the results of study 'other'"));
-    EXPECT_THAT(errorOf({"study-case", "1"}), HasSubstr("'study-case' is for the program itself"));
+                HasSubstr("contains the results of study 'other'"));
+    EXPECT_THAT(errorOf({"study-case", "1"}), HasSubstr("'study-case' is an internal command"));
 }
 
 } // namespace

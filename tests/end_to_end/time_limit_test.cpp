@@ -1,4 +1,4 @@
-// Techniques that loop for ever or take their process down: they cost themselves, never the run.
+// Techniques that loop forever or crash their process: they fail, but the run continues.
 #include "tests/end_to_end/program.h"
 
 #include <nlohmann/json.hpp>
@@ -19,8 +19,8 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// No compiler sees that depths are never below -1. llvmpipe leaves any loop after 65535 rounds: they are long
-// ones, so that no machine is through within the limits below.
+// Compilers can't know that depths are never below -1. llvmpipe ends any loop after 65535 iterations, so each
+// takes long enough that no machine finishes within the limits below.
 std::string endlessSearch() {
     std::string round;
     for (int i = 0; i < 16; ++i)
@@ -32,8 +32,8 @@ std::string endlessSearch() {
            round + "}\nreturn hitAt(ray, position.x);\n}\n";
 }
 const std::string kStopped =
-    "endless: not finished after 2 s and stopped; expected a search whose loops end; "
-    "--time-limit SECONDS gives it more";
+    "endless: not finished after 2 s and stopped; expected a search whose loops terminate; "
+    "--time-limit SECONDS raises the limit";
 
 class TimeLimit : public EndToEnd {
   protected:
@@ -47,7 +47,7 @@ class TimeLimit : public EndToEnd {
     }
     void TearDown() override {
         if (drawing_ > 0 && !isGone(drawing_))
-            sendSignal(drawing_, SIGKILL); // a test failed: it would go on for ever
+            sendSignal(drawing_, SIGKILL); // after a failed test it would run forever
         if (!running_.captured.empty()) fs::remove_all(running_.captured);
     }
 
@@ -62,8 +62,8 @@ class TimeLimit : public EndToEnd {
 
     json techniques() const { return json::parse(readFile(folder_ / "out/results.json"))["techniques"]; }
 
-    /// Starts a run and waits until it is in the endless shader, the second of three techniques; returns the
-    /// process that draws it.
+    /// Starts a run, waits until it executes the endless shader, the second of three techniques, and returns
+    /// the drawing process.
     pid_t startAndReachTheLoop(const std::string& limitSeconds = "60") {
         running_ = startProgram(validate({"normal_mapping", "./endless", "linear_binary"}, limitSeconds),
                                 folder_, {}, true);
@@ -75,7 +75,8 @@ class TimeLimit : public EndToEnd {
         return drawing_ = children.empty() ? -1 : children[0];
     }
 
-    /// The endless one failed with a message that has this part; the others have their figures.
+    /// Expects that the endless technique failed with a message that contains this part and the others have
+    /// figures.
     void expectOnlyTheSecondFailed(const std::string& part) const {
         const json results = techniques();
         ASSERT_EQ(results.size(), 3u);
@@ -95,7 +96,7 @@ TEST_F(TimeLimit, EndlessShader_LeavesOthersRunning) {
     const auto start = std::chrono::steady_clock::now();
     const Outcome made = run(validate({"./endless", "linear_binary"}, "2"));
     EXPECT_LT(std::chrono::steady_clock::now() - start,
-              std::chrono::seconds(30)); // about 4 s, on a free machine
+              std::chrono::seconds(30)); // about 4 s on an idle machine
     EXPECT_EQ(made.exitCode, 2);
     expectOnlyTheCertificate(made.err);
     EXPECT_THAT(made.out, HasSubstr(kStopped));
@@ -149,7 +150,7 @@ TEST_F(TimeLimit, CtrlC_EndsBothAndKeepsFinished) {
     EXPECT_TRUE(fs::exists(folder_ / "out/report/index.html"));
 }
 
-// They come to the parent too: what the drawing process did by itself would be taken for a crash.
+// The parent receives them too. If the drawing process ended because of one, the parent would report a crash.
 TEST_F(TimeLimit, Signals_AreLeftToParent) {
     const pid_t drawing = startAndReachTheLoop();
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT})
@@ -160,7 +161,7 @@ TEST_F(TimeLimit, Signals_AreLeftToParent) {
     EXPECT_TRUE(waitUntil([&] { return isGone(drawing); }, 2));
 }
 
-// A process that is stopped has no chance to draw: its time doesn't run.
+// A stopped process can't draw, so the time limit doesn't run.
 TEST_F(TimeLimit, CtrlZ_StopsTheClock) {
     startAndReachTheLoop("3");
     ASSERT_EQ(sendSignalToGroup(running_.process, SIGSTOP), 0);
@@ -208,7 +209,7 @@ TEST_F(EndToEnd, InternalCommand_IsRefusedForUsers) {
          {std::vector<std::string>{"draw-worker"}, {"draw-worker", "1"}}) {
         const Outcome refused = run(words);
         EXPECT_EQ(refused.exitCode, 2);
-        EXPECT_EQ(refused.err, "plumbline: 'draw-worker' is for the program itself; expected one of the "
+        EXPECT_EQ(refused.err, "plumbline: 'draw-worker' is an internal command; expected one of the "
                                "commands that --help lists\n");
         EXPECT_THAT(refused.out, IsEmpty());
     }

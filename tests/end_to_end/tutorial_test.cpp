@@ -1,4 +1,4 @@
-// README, "Add a technique in five steps": the five steps as they are printed there, in an empty folder.
+// Follows the five steps of the README's "Add a technique in five steps" in an empty folder.
 #include "scenes/core/data_folder.h"
 #include "tests/end_to_end/program.h"
 
@@ -48,20 +48,20 @@ TEST_F(Tutorial, ReadmesFiveSteps_GiveRunningTechnique) {
     const std::vector<std::string> steps = readmeSteps();
     ASSERT_EQ(steps.size(), 5u);
 
-    // 1. Copy the template to a folder of one's own.
+    // 1. Copy the template.
     const std::vector<std::string> copy = quoted(steps[0]);
     ASSERT_GE(copy.size(), 2u) << steps[0];
     const std::filesystem::path mine = folder_ / copy[1];
     std::filesystem::copy(dataFolder() / copy[0], mine.parent_path(),
                           std::filesystem::copy_options::recursive);
 
-    // 2. Rename the shader; the one function is there to be written.
+    // 2. Rename the shader and write its function.
     const std::vector<std::string> rename = quoted(steps[1]);
     ASSERT_EQ(rename.size(), 3u) << steps[1];
     std::filesystem::rename(mine.parent_path() / rename[0], mine.parent_path() / rename[1]);
     EXPECT_THAT(readFile(mine.parent_path() / rename[1]), HasSubstr(rename[2]));
 
-    // 3. Name the title in the manifest it says.
+    // 3. Set the title in the manifest.
     const std::vector<std::string> name = quoted(steps[2]);
     ASSERT_THAT(name, Contains("technique.toml"));
     const std::filesystem::path manifest = mine.parent_path() / "technique.toml";
@@ -70,7 +70,7 @@ TEST_F(Tutorial, ReadmesFiveSteps_GiveRunningTechnique) {
     ASSERT_TRUE(std::regex_search(text, title));
     writeFile(manifest, std::regex_replace(text, title, "title = \"My technique\""));
 
-    // 4. Run it; nothing is built.
+    // 4. Run it without building.
     std::vector<std::string> command;
     for (const std::string& candidate : quoted(steps[3]))
         if (candidate.starts_with("./plumbline validate")) command = words(candidate);
@@ -81,7 +81,7 @@ TEST_F(Tutorial, ReadmesFiveSteps_GiveRunningTechnique) {
     EXPECT_THAT(validated.out, HasSubstr("my_technique"));
     EXPECT_THAT(validated.out, HasSubstr("linear_binary"));
 
-    // 5. Read the report; change a parameter with the option it says.
+    // 5. Read the report; change a parameter with the given option.
     const std::filesystem::path report = folder_ / "plumbline-out" / command[1] / "report" / "index.html";
     EXPECT_THAT(readFile(report), HasSubstr("my_technique"));
     std::string change;

@@ -1,4 +1,4 @@
-// The main job with OpenGL: reference, techniques, metrics, report.
+// plumbline validate with OpenGL: reference, techniques, metrics, report.
 #include "scenes/core/data_folder.h"
 #include "tests/end_to_end/program.h"
 #include "tests/read_frame.h"
@@ -29,14 +29,14 @@ class Validate : public EndToEnd {
     json resultsOf(const std::string& output) const {
         return json::parse(readFile(folder_ / output / "results.json"));
     }
-    /// A copy of a technique that ships with the program, to be damaged.
+    /// A copy of a technique of the program, to be modified.
     fs::path copyTechnique(const std::string& name) const {
         fs::copy(dataFolder() / "realtime" / "techniques" / "linear_binary", folder_ / name,
                  fs::copy_options::recursive);
         fs::rename(folder_ / name / "linear_binary.glsl", folder_ / name / (name + ".glsl"));
         return folder_ / name;
     }
-    /// Every frame of one output equal to that of another, byte for byte.
+    /// Expects that all frames of two outputs are equal, byte for byte.
     void expectEqualFrames(const std::string& first, const std::string& second) const {
         const auto files = filesBelow(folder_ / first / "frames");
         ASSERT_GE(files.size(), 2u);
@@ -48,7 +48,7 @@ class Validate : public EndToEnd {
     }
 };
 
-/// Timings and memory are measurements; everything else must be equal.
+/// Removes timings and memory, which are measurements; everything else must be equal.
 json withoutMeasurements(json results) {
     for (const char* key : {"tessellate_ms", "build_ms", "trace_ms", "peak_bytes"})
         results["reference"].erase(key);
@@ -58,12 +58,12 @@ json withoutMeasurements(json results) {
     }
     return results;
 }
-// A mistake of the scene's [require] is told with its line, before anything is drawn.
+// A mistake in the scene's [require] is reported with its line before anything is drawn.
 TEST_F(Validate, BadSceneRequirement_IsRefusedFirst) {
     for (const auto& [line, part] :
          {std::pair("\"silhouette.oiu\" = \">= 1\"", "did you mean 'silhouette.iou'"),
           {"\"silhouette.iou@tours\" = \">= 1\"", "did you mean 'torus'"},
-          {"\"silhouette.iou\" = \"1\"", "compares with nothing"}}) {
+          {"\"silhouette.iou\" = \"1\"", "contains no comparison"}}) {
         writeFile(folder_ / "small.toml", std::string(kSmallScene) + "\n[require]\n" + line + "\n");
         const Outcome refused = validate("out");
         EXPECT_EQ(refused.exitCode, 2);
@@ -73,7 +73,7 @@ TEST_F(Validate, BadSceneRequirement_IsRefusedFirst) {
     }
 }
 
-// No technique is better than perfect, and each covers some of the torus.
+// No IoU is above 1, and each technique covers a part of the torus.
 TEST_F(Validate, MissedRequirement_ExitsWith1) {
     writeFile(folder_ / "small.toml",
               std::string(kSmallScene) + "\n[require]\n\"silhouette.iou\" = [\"> 0\", \"> 1\"]\n");
@@ -83,17 +83,17 @@ TEST_F(Validate, MissedRequirement_ExitsWith1) {
     EXPECT_THAT(missed.out, HasSubstr("1/2 FAILED"));
     EXPECT_THAT(missed.err, HasSubstr("required silhouette.iou > 1"));
     const json techniques = resultsOf("out").at("techniques");
-    EXPECT_FALSE(techniques.at(0).contains("requirements")); // a control is held to none
+    EXPECT_FALSE(techniques.at(0).contains("requirements")); // requirements aren't evaluated for controls
     const json requirements = techniques.at(1).at("requirements");
     EXPECT_EQ(requirements.at(0).at("passed"), true);
     EXPECT_EQ(requirements.at(1).at("passed"), false);
-    // A technique that fails reaches nothing, but its own exit code stays.
+    // A failed technique reaches no requirement, but its exit code takes precedence.
     const Outcome failed = validate("out", {"--technique", "linear_binary:linear_steps=0"});
     EXPECT_EQ(failed.exitCode, 2) << failed.err;
 }
 
 TEST_F(Validate, SceneSet_EqualsEditedScene) {
-    // Also in the process that draws; the frames differ in their metadata alone.
+    // Also in the drawing process; the frames differ in their metadata only.
     const std::string text = readFile(writeSmallScene());
     ASSERT_EQ(validate("changed", {"--technique", "linear", "--scene-set", "camera.width=64", "--scene-set",
                                    "object.torus.relief.depth=0.05"})
@@ -125,27 +125,28 @@ TEST_F(Validate, AllTechniques_HaveResults) {
         EXPECT_THAT(file, Not(HasSubstr("tmp")));
 
     const json results = resultsOf("out");
-    EXPECT_EQ(results["techniques"][0]["name"], "micro_triangles"); // the control goes first
+    EXPECT_EQ(results["techniques"][0]["name"], "micro_triangles"); // the control is first
     EXPECT_GT(results["reference"]["micro_triangles"], 0);
     for (const json& technique : results["techniques"]) {
         EXPECT_TRUE(technique["error"].is_null());
-        EXPECT_GT(technique["silhouette"]["iou"], 0.5) << technique["name"]; // all show the torus where it is
+        EXPECT_GT(technique["silhouette"]["iou"], 0.5)
+            << technique["name"]; // all show the torus in its place
         EXPECT_GT(technique["cost"]["ms_median"], 0.0);
     }
 }
 
-// The control draws the triangles that the reference traces. What may differ is a pixel whose center lies
-// within the rasterizer's sub-pixel grid of an edge: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of
-// the relief.
-/// The control draws the micro-triangles, the reference's depths are those of the true surface: along a ray
-/// at an angle to the surface they differ by the certificate's error over the cosine; half of the pixels are
-/// seen at more than 30 degrees, 99 % at more than 3.
+/// The control draws micro-triangles, while the reference's depths are those of the surface itself. Along a
+/// ray they differ by the certificate's error divided by the sine of the angle between ray and surface. Half
+/// of the pixels have an angle above 30 degrees, 99 % one above 3.
 void expectDepthWithinCertificate(const json& results) {
     const json depth = results["techniques"][0]["depth"], reference = results["reference"];
     EXPECT_LE(depth["p50"], 2 * reference["error_world_p50"].get<double>());
     EXPECT_LE(depth["p99"], 20 * reference["error_world_p99"].get<double>());
 }
 
+// The control draws the triangles that the reference traces. Only pixels whose center lies within the
+// rasterizer's sub-pixel grid of an edge may differ: the aim is an IoU of 0.9999 and a depth p99 of 1e-3 of
+// the relief.
 TEST_F(Validate, Control_AgreesWithReference) {
     writeFile(folder_ / "small.toml",
               withLine(withLine(kSmallScene, "width = 96", "width = 400"), "height = 72", "height = 300"));
@@ -204,8 +205,8 @@ TEST_F(Validate, Settings_ReachTechniqueAndName) {
     EXPECT_EQ(results["techniques"][1]["parameters"]["binary_steps"], "3");
 }
 
-// What `compare` says of the frames written is what the run says: of the gap, and of a technique against each
-// base.
+// `compare` with the written frames gives the same figures as the run, for the gap and for a technique
+// compared with each base.
 TEST_F(Validate, BothBases_HaveResults) {
     const Outcome made = run({"validate", "small_torus", "--base", "both", "--technique", "linear_binary",
                               "--plain-report", "-o", "out"});
@@ -233,7 +234,7 @@ TEST_F(Validate, BothBases_HaveResults) {
     }
     EXPECT_FALSE(results["base_gap"].contains("cost"));
 
-    // The outline of a torus of 32 x 16 quads isn't the torus's: references on two bases can't agree.
+    // The outline of a torus of 32 x 16 quads differs from that of the torus, so the two references differ.
     const auto baseOf = [&](const char* file) {
         return readFrame(folder_ / "out/frames" / file).metadata.at("base");
     };
@@ -242,7 +243,7 @@ TEST_F(Validate, BothBases_HaveResults) {
     EXPECT_GT(results["base_gap"]["silhouette"]["iou"], 0.9);
 }
 
-// The control draws the triangles on the limit surface, though those on the proxy are made as well.
+// The control draws the triangles on the limit surface, although those on the proxy exist too.
 TEST_F(Validate, Control_UsesLimitSurface) {
     writeSmallScene();
     ASSERT_EQ(validate("out", {"--base", "both", "--technique", "micro_triangles"}).exitCode, 0);
@@ -262,8 +263,7 @@ TEST_F(Validate, OneBase_HasNoGap) {
     EXPECT_FALSE(fs::exists(folder_ / "out/frames/reference_proxy.exr"));
 }
 
-// --- what goes wrong
-// ---------------------------------------------------------------------------------------------------
+// --- errors
 
 void expectRefused(const Outcome& outcome, int exitCode, const std::string& part) {
     EXPECT_EQ(outcome.signal, 0) << "crashed: " << part;
@@ -306,7 +306,7 @@ TEST_F(Validate, UnwritableFolder_IsRefused) {
     EXPECT_FALSE(fs::exists(folder_ / "out/results.json"));
 }
 
-/// A broken technique is recorded; the good one beside it still has its figures.
+/// Expects that a broken technique is recorded and the other one has figures.
 void expectOnlySecondFailed(const Outcome& outcome, const json& results, const std::string& part) {
     EXPECT_EQ(outcome.exitCode, 2) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("failed"));
@@ -325,8 +325,9 @@ TEST_F(Validate, CompileError_IsRowWithMessage) {
     writeFile(mine / "mine.glsl", "float wrong = undeclared;\n" + text);
     const Outcome made = validate("out", {"--technique", "normal_mapping", "--technique", mine.string(),
                                           "--technique", "linear_binary"});
-    expectOnlySecondFailed(made, resultsOf("out"), "mine.glsl:1"); // file and line of its author
-    EXPECT_EQ(filesBelow(folder_ / "out/frames").size(), 3u);      // the reference and the two that worked
+    expectOnlySecondFailed(made, resultsOf("out"), "mine.glsl:1"); // file and line of the technique's source
+    EXPECT_EQ(filesBelow(folder_ / "out/frames").size(),
+              3u); // the reference and the two techniques that worked
     EXPECT_NE(readFile(folder_ / "out/report/index.html").find("mine.glsl:1"), std::string::npos);
 }
 
@@ -365,7 +366,7 @@ TEST_F(Validate, EarlierResults_AreReplaced) {
     EXPECT_EQ(results["techniques"][0]["name"], "normal_mapping");
 }
 
-// spot (Keenan Crane, public domain): a real mesh with uvs of its own under a map that stores depth.
+// spot (Keenan Crane, public domain): a mesh with its own uvs, and a map that stores depth.
 TEST_F(Validate, SpotWithToyBoxMap_Runs) {
     const fs::path data = PLUMBLINE_SHARED_DATA;
     if (!fs::exists(data / "spot_control_mesh.obj"))
@@ -398,7 +399,7 @@ relief = { map = "toy_box", depth = 0.05, tile = [4, 4] }
         EXPECT_GT(technique["silhouette"]["iou"], 0.5);
 }
 
-// A technique that answers nonsense where it would be wrong must not look better for it without a word.
+// A technique that returns NaN where it fails must not get better figures without a warning.
 TEST_F(Validate, NanHits_AreReported) {
     writeSmallScene();
     fs::create_directories(folder_ / "nan");
@@ -411,7 +412,7 @@ TEST_F(Validate, NanHits_AreReported) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(outcome.err, HasSubstr("warning: nan: "));
     EXPECT_THAT(outcome.err,
-                HasSubstr("covered pixels have a position, depth, normal or st that is no number"));
+                HasSubstr("covered pixels have a position, depth, normal or st that isn't a number"));
     EXPECT_THAT(outcome.err, Not(HasSubstr("normal_mapping: ")));
     EXPECT_THAT(resultsOf("out")["techniques"][0]["notes"].dump(), HasSubstr("no figure counts them"));
 }
@@ -426,8 +427,8 @@ TEST_F(Validate, RefusedSurface_HasReason) {
 
 TEST_F(Validate, All_HoldsVariantsWithOneSearch) {
     writeSmallScene();
-    // What is in `all` already can't be named beside it: `linear` on the variant isn't, `linear_binary` on it
-    // is.
+    // Techniques that `all` contains can't be named in addition: `linear` on the variant isn't in it,
+    // `linear_binary` on it is.
     const Outcome outcome = validate("out", {"--technique", "all", "--technique", "linear@quadric_nearest",
                                              "--technique", "linear_binary@quadric_nearest"});
     EXPECT_EQ(outcome.exitCode, 2);
@@ -445,7 +446,7 @@ TEST_F(Validate, OutputOverInput_IsRefused) {
           std::vector<std::string>{"bake", "small.toml#stone", "--kind", "max_mipmap", "-o", "small.toml"}}) {
         const Outcome outcome = run(arguments);
         EXPECT_EQ(outcome.exitCode, 2) << arguments[0];
-        EXPECT_THAT(outcome.err, HasSubstr("would be replaced, and is what is read"));
+        EXPECT_THAT(outcome.err, HasSubstr("this file is an input and would be overwritten"));
         EXPECT_EQ(readFile(folder_ / "small.toml"), before);
     }
 }

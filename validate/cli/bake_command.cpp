@@ -32,14 +32,14 @@ struct Arguments {
     std::optional<std::string> depth, tileSize; // world units; "2,1.5"
     std::optional<int> slices;
     std::optional<std::filesystem::path> output; // a picture
-    bool check = false;                          // of a cone map: rays that leap over the relief
+    bool check = false;                          // of a cone map: rays that skip over the relief
     std::optional<uint64_t> rays;                // so many
     ThreadArguments threads;
 };
 
 std::shared_ptr<const HeightMap> readPicture(const Arguments& arguments) {
     if (!arguments.stores)
-        throw InputError("--stores", "is missing", "depth or height, what the values of a picture mean");
+        throw InputError("--stores", "is missing", "depth or height, the meaning of the image's values");
     const std::string stores = parseChoice("--stores", *arguments.stores, {"depth", "height"});
     const auto [wrapS, wrapT] = parseWraps(arguments.wrap.value_or("repeat,repeat"));
     return std::make_shared<const HeightMap>(
@@ -57,8 +57,8 @@ std::shared_ptr<const HeightMap> readMap(const Arguments& arguments) {
     for (const auto& [option, value] :
          {std::pair("--stores", &arguments.stores), std::pair("--wrap", &arguments.wrap)})
         if (*value)
-            throw InputError(option, fmt::format("found '{}' beside a scene's map", **value), "nothing",
-                             "the scene says what its maps store and how they wrap");
+            throw InputError(option, fmt::format("found '{}' with a scene's map", **value), "nothing",
+                             "the scene file defines both for its maps");
     return readSceneMap(findScene(arguments.map.substr(0, hash)), arguments.map.substr(hash + 1));
 }
 
@@ -67,15 +67,13 @@ BakeScale parseScale(const Arguments& arguments, const BakeKind& kind) {
     for (const auto& [option, value] :
          {std::pair("--depth", arguments.depth), std::pair("--tile-size", arguments.tileSize)}) {
         if (value && !kind.needsScale)
-            throw InputError(
-                option, fmt::format("found '{}'", *value),
-                fmt::format("no scale for kind '{}', which is the same at every one", kind.name));
+            throw InputError(option, fmt::format("found '{}'", *value),
+                             fmt::format("no scale for kind '{}', which doesn't depend on one", kind.name));
         if (!value && kind.needsScale)
-            throw InputError(
-                option, "is missing",
-                fmt::format("--depth D and --tile-size SX,SY, world units: kind '{}' is another at "
-                            "every scale",
-                            kind.name));
+            throw InputError(option, "is missing",
+                             fmt::format("--depth D and --tile-size SX,SY, world units: kind '{}' depends on "
+                                         "the scale",
+                                         kind.name));
     }
     if (!kind.needsScale) return scale;
     const auto [s, t] = parsePair("--tile-size", *arguments.tileSize, "2,1.5");
@@ -90,7 +88,7 @@ BakeRequest parseRequest(const Arguments& arguments) {
     request.scale = parseScale(arguments, kind);
     if (arguments.slices && !kind.takesSlices)
         throw InputError("--slices", fmt::format("found {}", *arguments.slices),
-                         fmt::format("none for kind '{}', which has no slices to choose", kind.name));
+                         fmt::format("none for kind '{}', which has no slices", kind.name));
     request.slices = arguments.slices.value_or(request.slices);
     return request;
 }
@@ -127,15 +125,16 @@ void requireCheckable(const Arguments& arguments) {
         throw InputError("--rays", fmt::format("found {} without --check", *arguments.rays),
                          "both, or neither");
     if (arguments.check && !isConeKind(arguments.kind->name))
-        throw InputError("--check", fmt::format("kind '{}' is no cone map", arguments.kind->name),
+        throw InputError("--check", fmt::format("kind '{}' is not a cone map", arguments.kind->name),
                          "a kind that begins with cone_step");
 }
 
-/// One line a look-up: how many rays leapt over relief, and how deep they were in it at the deepest.
+/// One line for each kind of lookup: the number of rays that skipped over relief, and their largest depth in
+/// it.
 void printConeCheck(const HeightMap& map, const BakedMap& cones, uint64_t rays) {
     constexpr uint64_t kSeed = 1;
     const bool relaxed = coneRule(cones.kind).relaxed;
-    fmt::print("{:<12} {:>10} {:>10} {:>10}", "look-up", "rays", "pierced", "leaping");
+    fmt::print("{:<12} {:>10} {:>10} {:>10}", "lookup", "rays", "pierced", "skipping");
     const char* const heads[] = {"<= 1e-5", "<= 1/1024", "<= 1/255", "<= 0.05", "more"};
     static_assert(std::size(heads) == ConeCheck::kDepths.size());
     for (const char* head : heads)
@@ -150,8 +149,7 @@ void printConeCheck(const HeightMap& map, const BakedMap& cones, uint64_t rays) 
             fmt::print(" {:>10}", leaps);
         fmt::print(" {:>10.3g} {:>10.2f}\n", check.deepest, check.meanSteps());
     }
-    fmt::print(
-        "leaps by how deep below the surface, in relief depths; steps: mean until within 1/1024 of it\n");
+    fmt::print("skips by depth below the surface, in relief depths; steps: mean until within 1/1024 of it\n");
 }
 
 int runBake(const Arguments& arguments) {
@@ -181,36 +179,36 @@ int runBake(const Arguments& arguments) {
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
-    command.add_option("MAP", arguments->map, "A picture, or SCENE#NAME: a height map of a scene")
-        ->required();
+    command.add_option("MAP", arguments->map, "An image, or SCENE#NAME: a height map of a scene")->required();
     addParsed(
         command, "--kind", arguments->kind, [](const std::string& text) { return &bakeKind(text); },
-        "What to work out; 'plumbline list bakes' says what each holds")
+        "Kind of the map; 'plumbline list bakes' describes them")
         ->required()
         ->type_name("K");
-    command.add_option("-o", arguments->output, "Also a picture of it")->type_name("FILE.exr");
-    command.add_option("--stores", arguments->stores, "What the picture's values are")
+    command.add_option("-o", arguments->output, "Also write it as an image")->type_name("FILE.exr");
+    command.add_option("--stores", arguments->stores, "Meaning of the image's values")
         ->type_name("depth|height");
     command
-        .add_option("--wrap", arguments->wrap, "Along s and t, repeat or clamp each (default: repeat,repeat)")
+        .add_option("--wrap", arguments->wrap,
+                    "Wrap mode along s and t: repeat or clamp (default: repeat,repeat)")
         ->type_name("S,T");
     command
-        .add_option("--depth", arguments->depth,
-                    "World units of relief depth 1, for kinds that ask for a scale")
+        .add_option("--depth", arguments->depth, "Relief depth in world units, for kinds that need a scale")
         ->type_name("D");
     command
-        .add_option("--tile-size", arguments->tileSize, "World units of one map width and height, likewise")
+        .add_option("--tile-size", arguments->tileSize,
+                    "Width and height of the map in world units, likewise")
         ->type_name("SX,SY");
     command
         .add_option("--slices", arguments->slices,
-                    fmt::format("Of a distance field (default: {})", BakeRequest().slices))
+                    fmt::format("Slices of a distance field (default: {})", BakeRequest().slices))
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
     command.add_flag("--check", arguments->check,
-                     "Of a cone map: step random rays by it and count those that leap over the relief");
+                     "Of a cone map: step random rays with it and count those that skip over the relief");
     command
         .add_option("--rays", arguments->rays,
-                    fmt::format("How many, with --check (default: {})", kDefaultCheckRays))
+                    fmt::format("Number of rays, with --check (default: {})", kDefaultCheckRays))
         ->check(CLI::Range(uint64_t(1), uint64_t(1) << 40))
         ->type_name("N");
     arguments->threads.addTo(command);
@@ -220,7 +218,7 @@ CommandRun addOptions(CLI::App& command) {
 } // namespace
 
 Command bakeCommand() {
-    return {"bake", "Work out a map that techniques look up; kept by content", addOptions};
+    return {"bake", "Bake a map that techniques use; cached by content", addOptions};
 }
 
 } // namespace plumbline

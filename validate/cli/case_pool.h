@@ -1,5 +1,5 @@
-// Works out the cases of a study, some at a time, each in a process of its own: one that dies or fails costs
-// that case.
+// Computes the cases of a study in parallel, each in a separate process, so that one that crashes or fails
+// doesn't affect the others.
 #pragma once
 
 #include "validate/cli/study_case.h"
@@ -8,17 +8,17 @@
 
 namespace plumbline {
 
-/// The command by which the program works out a case for itself; --help doesn't list it.
+/// The command with which the program starts itself for a case; --help doesn't list it.
 inline constexpr const char* kStudyCaseCommand = "study-case";
 
-/// Called with each case when it is done, one call at a time. `outcome`: as StudyFolder keeps it.
+/// Called with each case when it is done, one call at a time. `outcome`: as StudyFolder stores it.
 using CaseDone = std::function<void(const StudyCase& studyCase, const nlohmann::json& outcome)>;
 
-/// `jobs` at a time. What `done` throws ends the pool and is thrown on.
+/// Computes `jobs` cases in parallel. An exception of `done` ends the pool and is rethrown.
 void runCases(const std::vector<StudyCase>& cases, int jobs, const CaseOptions& options,
               const CaseDone& done);
 
-/// The other side, what the hidden command does. Returns an exit code.
+/// The process of a case: runs the internal command. Returns an exit code.
 int serveStudyCase(int parent);
 
 } // namespace plumbline

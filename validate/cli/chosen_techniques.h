@@ -1,4 +1,4 @@
-// The techniques a command line or a study names, each resolved once for the whole run.
+// The techniques that a command line or a study names; each is resolved once per run.
 #pragma once
 
 #include "realtime/technique/technique.h"

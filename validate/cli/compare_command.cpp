@@ -9,7 +9,7 @@
 #include "validate/cli/parsed_option.h"
 #include "validate/cli/report_arguments.h"
 #include "validate/cli/requirements.h"
-#include "validate/compare/foreign_frame.h"
+#include "validate/compare/imported_frame.h"
 #include "validate/results/output_files.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@ namespace {
 
 struct Arguments {
     std::filesystem::path reference, test;
-    std::vector<ChannelMapping> channelMap;
+    std::vector<ChannelMapping> channelMap;      // validate/compare/imported_frame.h
     std::optional<std::filesystem::path> output; // folder
     bool json = false;
     ReportArguments report;
@@ -36,18 +36,19 @@ ReferenceSummary fromFile(const Frame& frame, const std::string& file) {
 }
 
 /// Of the view, from either file's header.
-std::optional<Camera> cameraOf(const ForeignFrame& reference, const ForeignFrame& test) {
+std::optional<Camera> cameraOf(const ImportedFrame& reference, const ImportedFrame& test) {
     std::optional<Camera> camera = cameraFromHeader(reference.frame, reference.file);
     return camera ? camera : cameraFromHeader(test.frame, test.file);
 }
 
 /// What the two headers leave open, or say differently.
-std::vector<std::string> headerNotes(const ForeignFrame& reference, const ForeignFrame& test) {
+std::vector<std::string> headerNotes(const ImportedFrame& reference, const ImportedFrame& test) {
     std::vector<std::string> notes;
-    for (const ForeignFrame* each : {&reference, &test})
+    for (const ImportedFrame* each : {&reference, &test})
         for (const std::string& field : leftOutFields(each->frame, each->file))
-            notes.push_back(fmt::format("{}: the header field '{}' isn't as plumbline writes it: left out",
-                                        each->file, field));
+            notes.push_back(
+                fmt::format("{}: the header field '{}' doesn't have plumbline's format and is left out",
+                            each->file, field));
     const auto differ = [&](const char* key) {
         const std::string a = headerField(reference.frame, key), b = headerField(test.frame, key);
         return !a.empty() && !b.empty() && a != b;
@@ -63,19 +64,19 @@ std::vector<std::string> headerNotes(const ForeignFrame& reference, const Foreig
 }
 
 /// Both frames as the channel table has them; returns what was assumed for that.
-std::vector<std::string> settleFrames(ForeignFrame& reference, ForeignFrame& test) {
+std::vector<std::string> convertFrames(ImportedFrame& reference, ImportedFrame& test) {
     if (reference.frame.width() != test.frame.width() || reference.frame.height() != test.frame.height())
         return {}; // the camera isn't that of both; compareFrames refuses them
     std::vector<std::string> notes = headerNotes(reference, test);
     const std::optional<Camera> camera = cameraOf(reference, test);
-    for (ForeignFrame* each : {&reference, &test})
-        for (std::string& note : settleFrame(*each, camera))
+    for (ImportedFrame* each : {&reference, &test})
+        for (std::string& note : convertFrame(*each, camera))
             notes.push_back(std::move(note));
     return notes;
 }
 
-Results compareFiles(const Arguments& arguments, const ForeignFrame& referenceFile,
-                     const ForeignFrame& testFile, const std::vector<std::string>& assumed) {
+Results compareFiles(const Arguments& arguments, const ImportedFrame& referenceFile,
+                     const ImportedFrame& testFile, const std::vector<std::string>& assumed) {
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
     std::vector<ObjectInfo> objects = objectsFromHeader(reference, referenceFile.file);
     if (objects.empty()) objects = objectsFromHeader(test, testFile.file);
@@ -116,14 +117,12 @@ void writeComparison(const Arguments& arguments, const Results& results, const F
 
 int runCompare(const Arguments& arguments) {
     if (!arguments.output && (arguments.report.singleFile || arguments.report.plain))
-        throw InputError(
-            "compare",
-            "--single-file and --plain-report say what the report is to be like, and none is written",
-            "-o DIR, the folder for it");
+        throw InputError("compare", "--single-file and --plain-report apply to a report, and none is written",
+                         "-o DIR, the folder for it");
     const std::vector<Requirement>& requirements = arguments.requirements.require;
-    ForeignFrame referenceFile = readForeignFrame(arguments.reference, {});
-    ForeignFrame testFile = readForeignFrame(arguments.test, arguments.channelMap);
-    const std::vector<std::string> assumed = settleFrames(referenceFile, testFile);
+    ImportedFrame referenceFile = readImportedFrame(arguments.reference, {});
+    ImportedFrame testFile = readImportedFrame(arguments.test, arguments.channelMap);
+    const std::vector<std::string> assumed = convertFrames(referenceFile, testFile);
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
     Results results = compareFiles(arguments, referenceFile, testFile, assumed);
     checkNames(requirements, results.techniques[0]);
@@ -146,14 +145,14 @@ int runCompare(const Arguments& arguments) {
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
-    command.add_option("REFERENCE", arguments->reference, "The true frame, EXR")->required();
-    command.add_option("TEST", arguments->test, "The frame to judge, EXR")->required();
+    command.add_option("REFERENCE", arguments->reference, "The reference frame, EXR")->required();
+    command.add_option("TEST", arguments->test, "The frame to compare with it, EXR")->required();
     command.add_option("-o", arguments->output, "Folder for results and report")->type_name("DIR");
     command.add_flag("--json", arguments->json, "Print results.json instead of the table");
     arguments->report.addTo(command);
     addParsed<std::vector<std::string>>(
         command, "--map", arguments->channelMap, parseChannelMap,
-        "A channel of TEST is one of ours: Depth.Z=Z, dist=distance (along the ray), "
+        "Map a channel of TEST to one of ours: Depth.Z=Z, dist=distance (along the ray), "
         "Normal.Y=-N.Z; may be repeated")
         ->type_name("THEIRS=OURS")
         ->allow_extra_args(false);
@@ -164,7 +163,7 @@ CommandRun addOptions(CLI::App& command) {
 } // namespace
 
 Command compareCommand() {
-    return {"compare", "Hold one frame against another, of any renderer", addOptions};
+    return {"compare", "Compare a frame with a reference frame, of any renderer", addOptions};
 }
 
 } // namespace plumbline

@@ -135,7 +135,7 @@ int runDoctor() {
 } // namespace
 
 Command doctorCommand() {
-    return {"doctor", "Say what this machine can do", [](CLI::App&) { return CommandRun(runDoctor); }};
+    return {"doctor", "Report what this machine supports", [](CLI::App&) { return CommandRun(runDoctor); }};
 }
 
 } // namespace plumbline

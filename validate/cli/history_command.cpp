@@ -138,27 +138,29 @@ int runHistory(const Arguments& arguments) {
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
-    command.add_option("FILE", arguments->file, "The history, a line a run; made if it isn't there")
+    command.add_option("FILE", arguments->file, "The history, one line per run; created if missing")
         ->required();
     command.add_option("RESULTS", arguments->results,
-                       "results.json files to add, oldest first; none: only look");
+                       "results.json files to add, oldest first; none: compare only");
     addParsed(command, "--label", arguments->label, parseLabel,
-              "Of the results, as a commit (default: the program's version)")
+              "Label of the results, for example a commit (default: the program's version)")
         ->type_name("TEXT");
     addParsed<std::vector<std::string>>(
         command, "--tolerance", arguments->tolerances, Tolerances::parse,
-        "How much worse a figure may become, as silhouette.iou=0.001, depth.rmse=2% or all=1%; may be "
-        "repeated. Default: not at all, but within the interval of a figure that has one; cost, at will")
+        "How much worse a figure may become, for example silhouette.iou=0.001, depth.rmse=2% or all=1%; may "
+        "be "
+        "repeated. Default: 0, or the interval of a figure that has one; cost isn't limited")
         ->type_name("FIGURE=AMOUNT")
         ->allow_extra_args(false);
-    command.add_flag("--dry-run", arguments->dryRun, "Compare, and leave FILE as it is");
+    command.add_flag("--dry-run", arguments->dryRun, "Compare without changing FILE");
     return [arguments] { return runHistory(*arguments); };
 }
 
 } // namespace
 
 Command historyCommand() {
-    return {"history", "Keep results of a shader under test, and say what became worse (exit 1)", addOptions};
+    return {"history", "Store results of a shader under test and report regressions (exit code 1)",
+            addOptions};
 }
 
 } // namespace plumbline

@@ -29,7 +29,8 @@ std::vector<RunOfCommand> addCommands(CLI::App& app) {
 }
 
 int runProgram(int argc, char** argv) {
-    CLI::App app("Holds fast approximations of displaced surfaces against a true one.", "plumbline");
+    CLI::App app("Compares fast approximations of displaced surfaces with a ray-traced reference.",
+                 "plumbline");
     app.set_version_flag("--version", programName());
     app.require_subcommand(1);
     const std::vector<RunOfCommand> runs = addCommands(app);
@@ -68,7 +69,7 @@ int main(int argc, char** argv) {
         return fail(kExitMachine, error.what());
     } catch (const std::bad_alloc&) {
         return fail(kExitMachine,
-                    "plumbline: this machine hasn't the memory for that; expected a smaller scene or frame");
+                    "plumbline: this machine doesn't have enough memory; expected a smaller scene or frame");
     } catch (const std::exception& error) {
         return fail(kExitInternal, std::string("internal error: ") + error.what());
     }

@@ -54,7 +54,7 @@ std::filesystem::path relativeTo(const std::filesystem::path& scene, const std::
 
 void requireNewName(const Arguments& arguments) {
     if (arguments.output.extension() != ".toml")
-        throw InputError(arguments.output.string(), "is no name of a scene file", "FILE.toml");
+        throw InputError(arguments.output.string(), "is not the name of a scene file", "FILE.toml");
     std::error_code ignored;
     if (!arguments.force && std::filesystem::exists(arguments.output, ignored))
         throw InputError(arguments.output.string(), "exists already", "a new name", "--force replaces it");
@@ -81,26 +81,26 @@ CommandRun addOptions(CLI::App& command) {
     command.add_option("--mesh", arguments->mesh, "A mesh with texture coordinates")
         ->required()
         ->type_name("M.obj");
-    command.add_option("--height", arguments->height, "The relief, a gray picture")
+    command.add_option("--height", arguments->height, "The relief, a gray image")
         ->required()
         ->type_name("H.png");
     command.add_option("-o", arguments->output, "The scene file")->required()->type_name("SCENE.toml");
     addParsed(command, "--depth", arguments->wishes.depth, parseDepth,
-              "World units from the relief's top to its bottom (default: chosen)")
+              "Relief depth in world units (default: automatic)")
         ->type_name("D");
     addParsed(command, "--tile", arguments->wishes.tile, parseTiles,
-              "Repeats of the map along u and v (default: chosen)")
+              "Repeats of the map along u and v (default: automatic)")
         ->type_name("S,T");
     addParsed(command, "--scheme", arguments->wishes.scheme, parseScheme,
-              "What the mesh is a cage of (default: chosen)")
+              "Subdivision scheme of the mesh (default: automatic)")
         ->type_name("catmull-clark|loop|none");
     addParsed(command, "--stores", arguments->stores, parseStores,
-              "What the picture's values are (default: height)")
+              "Meaning of the image's values (default: height)")
         ->type_name("height|depth");
     addParsed(command, "--wrap", arguments->wraps, parseWraps,
-              "Along s and t, repeat or clamp each (default: repeat,repeat)")
+              "Wrap mode along s and t: repeat or clamp (default: repeat,repeat)")
         ->type_name("S,T");
-    command.add_flag("--force", arguments->force, "Replace a scene file that exists");
+    command.add_flag("--force", arguments->force, "Replace an existing scene file");
     return [arguments] { return runNew(*arguments); };
 }
 

@@ -22,7 +22,7 @@ void RealtimeArguments::addTo(CLI::App& command) {
     gl.addTo(command);
     command
         .add_option("--time-limit", timeLimitSeconds,
-                    fmt::format("Seconds a technique may compile and draw before it is stopped (default: {})",
+                    fmt::format("Limit in seconds for compiling and drawing a technique (default: {})",
                                 kDefaultTimeLimitSeconds))
         ->check(CLI::Range(1, kLongestTimeLimitSeconds))
         ->type_name("SECONDS");

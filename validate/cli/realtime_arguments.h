@@ -1,4 +1,4 @@
-// Which techniques are drawn, and how: --technique, --set, --gl, --device, --time-limit.
+// Options of techniques: --technique, --set, --gl, --device, --time-limit.
 #pragma once
 
 #include "validate/cli/gl_arguments.h"

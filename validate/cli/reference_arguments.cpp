@@ -23,14 +23,15 @@ void ReferenceArguments::addTo(CLI::App& command, bool bothIsAChoice) {
         "Surface the reference displaces: the limit surface or the proxy's polygons (default: limit)")
         ->type_name(fmt::format("{}", fmt::join(bases, "|")));
     addParsed(command, "--error-px", options.errorPx, parseErrorPx,
-              fmt::format("Aim for the reference's own error, pixels, 99 % of them (default: {})",
+              fmt::format("Aim for the 99th percentile of the reference's own error, pixels (default: {})",
                           ReferenceOptions().errorPx))
         ->type_name("E");
-    command.add_option("--rate", options.rate, "Segments per control edge, a power of two (default: chosen)")
+    command
+        .add_option("--rate", options.rate, "Segments per control edge, a power of two (default: automatic)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
     addParsed(command, "--memory", options.memoryBytes, parseMemorySize,
-              "Budget of micro-triangles, as 256M or 2G (default: half of the memory that is free)")
+              "Memory for micro-triangles, for example 256M or 2G (default: half of the free memory)")
         ->type_name("SIZE");
 }
 

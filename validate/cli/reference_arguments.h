@@ -1,4 +1,4 @@
-// How the reference is made: --base, --error-px, --rate, --memory.
+// Options of the reference: --base, --error-px, --rate, --memory.
 #pragma once
 
 #include "reference/reference.h"

@@ -39,7 +39,7 @@ void requireOutputs(const Arguments& arguments, const std::filesystem::path& fra
         if (!file) continue;
         requireWritableFile(*file, scene.files);
         if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(*file))).second)
-            throw InputError(file->string(), "is the name of two results", "a file for each");
+            throw InputError(file->string(), "is used for two results", "a separate file for each");
     }
 }
 
@@ -124,7 +124,7 @@ CommandRun addOptions(CLI::App& command) {
 } // namespace
 
 Command referenceCommand() {
-    return {"reference", "Write the exact frame of a scene", addOptions};
+    return {"reference", "Write the reference frame of a scene", addOptions};
 }
 
 } // namespace plumbline

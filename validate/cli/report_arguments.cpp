@@ -8,9 +8,9 @@
 namespace plumbline {
 
 void ReportArguments::addTo(CLI::App& command) {
-    command.add_flag("--single-file", singleFile, "Write the report as one file that holds everything");
+    command.add_flag("--single-file", singleFile, "Write the report as a single self-contained file");
     command.add_flag("--plain-report", plain,
-                     "Write the report without scripts and plots, every picture as PNG");
+                     "Write the report without scripts and plots, every image as PNG");
 }
 
 ReportOptions ReportArguments::options() const {

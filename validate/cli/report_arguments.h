@@ -13,7 +13,7 @@ class App;
 namespace plumbline {
 
 struct ReportArguments {
-    bool singleFile = false; // index.html alone
+    bool singleFile = false; // index.html only
     bool plain = false;      // without scripts, though the program may hold them
 
     void addTo(CLI::App& command);

@@ -32,7 +32,7 @@ void checkNames(const std::vector<Requirement>& requirements, const Scene& scene
 void RequirementArguments::addTo(CLI::App& command) {
     addParsed<std::vector<std::string>>(
         command, "--require", require, parseRequirements,
-        "What must be reached, as \"silhouette.iou >= 0.99\", else exit code 1; may be repeated")
+        "A requirement, for example \"silhouette.iou >= 0.99\"; exit code 1 if not reached; may be repeated")
         ->type_name("METRIC>=X")
         ->allow_extra_args(false);
 }
@@ -56,7 +56,7 @@ void checkNames(const std::vector<Requirement>& requirements, const TechniqueOut
 }
 
 bool holdRequirements(const std::vector<Requirement>& requirements, TechniqueOutcome& outcome) {
-    outcome.requirements = holdAgainst(requirements, outcome);
+    outcome.requirements = evaluateRequirements(requirements, outcome);
     bool all = true;
     for (const RequirementResult& result : outcome.requirements) {
         if (result.passed) continue;

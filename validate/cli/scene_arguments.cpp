@@ -12,7 +12,7 @@ CLI::Option* add(CLI::App& command, SceneArguments& arguments, const std::string
     CLI::Option* scene = command.add_option("SCENE", arguments.scene, help);
     command
         .add_option("--scene-set", arguments.changes,
-                    "Read the scene with another value in a field, as camera.width=400; may be repeated")
+                    "Set a field of the scene, for example camera.width=400; may be repeated")
         ->type_name("PATH=VALUE")
         ->allow_extra_args(false);
     return scene;

@@ -1,4 +1,4 @@
-// One case of a study, worked out in a process of its own (as the parent sees it: case_pool.h).
+// One case of a study, computed in a separate process (case_pool.h is its parent's side).
 #pragma once
 
 #include "realtime/gl/gl_options.h"
@@ -10,7 +10,7 @@
 
 namespace plumbline {
 
-/// What the process is to do beyond the case itself.
+/// Options of the process, in addition to the case.
 struct CaseOptions {
     uint64_t referenceBytes = 0; // budget of the reference
     double referenceErrorPx = 0; // its aim

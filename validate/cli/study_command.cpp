@@ -160,7 +160,7 @@ void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const 
 
 void printSummary(const StudyState& state, size_t cases, size_t known, double seconds,
                   const std::filesystem::path& table) {
-    fmt::print("{} cases: {} worked out in {:.0f} s, {} known before, {} failed\n{}\n", cases, cases - known,
+    fmt::print("{} cases: {} computed in {:.0f} s, {} already stored, {} failed\n{}\n", cases, cases - known,
                seconds, known, state.failed + state.open.size(), table.string());
 }
 
@@ -199,7 +199,7 @@ int runStudyReport(const Arguments& arguments) {
     const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
     const StudyState state = readState(folder, cases);
     if (state.rows.empty())
-        throw InputError(folder.path().string(), "holds no finished case of this study",
+        throw InputError(folder.path().string(), "contains no finished case of this study",
                          fmt::format("'plumbline study run {}' before", arguments.study));
     writeTable(folder, state);
     writeStudyReport(study, state.rows, cases.size(), state.open.size(), folder.path() / "report");
@@ -211,20 +211,21 @@ void addCommonOptions(CLI::App& command, Arguments& study) {
     command.add_option("STUDY", study.study, "A study file or a name of validate/studies/")->required();
     command.add_option("-o", study.output, "Folder of its results (default: plumbline-out/study-NAME)")
         ->type_name("DIR");
-    command.add_flag("--yes", study.yes, "Also with more than 2000 cases");
+    command.add_flag("--yes", study.yes, "Allow more than 2000 cases");
 }
 
 CommandRun addOptions(CLI::App& command) {
     const auto arguments = std::make_shared<Arguments>();
     command.require_subcommand(1);
-    CLI::App* run = command.add_subcommand("run", "Work out every case that isn't known yet");
+    CLI::App* run = command.add_subcommand("run", "Compute every case without results");
     addCommonOptions(*run, *arguments);
-    run->add_option("--jobs", arguments->jobs, "Cases at a time (default: as many as there are cores)")
+    run->add_option("--jobs", arguments->jobs, "Number of parallel cases (default: number of cores)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
     arguments->gl.addTo(*run);
     arguments->threads.addTo(*run);
-    CLI::App* report = command.add_subcommand("report", "Tables and plots of the cases worked out so far");
+    CLI::App* report =
+        command.add_subcommand("report", "Write tables and plots of the cases computed so far");
     addCommonOptions(*report, *arguments);
     return
         [arguments, report] { return report->parsed() ? runStudyReport(*arguments) : runStudy(*arguments); };
@@ -233,7 +234,7 @@ CommandRun addOptions(CLI::App& command) {
 } // namespace
 
 Command studyCommand() {
-    return {"study", "Sweep scenes, their values and techniques; tables and plots of it", addOptions};
+    return {"study", "Sweep over scenes, values and techniques, with tables and plots", addOptions};
 }
 
 } // namespace plumbline

@@ -67,8 +67,8 @@ void compareTrial(Trial& trial, const Frame& reference, const Scene& scene) {
     trial.outcome.comparison = compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);
     if (const size_t broken = brokenPixels(trial.frame); broken > 0)
         trial.warnings.push_back(
-            fmt::format("{}: {} covered pixels have a position, depth, normal or st that is no number; "
-                        "no figure counts them",
+            fmt::format("{}: {} covered pixels have a position, depth, normal or st that isn't a number; "
+                        "figures leave them out",
                         trial.outcome.name, broken));
     trial.outcome.comparison.notes.insert(trial.outcome.comparison.notes.end(), trial.warnings.begin(),
                                           trial.warnings.end());

@@ -1,4 +1,4 @@
-// What validate and study do for each technique: draw it, compare it with the reference.
+// Draws a technique and compares it with the reference, for validate and study.
 #pragma once
 
 #include "validate/cli/exit_codes.h"
@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// One technique's frame and figures.
+/// The frame and figures of a technique.
 struct Trial {
     TechniqueOutcome outcome;
     Frame frame;

@@ -24,14 +24,14 @@ std::pair<const CLI::App*, std::string> commandUsed(const CLI::App& app) {
 InputError usageError(const CLI::App& app, const CLI::ParseError& error) {
     const auto [command, where] = commandUsed(app);
     const std::string help =
-        fmt::format("'plumbline {}--help' lists what there is", command == &app ? "" : where + " ");
+        fmt::format("'plumbline {}--help' lists the choices", command == &app ? "" : where + " ");
     std::vector<std::string> choices;
     for (const CLI::App* sub : command->get_subcommands({}))
         choices.push_back(sub->get_name());
     const std::vector<std::string> unknown = command->remaining();
     if (command != &app && !choices.empty())
         return {where,
-                unknown.empty() ? "nothing says what to do" : fmt::format("there is no '{}'", unknown[0]),
+                unknown.empty() ? "a subcommand is missing" : fmt::format("there is no '{}'", unknown[0]),
                 listOf(choices), unknown.empty() ? "" : didYouMean(unknown[0], choices)};
     for (const CLI::Option* option : command->get_options())
         for (const std::string& name : option->get_lnames())

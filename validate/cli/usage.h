@@ -1,4 +1,4 @@
-// What is wrong with a command line, as errors of ours.
+// Errors of the command line as InputError.
 #pragma once
 
 #include "scenes/core/error.h"
@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// A message of CLI11 as one of ours, with a guess at what was meant.
+/// Converts an error of CLI11, with a suggestion of what was meant.
 InputError usageError(const CLI::App& app, const CLI::ParseError& error);
 
 /// Throws InputError if `first`, the first argument, is no command; CLI11 would only say that one is missing.

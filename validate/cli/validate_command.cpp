@@ -141,7 +141,7 @@ void sayCertificates(const References& references, Progress& progress) {
         progress.say(certificateLine(references.proxySummary.certificate, " of the reference on the proxy"));
 }
 
-/// The proxy's reference held against the other.
+/// Compares the proxy's reference with the limit one.
 std::optional<ProxyReference> compareBases(const References& references, const Scene& scene) {
     if (!references.proxyFrame) return std::nullopt;
     return ProxyReference{references.proxySummary, compareFrames(references.frame, *references.proxyFrame,
@@ -269,7 +269,7 @@ CommandRun addOptions(CLI::App& command) {
 } // namespace
 
 Command validateCommand() {
-    return {"validate", "Hold techniques against the displaced truth: metrics and report", addOptions};
+    return {"validate", "Compare techniques with the displaced reference: metrics and report", addOptions};
 }
 
 } // namespace plumbline

@@ -1,13 +1,14 @@
-# The report's script and style, bundled from report/page/src with esbuild. Node and npm are needed when building only; where they
-# or npm's registry can't be had the program is built all the same, and its reports are plain pages that say why.
-set(PLUMBLINE_REPORT_PAGE AUTO CACHE STRING "Bundle the interactive report: ON, OFF, or AUTO (where Node and npm are there)")
+# Bundles the report's script and style from report/page/src with esbuild. Node and npm are needed for
+# building only. If they or npm's registry aren't available, the program is built without the page, and its
+# reports are plain pages that give the reason.
+set(PLUMBLINE_REPORT_PAGE AUTO CACHE STRING "Bundle the interactive report: ON, OFF, or AUTO (if Node and npm are found)")
 set_property(CACHE PLUMBLINE_REPORT_PAGE PROPERTY STRINGS AUTO ON OFF)
 
 set(page_source ${CMAKE_CURRENT_SOURCE_DIR}/report/page)
 set(page_build ${CMAKE_CURRENT_BINARY_DIR}/report_page)
 set(oldest_node 18) # Debian 12's
 
-# Installs the packages of the lock file into page_build; sets page_problem to why not.
+# Installs the packages of the lock file in page_build; on failure sets page_problem to the reason.
 function(prepare_page_packages)
     find_program(PLUMBLINE_NODE node)
     find_program(PLUMBLINE_NPM npm)
@@ -22,7 +23,7 @@ function(prepare_page_packages)
         return()
     endif()
     file(MAKE_DIRECTORY ${page_build})
-    # Sources stay free of packages: the bundler sees them through links beside the packages.
+    # The source folder contains no packages: the bundler reads it through links next to the packages.
     file(CREATE_LINK ${page_source}/src ${page_build}/src SYMBOLIC)
     file(CREATE_LINK ${page_source}/tsconfig.json ${page_build}/tsconfig.json SYMBOLIC)
     file(SHA256 ${page_source}/package-lock.json wanted)
@@ -60,12 +61,12 @@ if(NOT PLUMBLINE_REPORT_PAGE STREQUAL "OFF")
 endif()
 
 if(page_problem)
-    set(PLUMBLINE_PAGE_BUILD "" CACHE INTERNAL "Where the page is bundled; empty where it isn't")
+    set(PLUMBLINE_PAGE_BUILD "" CACHE INTERNAL "Folder where the page is bundled; empty if it isn't")
 else()
-    set(PLUMBLINE_PAGE_BUILD ${page_build} CACHE INTERNAL "Where the page is bundled; empty where it isn't")
+    set(PLUMBLINE_PAGE_BUILD ${page_build} CACHE INTERNAL "Folder where the page is bundled; empty if it isn't")
 endif()
 
-# Gives report/page_bundle.cpp the page, or the reason why there is none.
+# Defines for report/page_bundle.cpp the files of the page, or the reason why there is none.
 function(embed_report_page)
     if(page_problem)
         message(WARNING "Reports will be plain pages: ${page_problem}")

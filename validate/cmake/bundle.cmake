@@ -1,8 +1,10 @@
-# Run by install() for the component `bundle`: copies to lib/plumbline every library that BUNDLE_PROGRAM and BUNDLE_LIBRARIES
-# need, but those of the C and C++ runtime, and to share/doc/plumbline/bundled their licenses.
+# Run by install() for the component `bundle`: copies every library that BUNDLE_PROGRAM and BUNDLE_LIBRARIES
+# need, except those of the C and C++ runtime, to lib/plumbline, and their licenses to
+# share/doc/plumbline/bundled.
 #
-# The runtime is the machine's own. A second libc can't be had, and a libstdc++ older than the one the machine's GL driver was
-# built against would keep that driver from loading; where glibc is new enough for the program, so is libstdc++.
+# The C and C++ runtime isn't bundled. A process can't load a second libc, and a libstdc++ older than the one
+# that the machine's GL driver was built with would keep that driver from loading. If the machine's glibc is
+# new enough for the program, so is its libstdc++.
 set(runtime "/(ld-linux[^/]*|lib(c|m|mvec|dl|rt|pthread|resolv|util|anl|stdc\\+\\+|gcc_s))\\.so\\.[0-9]+$")
 
 find_program(PATCHELF patchelf)
@@ -12,7 +14,7 @@ endif()
 file(GET_RUNTIME_DEPENDENCIES EXECUTABLES ${BUNDLE_PROGRAM} LIBRARIES ${BUNDLE_LIBRARIES}
     RESOLVED_DEPENDENCIES_VAR libraries POST_EXCLUDE_REGEXES "${runtime}")
 foreach(library IN LISTS BUNDLE_LIBRARIES)
-    if(NOT library MATCHES "plumbline_images") # installed already
+    if(NOT library MATCHES "plumbline_images") # already installed
         list(APPEND libraries ${library})
     endif()
 endforeach()
@@ -26,9 +28,10 @@ foreach(library IN LISTS libraries)
     get_filename_component(name ${library} NAME)
     file(REAL_PATH ${library} file)
     file(COPY_FILE ${file} ${folder}/${name})
-    # Each looks beside itself. RUNPATH, not RPATH: what isn't bundled, as the machine's GL driver, must find its own libraries.
+    # Each library searches its own folder. RUNPATH, not RPATH, because libraries that aren't bundled, such as
+    # the machine's GL driver, must find their own dependencies.
     execute_process(COMMAND ${PATCHELF} --set-rpath $ORIGIN ${folder}/${name} COMMAND_ERROR_IS_FATAL ANY)
-    string(REGEX REPLACE "^/usr/" "*/" pattern ${file}) # dpkg knows some by their name before /lib became a link
+    string(REGEX REPLACE "^/usr/" "*/" pattern ${file}) # dpkg lists some files by their path before /lib became a link
     list(APPEND patterns ${pattern})
 endforeach()
 

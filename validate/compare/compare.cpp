@@ -13,8 +13,8 @@ namespace plumbline {
 namespace {
 
 void noteObjects(const FramePair& pair, std::vector<std::string>& notes) {
-    if (!pair.objectsToldApart())
-        notes.push_back(pair.missingChannel("id") + ": everything covered counts as one object");
+    if (!pair.hasObjectIds())
+        notes.push_back(pair.missingChannel("id") + ": all covered pixels count as one object");
 }
 
 void noteDepth(const MetricInput& input, std::vector<std::string>& notes) {
@@ -43,17 +43,18 @@ void noteIntervals(const FramePair& pair, const std::vector<std::string>& lights
 void noteShadowKinds(const MetricInput& input, const std::vector<std::string>& lights,
                      std::vector<std::string>& notes) {
     if (!input.camera && !lights.empty()) {
-        notes.emplace_back("the camera is not known: attached and cast shadows are not told apart");
+        notes.emplace_back("the camera is not known: attached and cast shadows are not separated");
         return;
     }
     for (const std::string& light : lights)
         if (!input.light(light) && input.pair.missingChannel(shadowChannel(light)).empty())
             notes.push_back(fmt::format(
-                "no frame's header says where the light {} is: attached and cast shadows are not told apart",
+                "neither header contains the direction or position of the light {}: attached and cast "
+                "shadows are not separated",
                 light));
 }
 
-/// Metrics that can't be computed for want of a channel.
+/// Metrics that can't be computed because a channel is missing.
 void noteMetrics(const FramePair& pair, std::vector<std::string>& notes) {
     for (const Metric& metric : metricRegistry())
         if (const std::string missing = pair.missingChannel(metric.channels); !missing.empty())
@@ -67,7 +68,7 @@ void noteReliefs(const FramePair& pair, std::vector<std::string>& notes) {
                 "the relief depth of '{}' is not known: no depth figures relative to it", object.name));
 }
 
-/// What is missing, and what that rules out.
+/// What is missing and which figures need it.
 std::vector<std::string> notesOn(const MetricInput& input) {
     const std::vector<std::string> lights = input.lightNames();
     std::vector<std::string> notes;
@@ -81,7 +82,7 @@ std::vector<std::string> notesOn(const MetricInput& input) {
     return notes;
 }
 
-/// In either header; the reference's goes first.
+/// Lights of both headers; if both have one of the same name, the reference's.
 std::vector<Light> placedLights(const Frame& reference, const Frame& test) {
     std::vector<Light> lights = lightsFromHeader(reference, "reference");
     for (const Light& light : lightsFromHeader(test, "test"))
@@ -89,7 +90,8 @@ std::vector<Light> placedLights(const Frame& reference, const Frame& test) {
     return lights;
 }
 
-/// Side by side, each as a task of its own: they take from microseconds to tens of milliseconds.
+/// Runs each index as a separate task, because their durations range from microseconds to tens of
+/// milliseconds.
 template <class Run>
 void runAll(size_t count, const Run& run) {
     tbb::parallel_for(
@@ -101,14 +103,14 @@ void runAll(size_t count, const Run& run) {
         tbb::simple_partitioner());
 }
 
-/// A metric, for one light where there are figures for every one.
+/// A metric, for one light if it has figures for every light.
 struct PreparedMetric {
     const Metric* metric;
     std::string light;
     std::function<Measured(ObjectSelection)> measure = {};
 };
 
-/// What selections share is computed.
+/// All metrics, with the work done that their selections share.
 std::vector<PreparedMetric> prepareMetrics(const MetricInput& input) {
     std::vector<PreparedMetric> prepared;
     for (const Metric& metric : metricRegistry()) {
@@ -128,22 +130,22 @@ std::vector<PreparedMetric> prepareMetrics(const MetricInput& input) {
 struct Measurement {
     const PreparedMetric* metric;
     ObjectSelection selection;
-    MetricSet* set; // for the result
+    MetricSet* set; // receives the result
     Measured result = {};
 };
 
-/// Every metric of each object and of the pooled ones: comparison.objects and comparison.pooled.
+/// Computes every metric per object and pooled, into comparison.objects and comparison.pooled.
 void measureAll(const MetricInput& input, Comparison& comparison) {
     const std::vector<PreparedMetric> metrics = prepareMetrics(input);
     std::vector<size_t> all(comparison.objects.size());
     std::iota(all.begin(), all.end(), size_t(0));
     const std::vector<size_t> relief = input.pair.reliefObjects();
-    const bool several = relief.size() != 1; // pooled over one, figures are that one's
+    const bool several = relief.size() != 1; // pooled figures of one object are its own
     std::vector<Measurement> measurements;
     for (const PreparedMetric& metric : metrics) {
-        const bool ofPicture = metric.metric->scope == Scope::Picture;
-        if (ofPicture || several) measurements.push_back({&metric, relief, &comparison.pooled});
-        if (ofPicture) continue;
+        const bool ofImage = metric.metric->scope == Scope::Image;
+        if (ofImage || several) measurements.push_back({&metric, relief, &comparison.pooled});
+        if (ofImage) continue;
         for (const size_t index : all)
             measurements.push_back(
                 {&metric, std::span(all).subspan(index, 1), &comparison.objects[index].metrics});

@@ -1,4 +1,4 @@
-// Which space another renderer's positions are in, found by where the camera sees them.
+// Finds the space of another renderer's positions by projecting them with the camera.
 #pragma once
 
 #include "scenes/scene/camera.h"
@@ -11,14 +11,14 @@
 namespace plumbline {
 
 struct PositionSpace {
-    const char* name; // as in a sentence
+    const char* name; // for a sentence
     Mat4 worldFromTheirs;
-    double medianOffsetPx; // between where a position is seen and its pixel's center
+    double medianOffsetPx; // median distance of projected positions from the centers of their pixels
 };
 
-/// Of our world, one with Z up, and pbrt's camera space that in which positions lie nearest to their own
-/// pixels' rays; nullopt if no pixel is covered. `planes`: x, y, z, a float a pixel, row by row from the top;
-/// `covered`: likewise.
+/// The one of our world, a world with Z up and pbrt's camera space in which positions are projected closest
+/// to the centers of their pixels; nullopt if no pixel is covered. `planes`: x, y, z, each a float per pixel,
+/// row by row from the top; `covered`: per pixel, in the same order.
 std::optional<PositionSpace> findPositionSpace(const std::array<std::span<const float>, 3>& planes,
                                                const std::vector<bool>& covered, const Camera& camera);
 

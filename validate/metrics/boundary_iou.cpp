@@ -13,8 +13,8 @@ namespace {
 
 constexpr size_t kWidthCount = kBoundaryWidths.size();
 
-/// Largest squared distance, in pixels squared, of each width's rim; of 2 % of the diagonal the whole part,
-/// for squared distances are whole.
+/// Largest squared distance in the rim of each width, in pixels squared. Squared distances are integers, so
+/// that of 2 % of the diagonal is rounded down.
 using SquaredWidths = std::array<int64_t, kWidthCount>;
 
 SquaredWidths squaredWidths(int width, int height) {
@@ -25,7 +25,7 @@ SquaredWidths squaredWidths(int width, int height) {
 /// Bit w: the pixel is in the rim of width w.
 using RimBits = std::vector<uint8_t>;
 
-/// Finds rims of masks among a list of pixels, ascending, that holds every pixel of each mask.
+/// Finds the rims of masks. `pixels`: ascending, contains every pixel of each mask.
 class RimFinder {
   public:
     RimFinder(const FramePair& pair, std::span<const uint32_t> pixels)
@@ -38,13 +38,13 @@ class RimFinder {
         const auto stride = static_cast<uint32_t>(width_);
         return {static_cast<int>(pixel % stride), static_cast<int>(pixel / stride)};
     }
-    /// Pixels: no rim is wider.
+    /// Width of the widest rim, in pixels.
     int reach() const { return reach_; }
 
-    /// Per pixel of the list; 0 outside the mask, which `inside(pixel)` tells for every pixel of the picture.
+    /// Per pixel of the list; 0 outside the mask. `inside(pixel)`: whether any pixel of the image is in it.
     ///
-    /// The nearest pixel outside the mask has a 4-neighbor in it: one step toward the mask's pixel is
-    /// nearer. So those are all that must be known.
+    /// Only pixels outside the mask with a 4-neighbor in it are needed: the nearest outside pixel has one,
+    /// because a step from it toward the mask's pixel is nearer and therefore inside.
     template <class Inside>
     RimBits find(const Inside& inside) const {
         std::vector<Pixel> mask, outside;
@@ -62,7 +62,7 @@ class RimFinder {
             if (place.y + 1 < height_ && !inside(pixel + stride)) outside.push_back({place.x, place.y + 1});
         }
         RimBits bits(pixels_.size());
-        if (outside.empty()) return bits; // nothing of it, or nothing beside it
+        if (outside.empty()) return bits; // an empty mask, or one that fills the image
         box.include(outside);
         const std::vector<int64_t> distances =
             DistanceTransform(outside, box, reach_).squaredDistancesOf(mask);
@@ -86,7 +86,7 @@ class RimFinder {
     int reach_;
 };
 
-/// Pixels that show the object in either frame or might, ascending.
+/// Pixels that show the object in either frame, and uncertain pixels, which might. Ascending.
 std::vector<uint32_t> pixelsAround(const FramePair& pair, size_t index) {
     const auto shown = pair.pixelsOf(index), uncertain = pair.uncertainPixels();
     std::vector<uint32_t> pixels;
@@ -96,19 +96,19 @@ std::vector<uint32_t> pixelsAround(const FramePair& pair, size_t index) {
     return pixels;
 }
 
-/// Rims the true mask has in any case, and those it may have, where it is certain what is seen.
-struct OpenRims {
-    RimBits surely, possibly;
+/// The certain and the possible rims of the header, at pixels that aren't uncertain.
+struct TrueRims {
+    RimBits certain, possible;
 };
 
-/// See the header: with the masks A = R \ U and B = R u U, outside U, surely rim is rim(B) and possibly rim
-/// is rim(A).
-OpenRims findOpenRims(const FramePair& pair, int id, const RimFinder& finder,
+/// With the masks A = R \ U and B = R u U of the header, outside U the certain rim is rim(B) and the possible
+/// rim is rim(A).
+TrueRims findTrueRims(const FramePair& pair, int id, const RimFinder& finder,
                       std::span<const uint32_t> pixels) {
     const auto certain = [&](uint32_t pixel) {
         return pair.referenceIds()[pixel] == id && !pair.isUncertain(pixel);
     };
-    // What is farther from A than any rim is wide makes no pixel of A rim: B is looked at around A only.
+    // Pixels farther from A than the widest rim don't change it, so B is evaluated around A only.
     PixelBox near;
     for (const uint32_t pixel : pixels)
         if (certain(pixel)) near.include(finder.placeOf(pixel));
@@ -119,18 +119,18 @@ OpenRims findOpenRims(const FramePair& pair, int id, const RimFinder& finder,
                place.y < near.y1 + margin;
     };
     const bool none = near.x1 == 0;
-    OpenRims rims;
-    rims.possibly = finder.find(certain);
-    rims.surely = none ? RimBits(pixels.size()) : finder.find([&](uint32_t pixel) {
+    TrueRims rims;
+    rims.possible = finder.find(certain);
+    rims.certain = none ? RimBits(pixels.size()) : finder.find([&](uint32_t pixel) {
         return certain(pixel) || (pair.isUncertain(pixel) && isNear(pixel));
     });
     return rims;
 }
 
-Outcomes outcomesOf(bool surely, bool possibly, bool inTest) {
+Outcomes outcomesOf(bool certain, bool possible, bool inTest) {
     Outcomes outcomes;
-    if (possibly) (inTest ? outcomes.hit : outcomes.miss) = true;
-    if (!surely) (inTest ? outcomes.miss : outcomes.nothing) = true;
+    if (possible) (inTest ? outcomes.hit : outcomes.miss) = true;
+    if (!certain) (inTest ? outcomes.miss : outcomes.nothing) = true;
     return outcomes;
 }
 
@@ -139,14 +139,14 @@ BoundaryRims findRims(const FramePair& pair, size_t index) {
     const std::vector<uint32_t> pixels = pixelsAround(pair, index);
     const RimFinder finder(pair, pixels);
     RimBits reference, test;
-    OpenRims open;
+    TrueRims trueRims;
     tbb::parallel_invoke(
         [&] { reference = finder.find([&](uint32_t pixel) { return pair.referenceIds()[pixel] == id; }); },
         [&] { test = finder.find([&](uint32_t pixel) { return pair.testIds()[pixel] == id; }); },
         [&] {
-            if (!pair.uncertainPixels().empty()) open = findOpenRims(pair, id, finder, pixels);
+            if (!pair.uncertainPixels().empty()) trueRims = findTrueRims(pair, id, finder, pixels);
         });
-    if (pair.uncertainPixels().empty()) open = {reference, reference};
+    if (pair.uncertainPixels().empty()) trueRims = {reference, reference};
 
     BoundaryRims rims;
     for (size_t width = 0; width < kWidthCount; ++width) {
@@ -158,13 +158,14 @@ BoundaryRims findRims(const FramePair& pair, size_t index) {
             if (pair.isUncertain(pixels[i]))
                 sums.uncertainTestPx += has(test[i]);
             else
-                sums.certain.add(outcomesOf(has(open.surely[i]), has(open.possibly[i]), has(test[i])));
+                sums.certain.add(
+                    outcomesOf(has(trueRims.certain[i]), has(trueRims.possible[i]), has(test[i])));
         }
     }
     return rims;
 }
 
-/// The uncertain pixels, `inTestPx` of which are in a rim of the test.
+/// Adds the `allPx` uncertain pixels, of which `inTestPx` are in a rim of the test.
 void addUncertain(RatioRange& range, uint64_t inTestPx, uint64_t allPx, bool severalSelected) {
     Outcomes inTest, elsewhere;
     inTest.hit = inTest.miss = elsewhere.nothing = elsewhere.miss = true;
@@ -205,7 +206,7 @@ BoundaryIou computeBoundaryIou(const FramePair& pair, ObjectSelection selection,
 
 namespace {
 
-/// The rows of one width; `width`: its place in kBoundaryWidths.
+/// The rows of one width. `width`: an index into kBoundaryWidths.
 void appendRows(std::vector<FigureRow<BoundaryIou>>& rows, size_t width) {
     const std::string name = kBoundaryWidths[width];
     const bool widest = name == "2pct";
@@ -214,8 +215,8 @@ void appendRows(std::vector<FigureRow<BoundaryIou>>& rows, size_t width) {
                    .label = label,
                    .unit = Unit::Ratio,
                    .goal = Goal::One,
-                   .meaning = "iou of the rims of the two silhouettes, " +
-                              (widest ? std::string("d = 2 % of the picture's diagonal, at least 1 px")
+                   .meaning = "IoU of the rims of the two silhouettes, " +
+                              (widest ? std::string("d = 2 % of the image diagonal, at least 1 px")
                                       : "d = " + name.substr(0, name.find('p')) + " px"),
                    .formula = "Σ|R_d∩T_d| / Σ|R_d∪T_d|, sums over the objects",
                    .source = "Cheng et al. 2021, CVPR, Eq. 4"};
@@ -223,8 +224,8 @@ void appendRows(std::vector<FigureRow<BoundaryIou>>& rows, size_t width) {
     rows.push_back({iou,
                     [width](const BoundaryIou& result) { return result.at[width].iou; },
                     {[width](const BoundaryIou& result) { return result.at[width].range; },
-                     {"no true image that the reference's uncertain pixels leave open has a lower one",
-                      "none has a higher one"}}});
+                     {"lower bound of it over all true images that the reference's uncertain pixels allow",
+                      "upper bound of it over these images"}}});
     rows.push_back({{.key = name + "_intersection_px",
                      .label = label + ", in both",
                      .unit = Unit::PixelCount,
@@ -247,7 +248,7 @@ Metric boundaryIouMetric() {
         appendRows(rows, width);
     return makeMetric<BoundaryIou>({
         .group = "silhouette.boundary_iou",
-        .domain = "rims R_d, T_d: the object's pixels with one outside it, in the picture, at most d away",
+        .domain = "rims R_d, T_d: pixels of the object with a pixel of the image outside it at most d away",
         .rows = std::move(rows),
         .prepare =
             [](const MetricInput& input) {

@@ -28,7 +28,7 @@ Contour findContour(const FramePair& pair, ObjectSelection selection, std::span<
     Contour contour;
     for (const size_t index : selection)
         for (const uint32_t pixel : pair.pixelsOf(index)) {
-            if (ids[pixel] != pair.objects()[index].id) continue; // shown by the other frame only
+            if (ids[pixel] != pair.objects()[index].id) continue; // only the other frame shows it
             const auto stride = static_cast<uint32_t>(width);
             const int x = static_cast<int>(pixel % stride), y = static_cast<int>(pixel / stride);
             if ((x > 0 && outside(pixel - 1)) || (x + 1 < width && outside(pixel + 1)) ||
@@ -50,7 +50,7 @@ std::vector<double> distancesBetween(const Contour& from, const Contour& to, con
 /// Empty if both frames have a contour.
 std::string noContourReason(const ContourDistance& result) {
     if (result.referencePx > 0 && result.testPx > 0) return {};
-    return fmt::format("{} no outline of it: nothing of it, or nothing beside it",
+    return fmt::format("{} no contour of it, because it covers no pixel or all of them",
                        result.testPx > 0        ? "the reference frame shows"
                        : result.referencePx > 0 ? "the test frame shows"
                                                 : "neither frame shows");
@@ -83,35 +83,36 @@ ContourDistance computeContourDistance(const FramePair& pair, ObjectSelection se
 Metric contourDistanceMetric() {
     return makeMetric<ContourDistance>({
         .group = "silhouette",
-        .domain = "contours A of R, B of T: pixels with a 4-neighbor in the picture outside the silhouette",
+        .domain = "contours A of R, B of T: pixels with a 4-neighbor in the image outside the silhouette",
         .rows = {{{.key = "contour_mean_px",
-                   .label = "outline off, mean",
+                   .label = "contour distance, mean",
                    .unit = Unit::Pixels,
                    .goal = Goal::Zero,
-                   .meaning = "mean distance of either outline's pixels to the other outline",
+                   .meaning = "mean distance of the pixels of each contour to the other contour",
                    .formula = "(Σ_a d(a,B) + Σ_b d(b,A)) / (|A| + |B|)",
                    .source = "Heimann et al. 2009, IEEE TMI 28(8)",
-                   .report = {{"outline off", "mean, px", "{:.2f}"}}},
+                   .report = {{"contour distance", "mean, px", "{:.2f}"}}},
                   &ContourDistance::meanPx},
                  {{.key = "hausdorff95_px",
-                   .label = "outline off, 95 %",
+                   .label = "contour distance, p95",
                    .unit = Unit::Pixels,
                    .goal = Goal::Zero,
-                   .meaning = "95th percentile of it from one outline to the other: the larger of the two",
+                   .meaning =
+                       "larger of the two 95th percentiles of the distance from one contour to the other",
                    .formula = "max(p95_a d(a,B), p95_b d(b,A))",
                    .source = "Huttenlocher et al. 1993, IEEE PAMI 15(9); Taha, Hanbury 2015",
-                   .report = {{"outline off", "95 %, px", "{:.2f}"}}},
+                   .report = {{"contour distance", "p95, px", "{:.2f}"}}},
                   &ContourDistance::hausdorff95Px},
                  {{.key = "contour_reference_px",
-                   .label = "outline in the reference",
+                   .label = "contour of the reference",
                    .unit = Unit::PixelCount,
-                   .meaning = "pixels of the outline in the reference",
+                   .meaning = "pixels of the contour in the reference",
                    .formula = "|A|"},
                   &ContourDistance::referencePx},
                  {{.key = "contour_test_px",
-                   .label = "outline in the test",
+                   .label = "contour of the test",
                    .unit = Unit::PixelCount,
-                   .meaning = "pixels of the outline in the test",
+                   .meaning = "pixels of the contour in the test",
                    .formula = "|B|"},
                   &ContourDistance::testPx}},
         .compute = [](const MetricInput& input, ObjectSelection selection,

@@ -36,7 +36,7 @@ DepthError::Spread spreadOf(const std::vector<double>& errors) {
             .max = *std::max_element(magnitudes.begin(), magnitudes.end())};
 }
 
-/// Empty if every object of the selection has a known relief depth above 0, else why one hasn't.
+/// Empty if every object of the selection has a known relief depth above 0, otherwise why one doesn't.
 std::string noReliefReason(const FramePair& pair, ObjectSelection selection) {
     for (const size_t index : selection) {
         const ObjectInfo& object = pair.objects()[index];
@@ -68,7 +68,7 @@ DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
     const std::string noRelief = noReliefReason(pair, selection);
 
     std::vector<double> errors, reliefErrors;
-    errors.reserve(mostPixels(pair, selection));
+    errors.reserve(maxPixelCount(pair, selection));
     if (noRelief.empty()) reliefErrors.reserve(errors.capacity());
     uint64_t uncertainPx = 0;
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo& object) {
@@ -109,7 +109,7 @@ namespace {
 
 using Rows = std::vector<FigureRow<DepthError>>;
 
-/// A figure of a spread of errors, in relief depths; in world units no column shows it.
+/// A figure of a spread of errors, in relief depths. In world units it has no column.
 struct SpreadRow {
     MetricInfo info;
     Figure DepthError::Spread::*figure;
@@ -120,7 +120,7 @@ std::vector<SpreadRow> spreadRows() {
     return {{{.key = "bias",
               .label = "depth bias",
               .goal = Goal::Zero,
-              .meaning = "mean error; positive: too far away",
+              .meaning = "mean error; positive: the test's surface is too far away",
               .formula = "mean e, e = Z_T - Z_R",
               .report = {{"depth bias", "relief depth", "{:+.4f}"}}},
              &Spread::bias},
@@ -147,13 +147,13 @@ std::vector<SpreadRow> spreadRows() {
             {{.key = "p95",
               .label = "depth p95",
               .goal = Goal::Zero,
-              .meaning = "95th percentile of it",
+              .meaning = "95th percentile of the magnitude of the error",
               .formula = "p95 |e|, nearest rank"},
              &Spread::p95},
             {{.key = "p99",
               .label = "depth p99",
               .goal = Goal::Zero,
-              .meaning = "99th percentile of it",
+              .meaning = "99th percentile of the magnitude of the error",
               .formula = "p99 |e|, nearest rank",
               .table = {{"p99 rel", 5}},
               .report = {{"depth p99", "relief depth", "{:.4f}"}}},
@@ -188,10 +188,10 @@ void appendBadPixelRows(Rows& rows) {
     const auto ratio = [&](const std::string& percent, Figure DepthError::*figure) {
         rows.push_back(
             {{.key = "badpix_" + percent + "pct",
-              .label = "off by > " + percent + " %",
+              .label = "bad pixels, > " + percent + " %",
               .unit = Unit::Ratio,
               .goal = Goal::Zero,
-              .meaning = "share of the domain off by more than " + percent + " % of the relief depth",
+              .meaning = "share of the domain with an error above " + percent + " % of the relief depth",
               .formula = "mean [ |e| > " + percent + " % of the relief depth ], strictly",
               .source = "Scharstein, Szeliski 2002, IJCV 47"},
              figure});
@@ -199,11 +199,11 @@ void appendBadPixelRows(Rows& rows) {
     ratio("1", &DepthError::badpix1pct);
     ratio("5", &DepthError::badpix5pct);
     rows.back().info.table = {"bad 5%", 4};
-    rows.back().info.report = {"off by > 5 %", "share", "{:.4f}"};
+    rows.back().info.report = {"bad pixels", "error > 5 %", "{:.4f}"};
     ratio("25", &DepthError::badpix25pct);
     const auto count = [&](const std::string& percent, uint64_t DepthError::*pixels) {
         rows.push_back({{.key = "badpix_" + percent + "pct_px",
-                         .label = "off by > " + percent + " %",
+                         .label = "bad pixels, > " + percent + " %",
                          .unit = Unit::PixelCount,
                          .goal = Goal::Zero,
                          .meaning = "numerator of badpix_" + percent + "pct"},
@@ -219,13 +219,13 @@ void appendCountRows(Rows& rows) {
                      .label = "only in the reference",
                      .unit = Unit::PixelCount,
                      .goal = Goal::Zero,
-                     .meaning = "pixels only the reference covers with the object: not in the domain"},
+                     .meaning = "pixels that only the reference covers with the object: not in the domain"},
                     &DepthError::onlyReferencePx});
     rows.push_back({{.key = "only_test_px",
                      .label = "only in the test",
                      .unit = Unit::PixelCount,
                      .goal = Goal::Zero,
-                     .meaning = "pixels only the test covers with it: not in the domain"},
+                     .meaning = "pixels that only the test covers with the object: not in the domain"},
                     &DepthError::onlyTestPx});
     rows.push_back({{.key = "invalid_px",
                      .label = "without depth",
@@ -233,11 +233,12 @@ void appendCountRows(Rows& rows) {
                      .goal = Goal::Zero,
                      .meaning = "shared pixels without a finite depth in both: not in the domain"},
                     &DepthError::invalidPx});
-    rows.push_back({{.key = "uncertain_px",
-                     .label = "uncertain",
-                     .unit = Unit::PixelCount,
-                     .meaning = "pixels of the domain that may show another object in truth, or none"},
-                    &DepthError::uncertainPx});
+    rows.push_back(
+        {{.key = "uncertain_px",
+          .label = "uncertain",
+          .unit = Unit::PixelCount,
+          .meaning = "pixels of the domain at which the true image may show another object or none"},
+         &DepthError::uncertainPx});
 }
 
 } // namespace

@@ -1,14 +1,13 @@
-// Depth: how far in front of or behind the reference the test puts the surface.
+// Depth error: how far in front of or behind the reference's surface that of the test lies.
 //
-// Domain: pixels both frames cover with the same object of the selection, where both depths are finite. Per
-// pixel
+// Domain: pixels that both frames cover with the same object of the selection, where both depths are finite.
+// Per pixel
 //     e = Z_test - Z_reference          planar depth (channel Z), world units; e > 0: the test is too far
-//     away bias = mean e,  MAE = mean |e|,  RMSE = sqrt(mean e^2),  percentiles and max of |e| (nearest rank,
-//     see figure.h)
-// Figures called ..Relief are the same of e / reliefDepth of the pixel's own object. BadPix t = share of the
+//     bias = mean e,  MAE = mean |e|,  RMSE = sqrt(mean e^2),  percentiles and max of |e| (nearest rank, see
+//     figure.h)
+// Figures named ..Relief are the same of e / reliefDepth of the pixel's own object. BadPix t = share of the
 // domain with |e| > t * reliefDepth (Scharstein and Szeliski 2002, "bad pixels", with the relief depth as the
-// unit). Pixels only one frame covers are counted, never dropped in silence; so are those where a depth isn't
-// finite.
+// unit). Pixels that only one frame covers are counted separately, as are those where a depth isn't finite.
 #pragma once
 
 #include "validate/metrics/metric.h"
@@ -20,9 +19,8 @@ namespace plumbline {
 struct DepthError {
     uint64_t domainPx = 0;
     uint64_t onlyReferencePx = 0, onlyTestPx = 0; // the silhouette's missing and extra
-    uint64_t invalidPx = 0;                       // both cover it, but a depth is NaN, infinite or missing
-    Figure
-        uncertainPx; // pixels of the domain that may not belong to it: channel `uncertain` of the reference
+    uint64_t invalidPx = 0;                       // both cover it, but a depth is NaN or infinite
+    Figure uncertainPx; // pixels of the domain marked in the reference's channel `uncertain`
 
     struct Spread {
         Figure bias, mae, rmse, p50, p95, p99, max;
@@ -34,7 +32,7 @@ struct DepthError {
 };
 
 /// `referenceDepth`, `testDepth`: planar depth per pixel, world units (see planarDepth in metric_input.h), or
-/// empty if a frame has none; then every figure is absent because of `noDepthReason`.
+/// empty if a frame has none; every figure is then absent with `noDepthReason`.
 DepthError computeDepthError(const FramePair& pair, ObjectSelection selection,
                              std::span<const float> referenceDepth, std::span<const float> testDepth,
                              const std::string& noDepthReason = {});

@@ -30,12 +30,12 @@ DistanceTransform::DistanceTransform(std::span<const Pixel> set, const PixelBox&
 std::vector<int64_t> DistanceTransform::squaredDistancesOf(std::span<const Pixel> from) {
     std::vector<int64_t> distances;
     distances.reserve(from.size());
-    Pixel before{box_.x0, box_.y0 - 1};
-    size_t lowest = 0; // of the envelope, at the pixel before
+    Pixel previous{box_.x0, box_.y0 - 1};
+    size_t lowest = 0; // index into the envelope at the previous pixel
     for (const Pixel& pixel : from) {
-        if (pixel.y != before.y) buildEnvelope(row(pixel.y));
-        if (pixel.y != before.y || pixel.x < before.x) lowest = 0;
-        before = pixel;
+        if (pixel.y != previous.y) buildEnvelope(row(pixel.y));
+        if (pixel.y != previous.y || pixel.x < previous.x) lowest = 0;
+        previous = pixel;
         if (envelope_.empty()) {
             distances.push_back(kFar);
             continue;
@@ -43,8 +43,8 @@ std::vector<int64_t> DistanceTransform::squaredDistancesOf(std::span<const Pixel
         const int x = pixel.x - box_.x0;
         while (lowest + 1 < envelope_.size() && envelope_[lowest + 1].begin <= x)
             ++lowest;
-        const int64_t aside = x - envelope_[lowest].column;
-        distances.push_back(aside * aside + envelope_[lowest].height);
+        const int64_t dx = x - envelope_[lowest].column;
+        distances.push_back(dx * dx + envelope_[lowest].height);
     }
     return distances;
 }
@@ -58,12 +58,13 @@ void DistanceTransform::spread(const int* from, int* to) const {
         to[x] = std::min(to[x], from[x] == kNone ? kNone : from[x] + 1);
 }
 
-// Doubles are exact enough: a crossing is a fraction of integers below 2^53, so it never rounds past a whole
-// x that it isn't equal to, and where it is equal both parabolas give the same.
+// Doubles are exact enough: an intersection is a quotient of integers below 2^53, so it never rounds past an
+// integer x that it isn't equal to, and where it is equal both parabolas have the same value.
 void DistanceTransform::buildEnvelope(const int* inColumn) {
     envelope_.clear();
     for (int x = 0; x < box_.width(); ++x) {
-        if (inColumn[x] == kNone || inColumn[x] > reach_) continue; // too far in its column is too far aside
+        if (inColumn[x] == kNone || inColumn[x] > reach_)
+            continue; // then it is too far from every pixel of the row
         const int64_t height = int64_t(inColumn[x]) * inColumn[x];
         double begin = -std::numeric_limits<double>::infinity();
         while (!envelope_.empty()) {

@@ -1,4 +1,4 @@
-// Exact Euclidean distances between pixels of a picture: from any pixel to the nearest of a set.
+// Exact Euclidean distance transform: the distance from any pixel of an image to the nearest one of a set.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace plumbline {
 
-/// Centers lie on whole numbers: x right, y down.
+/// x right, y down; centers have integer coordinates.
 struct Pixel {
     int x = 0, y = 0;
 };
@@ -23,26 +23,25 @@ struct PixelBox {
     void include(std::span<const Pixel> pixels);
 };
 
-/// Distances to a set of pixels within a box, exactly, axis by axis (Felzenszwalb and Huttenlocher 2012,
-/// "Distance transforms of sampled functions", Theory of Computing 8): first along columns, then for a row
+/// Exact distances to a set of pixels within a box, axis by axis (Felzenszwalb and Huttenlocher 2012,
+/// "Distance transforms of sampled functions", Theory of Computing 8): first along columns, then for each row
 /// the lower envelope of the parabolas (x - column)^2 + (distance in that column)^2.
 class DistanceTransform {
   public:
     static constexpr int64_t kFar = std::numeric_limits<int64_t>::max();
 
-    /// `set`: inside `box`. Distances above `reach` pixels may be told as kFar, which is faster.
+    /// `set`: inside `box`. Distances above `reach` pixels may be returned as kFar, which is faster.
     DistanceTransform(std::span<const Pixel> set, const PixelBox& box,
                       int reach = std::numeric_limits<int>::max());
 
-    /// Squared distance, in pixels squared, of every pixel of `from` to the nearest of the set, in their
-    /// order; kFar where there is none. They lie inside the box. Fast where pixels of one row follow each
-    /// other from left to right.
+    /// Squared distance, in pixels squared, of every pixel of `from` to the nearest of the set, in the order
+    /// of `from`; kFar where there is none. `from`: inside the box; fast if sorted by rows, left to right.
     std::vector<int64_t> squaredDistancesOf(std::span<const Pixel> from);
 
   private:
     static constexpr int kNone = std::numeric_limits<int>::max(); // no pixel of the set in this column
 
-    /// (x - column)^2 + height, the lowest of all from `begin` to the next one's.
+    /// (x - column)^2 + height, the lowest parabola from its `begin` to that of the next one.
     struct Parabola {
         int column;
         int64_t height;
@@ -55,8 +54,7 @@ class DistanceTransform {
 
     PixelBox box_;
     int reach_;
-    std::vector<int>
-        inColumn_; // per pixel of the box: distance to the nearest pixel of the set above or below
+    std::vector<int> inColumn_; // per pixel of the box: distance to the nearest set pixel above or below
     std::vector<Parabola> envelope_;
 };
 

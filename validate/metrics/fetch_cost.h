@@ -1,8 +1,8 @@
-// Cost in look-ups: what a technique spent on each pixel it covers.
+// Cost in texture lookups: the number of lookups of a technique per covered pixel.
 //
 // Domain: pixels of the test frame that show an object of the selection, with a finite `cost.fetches`. Unit:
-// look-ups a pixel, of the height map and of baked maps (cone ratios, distances, normals, bounds); view and
-// shadow rays together, as the harness counts them.
+// lookups per pixel, in the height map and in baked maps (cone ratios, distances, normals, bounds), of view
+// and shadow rays together, as the harness counts them.
 #pragma once
 
 #include "validate/metrics/metric.h"
@@ -12,7 +12,7 @@ namespace plumbline {
 struct FetchCost {
     uint64_t domainPx = 0;
     Figure mean, p99;
-    Figure heightMean, bakedMean; // of the height map; of baked maps
+    Figure heightMean, bakedMean; // in the height map; in baked maps
 };
 
 /// Absent if the test frame has no channel cost.fetches.

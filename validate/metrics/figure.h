@@ -1,6 +1,6 @@
-// A measured number, or the reason why there is none: the currency of every metric.
+// The result of a metric: a number, or the reason why it is absent.
 //
-// A metric that can't be computed is absent with its reason, never 0 and never NaN.
+// A figure that can't be computed is absent with its reason, never 0 and never NaN.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@ namespace plumbline {
 class Figure {
   public:
     Figure() : reason_("not computed") {}
-    /// A value; one that isn't finite becomes absent, so that no result file can ever hold NaN or infinity.
+    /// A value that isn't finite becomes absent, so that no result file contains NaN or infinity.
     Figure(double value) { // NOLINT(google-explicit-constructor): a number is a figure
         if (std::isfinite(value))
             value_ = value;
@@ -26,7 +26,7 @@ class Figure {
         figure.reason_ = std::move(reason);
         return figure;
     }
-    /// part / whole; absent with `reasonIfEmpty` for an empty whole.
+    /// part / whole; absent with `reasonIfEmpty` if the whole is 0.
     static Figure ratio(uint64_t part, uint64_t whole, const std::string& reasonIfEmpty) {
         if (whole == 0) return absent(reasonIfEmpty);
         return {static_cast<double>(part) / static_cast<double>(whole)};

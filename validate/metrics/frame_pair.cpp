@@ -18,12 +18,12 @@ ObjectInfo unknownObject(int id, std::string name) {
 
 void checkFrame(const Frame& frame, const char* which) {
     if (!frame.has("id") && !frame.has("A"))
-        throw InputError(which, "the frame says nowhere which pixels it covers",
-                         "a channel A (coverage, 0 or 1) or id (number of the object, 0 for none)");
+        throw InputError(which, "the frame has no channel that contains its coverage",
+                         "a channel A (coverage, 0 or 1) or id (id of the object, 0 for none)");
 }
 
-/// Number of the object at each pixel; `toldApart` false: 1 where anything is.
-std::vector<int> readIds(const Frame& frame, bool toldApart, const char* which) {
+/// Id of the object at each pixel. If `byId` is false, 1 at all covered pixels.
+std::vector<int> readIds(const Frame& frame, bool byId, const char* which) {
     std::vector<int> ids(frame.pixelCount(), 0);
     if (!frame.has("id")) {
         const auto coverage = frame.channel("A");
@@ -39,11 +39,11 @@ std::vector<int> readIds(const Frame& frame, bool toldApart, const char* which) 
         const int id = inRange ? static_cast<int>(value) : 0;
         if (!inRange || static_cast<float>(id) != value)
             throw InputError(fmt::format("{}: channel id", which),
-                             fmt::format("the value {} at pixel ({}, {}) is not the number of an object",
-                                         value, pixel % static_cast<size_t>(frame.width()),
+                             fmt::format("the value {} at pixel ({}, {}) is not the id of an object", value,
+                                         pixel % static_cast<size_t>(frame.width()),
                                          pixel / static_cast<size_t>(frame.width())),
-                             fmt::format("whole numbers from 0 (nothing) to {}", kLargestId));
-        ids[pixel] = toldApart ? id : static_cast<int>(id > 0);
+                             fmt::format("integers from 0 (nothing) to {}", kLargestId));
+        ids[pixel] = byId ? id : static_cast<int>(id > 0);
     }
     return ids;
 }
@@ -56,23 +56,23 @@ FramePair::FramePair(const Frame& reference, const Frame& test, std::vector<Obje
         throw InputError("compare",
                          fmt::format("the reference is {} x {} pixels, the test {} x {}", reference.width(),
                                      reference.height(), test.width(), test.height()),
-                         "two frames of one size");
+                         "two frames of the same size");
     checkFrame(reference, "reference");
     checkFrame(test, "test");
-    toldApart_ = reference.has("id") && test.has("id");
-    referenceIds_ = readIds(reference, toldApart_, "reference");
-    testIds_ = readIds(test, toldApart_, "test");
+    hasObjectIds_ = reference.has("id") && test.has("id");
+    referenceIds_ = readIds(reference, hasObjectIds_, "reference");
+    testIds_ = readIds(test, hasObjectIds_, "test");
 
-    if (!toldApart_) {
-        // One object stands for all; what is known about it is known only if the scene has just one.
+    if (!hasObjectIds_) {
+        // One object represents all. Its properties are known only if the scene has a single object.
         if (objects_.size() == 1)
             objects_[0].id = 1;
         else
             objects_ = {unknownObject(1, "everything")};
     }
-    // Number of the object by its id, 1 more than its index; 0: none is known.
+    // By id: the index of the object plus 1, or 0 if there is none.
     std::vector<size_t> numberOf(kLargestId + 1);
-    for (size_t i = objects_.size(); i-- > 0;) // of two with one id the first
+    for (size_t i = objects_.size(); i-- > 0;) // the first of two with the same id
         if (objects_[i].id > 0 && objects_[i].id <= kLargestId)
             numberOf[static_cast<size_t>(objects_[i].id)] = i + 1;
     std::vector<bool> shown(kLargestId + 1);
@@ -137,7 +137,7 @@ std::vector<double> valuesOnCoveredPixels(const FramePair& pair, ObjectSelection
     std::vector<double> values;
     if (!pair.test().has(channel)) return values;
     const auto plane = pair.test().channel(channel);
-    values.reserve(mostPixels(pair, selection));
+    values.reserve(maxPixelCount(pair, selection));
     for (const size_t index : selection)
         for (const uint32_t pixel : pair.pixelsOf(index))
             if (pair.testIds()[pixel] == pair.objects()[index].id && std::isfinite(plane[pixel]))

@@ -1,8 +1,8 @@
-// Two frames of one view with the objects they show: the only thing a metric gets to see.
+// Two frames of one view with the objects they show: the input of every metric.
 //
-// Coverage. A pixel shows the object named by its `id` (0 or NaN: nothing). Where only one frame of the pair
-// has `id`, or none, objects can't be told apart: a pixel then shows object 1 if its id is > 0 or, without an
-// id, if A >= 0.5. Pixels: row 0 = top row, index = row * width + column.
+// Coverage. A pixel shows the object that its `id` names (0 or NaN: none). Objects are distinguished only if
+// both frames have `id`. Otherwise a pixel shows object 1 if its id is > 0 or, without `id`, if A >= 0.5.
+// Pixels: row 0 = top row, index = row * width + column.
 #pragma once
 
 #include "scenes/frame/frame.h"
@@ -17,16 +17,16 @@ namespace plumbline {
 
 class FramePair {
   public:
-    /// `objects`: those of the scene, may be empty; ids the frames show beyond them are added by number, with
-    /// nothing known about them. The frames must outlive the pair. Throws InputError if the sizes differ, a
-    /// frame has neither `id` nor `A`, or an id isn't a whole number from 0 to 65535.
+    /// `objects`: those of the scene, may be empty. For other ids in the frames an object is added that is
+    /// named by its id and has no known properties. The frames must outlive the pair. Throws InputError if
+    /// the sizes differ, a frame has neither `id` nor `A`, or an id isn't an integer from 0 to 65535.
     FramePair(const Frame& reference, const Frame& test, std::vector<ObjectInfo> objects);
 
     const Frame& reference() const { return *reference_; }
     const Frame& test() const { return *test_; }
     const std::vector<ObjectInfo>& objects() const { return objects_; }
-    /// False where `id` was missing and everything counts as object 1.
-    bool objectsToldApart() const { return toldApart_; }
+    /// False if a frame has no `id`, so that everything counts as object 1.
+    bool hasObjectIds() const { return hasObjectIds_; }
 
     /// Per pixel: id of the object shown, 0 for none.
     std::span<const int> referenceIds() const { return referenceIds_; }
@@ -34,25 +34,26 @@ class FramePair {
     /// Pixels that show objects()[index] in at least one of the two frames, ascending.
     std::span<const uint32_t> pixelsOf(size_t index) const { return pixels_[index]; }
 
-    /// Indices into objects() of those with a relief: what "pooled" means. All of them if none has one.
+    /// Indices into objects() of those with a relief, over which pooled figures are computed. All objects if
+    /// none has a relief.
     std::vector<size_t> reliefObjects() const;
 
-    /// Empty if both frames have the channel, else which of them lacks it.
+    /// Empty if both frames have the channel, otherwise which of them lacks it.
     std::string missingChannel(std::string_view name) const;
-    /// The same of several: of the first that is missing.
+    /// The same for the first of several that is missing.
     std::string missingChannel(std::span<const char* const> names) const;
-    /// Empty if the reference has the channel, else a sentence that it hasn't.
+    /// Empty if the reference has the channel, otherwise a sentence that it doesn't.
     std::string missingInReference(std::string_view name) const;
 
-    /// Pixels at which the true image may show any of the objects or none, whatever the reference shows: its
-    /// channel `uncertain`. Ascending; empty also where it has no such channel (see missingInReference).
+    /// Pixels marked in the reference's channel `uncertain`: the true image may show any of the objects or
+    /// none there. Ascending; also empty if there is no such channel (see missingInReference).
     std::span<const uint32_t> uncertainPixels() const { return uncertainPixels_; }
     bool isUncertain(uint32_t pixel) const { return uncertain_[pixel]; }
 
   private:
     const Frame* reference_;
     const Frame* test_;
-    bool toldApart_ = true;
+    bool hasObjectIds_ = true;
     std::vector<ObjectInfo> objects_;
     std::vector<int> referenceIds_, testIds_;
     std::vector<std::vector<uint32_t>> pixels_;
@@ -60,13 +61,14 @@ class FramePair {
     std::vector<bool> uncertain_; // per pixel
 };
 
-/// A value of a channel `shadow…` from here on is shadow: another renderer's penumbra is cut at its middle.
+/// Values of a channel `shadow…` from this one on are shadow. Penumbrae of other renderers are thus cut at
+/// their middle.
 inline constexpr float kShadowThreshold = 0.5f;
 inline bool isShadow(float value) {
     return value >= kShadowThreshold;
 }
 
-/// Whether a value of a channel `uncertain…` says so. One that is no number can't rule it out.
+/// Whether a value of a channel `uncertain…` marks the pixel. NaN does, to be safe.
 inline bool saysUncertain(float value) {
     return !(value < 0.5f);
 }
@@ -74,8 +76,9 @@ inline bool saysUncertain(float value) {
 /// The objects a figure is computed over, as indices into FramePair::objects().
 using ObjectSelection = std::span<const size_t>;
 
-/// Pixels that show one of them in either frame: room for a value each of what is collected over them.
-inline size_t mostPixels(const FramePair& pair, ObjectSelection selection) {
+/// Upper bound of the number of pixels that show an object of the selection in either frame, to reserve
+/// memory.
+inline size_t maxPixelCount(const FramePair& pair, ObjectSelection selection) {
     size_t count = 0;
     for (const size_t index : selection)
         count += pair.pixelsOf(index).size();
@@ -83,7 +86,7 @@ inline size_t mostPixels(const FramePair& pair, ObjectSelection selection) {
 }
 
 /// Calls visit(pixel, object) for every pixel that both frames cover with the same object of the selection:
-/// the domain of every metric but the silhouette's.
+/// the domain of all metrics except those of the silhouette.
 template <class Visit>
 void forSharedPixels(const FramePair& pair, ObjectSelection selection, Visit&& visit) {
     for (const size_t index : selection) {
@@ -94,8 +97,8 @@ void forSharedPixels(const FramePair& pair, ObjectSelection selection, Visit&& v
     }
 }
 
-/// The finite values of a channel of the test frame where that frame shows an object of the selection; none
-/// if it lacks the channel.
+/// The finite values of a channel of the test frame at the pixels that show an object of the selection; empty
+/// if the frame lacks the channel.
 std::vector<double> valuesOnCoveredPixels(const FramePair& pair, ObjectSelection selection,
                                           const char* channel);
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<const char*, 3> kColors{"R", "G", "B"};
 
-using Planes = std::array<std::span<const float>, 3>; // one a color
+using Planes = std::array<std::span<const float>, 3>; // one per color
 
 Planes planesOf(const Frame& frame) {
     return {frame.channel("R"), frame.channel("G"), frame.channel("B")};
@@ -25,8 +25,8 @@ ImageError absentImageError(const std::string& reason) {
     return result;
 }
 
-/// srgbCode by look-up, for it takes a power: it never falls as the color grows, so where each code begins
-/// says all.
+/// srgbCode by table lookup, because it evaluates a power. It increases monotonically with the color, so the
+/// first color of each code defines it.
 class SrgbCodes {
   public:
     SrgbCodes() {
@@ -51,21 +51,21 @@ class SrgbCodes {
     }
 
   private:
-    static constexpr int kCells = 4096;        // a code spans at least 1/3295: a step or two remain
+    static constexpr int kCells = 4096;        // a code spans at least 1/3295, so one or two steps remain
     std::array<float, 256> begins_{};          // linear
-    std::array<uint8_t, kCells + 1> codeAt_{}; // where each cell begins
+    std::array<uint8_t, kCells + 1> codeAt_{}; // at the lower end of each cell
 };
 
-/// Codes between the two frames' colors at a pixel, per channel; nullopt if one isn't finite.
-std::optional<std::array<int, 3>> codesApart(const SrgbCodes& codes, const Planes& reference,
-                                             const Planes& test, size_t pixel) {
-    std::array<int, 3> apart{};
+/// Absolute difference of the two frames' codes at a pixel, per channel; nullopt if a color isn't finite.
+std::optional<std::array<int, 3>> codeDifferences(const SrgbCodes& codes, const Planes& reference,
+                                                  const Planes& test, size_t pixel) {
+    std::array<int, 3> differences{};
     for (size_t c = 0; c < 3; ++c) {
         const float a = reference[c][pixel], b = test[c][pixel];
         if (!std::isfinite(a) || !std::isfinite(b)) return std::nullopt;
-        if (a != b) apart[c] = std::abs(codes.of(b) - codes.of(a));
+        if (a != b) differences[c] = std::abs(codes.of(b) - codes.of(a));
     }
-    return apart;
+    return differences;
 }
 
 } // namespace
@@ -79,11 +79,11 @@ ImageError computeImageError(const FramePair& pair) {
     const uint64_t pixelCount = pair.reference().pixelCount();
     uint64_t domainPx = 0, bad2CodesPx = 0, sumSquares = 0;
     for (size_t pixel = 0; pixel < pixelCount; ++pixel) {
-        const auto apart = codesApart(srgbCodes, reference, test, pixel);
-        if (!apart) continue;
+        const auto differences = codeDifferences(srgbCodes, reference, test, pixel);
+        if (!differences) continue;
         ++domainPx;
-        bad2CodesPx += *std::max_element(apart->begin(), apart->end()) > 2;
-        for (const int codes : *apart)
+        bad2CodesPx += *std::max_element(differences->begin(), differences->end()) > 2;
+        for (const int codes : *differences)
             sumSquares += static_cast<uint64_t>(codes * codes);
     }
 
@@ -95,7 +95,7 @@ ImageError computeImageError(const FramePair& pair) {
         std::sqrt(static_cast<double>(sumSquares) / (3 * static_cast<double>(domainPx))) / 255;
     result.rmse = rmse;
     result.psnrDb =
-        sumSquares > 0 ? Figure(20 * std::log10(1 / rmse)) : Figure::absent("the pictures are equal");
+        sumSquares > 0 ? Figure(20 * std::log10(1 / rmse)) : Figure::absent("the images are equal");
     result.bad2CodesPx = bad2CodesPx;
     result.badpix2Codes = static_cast<double>(bad2CodesPx) / static_cast<double>(domainPx);
     return result;
@@ -104,12 +104,12 @@ ImageError computeImageError(const FramePair& pair) {
 Metric imageErrorMetric() {
     return makeMetric<ImageError>({
         .group = "image",
-        .domain = "all pixels of the picture, background included, with finite colors in both",
-        .scope = Scope::Picture,
+        .domain = "all pixels of the image, background included, with finite colors in both",
+        .scope = Scope::Image,
         .channels = {kColors.begin(), kColors.end()},
-        .figuresName = "figures of the picture",
+        .figuresName = "image figures",
         .rows = {{{.key = "domain_px",
-                   .label = "picture compared",
+                   .label = "image compared",
                    .unit = Unit::PixelCount,
                    .meaning = "pixels compared"},
                   &ImageError::domainPx},
@@ -117,25 +117,26 @@ Metric imageErrorMetric() {
                    .label = "PSNR",
                    .unit = Unit::Decibels,
                    .goal = Goal::Highest,
-                   .meaning = "peak signal-to-noise ratio of the sRGB pictures; none where they are equal",
+                   .meaning = "peak signal-to-noise ratio of the sRGB images; absent if they are equal",
                    .formula = "20 log10(1 / rmse)"},
                   &ImageError::psnrDb},
                  {{.key = "rmse",
-                   .label = "picture RMSE",
+                   .label = "image RMSE",
                    .unit = Unit::Ratio,
                    .goal = Goal::Zero,
                    .meaning = "root of the mean squared difference of sRGB codes / 255",
                    .formula = "√(mean ((c_T - c_R) / 255)²) over pixels and channels"},
                   &ImageError::rmse},
                  {{.key = "badpix_2codes",
-                   .label = "off by > 2 codes",
+                   .label = "bad pixels, > 2 codes",
                    .unit = Unit::Ratio,
                    .goal = Goal::Zero,
-                   .meaning = "share of them a channel of which is off by more than 2 sRGB codes of 255",
+                   .meaning =
+                       "share of the pixels of which a channel differs by more than 2 sRGB codes of 255",
                    .formula = "mean [ max over channels |c_T - c_R| > 2 ]"},
                   &ImageError::badpix2Codes},
                  {{.key = "badpix_2codes_px",
-                   .label = "off by > 2 codes",
+                   .label = "bad pixels, > 2 codes",
                    .unit = Unit::PixelCount,
                    .goal = Goal::Zero,
                    .meaning = "numerator of badpix_2codes"},

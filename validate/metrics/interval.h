@@ -1,14 +1,15 @@
-// The range a ratio can have when the truth isn't certain at every pixel.
+// The range of a ratio if the true image is uncertain at some pixels.
 //
-// Every ratio with an interval is  hits / (hits + misses),  and each pixel adds to it, by itself, one of a
-// few outcomes:
-//     nothing (0, 0)    a hit (1, 1)    a miss (0, 1)    two misses (0, 2)        as (hits, hits + misses)
-// For a certain pixel that is one; for an uncertain one any of a set. The range is over all choices, each
-// pixel's independent of the others'. With h <= n it is reached by choosing pixel by pixel:
+// Every ratio with an interval is  hits / (hits + misses).  Each pixel contributes one of these outcomes to
+// it, independently of the other pixels, written as (hits, hits + misses):
+//     nothing (0, 0)    a hit (1, 1)    a miss (0, 1)    two misses (0, 2)
+// A certain pixel has one outcome, an uncertain one any of a set. The range is that over all combinations of
+// outcomes. Since for h <= n
 //     (h+1)/(n+1) >= h/n >= h/(n+1) >= h/(n+2)
-// so the highest ratio takes a hit where it may, else nothing, else a miss; the lowest two misses, else one,
-// else nothing, else a hit. Choices that leave 0/0 have no ratio and don't count: they are all there is but
-// for hits (then every ratio is 1) or but for misses (then every one is 0).
+// both ends are found pixel by pixel: the highest ratio has a hit where possible, else nothing, else a miss;
+// the lowest has two misses where possible, else one, else nothing, else a hit. Combinations with 0/0 have no
+// ratio and don't count. If one of the ends would be 0/0, all other combinations contain hits only (all
+// ratios are 1) or misses only (all are 0), so the other end applies to both.
 #pragma once
 
 #include "validate/metrics/figure.h"
@@ -17,14 +18,14 @@
 
 namespace plumbline {
 
-/// Both ends are values or both are absent, with the reason.
+/// Either both ends are values, or both are absent with the reason.
 struct Interval {
     Figure low, high;
 
     static Interval absent(const std::string& reason) {
         return {Figure::absent(reason), Figure::absent(reason)};
     }
-    /// How far `figure` is from the farther end, 0 or more; absent without an interval.
+    /// Distance of `figure` from the farther end, >= 0; absent without an interval.
     Figure reach(const Figure& figure) const {
         if (!figure) return figure;
         if (!low) return low;
@@ -32,7 +33,7 @@ struct Interval {
     }
 };
 
-/// Outcomes a pixel may have.
+/// The set of outcomes that a pixel may have.
 struct Outcomes {
     bool nothing = false, hit = false, miss = false, twoMisses = false;
 
@@ -41,7 +42,7 @@ struct Outcomes {
 
 class RatioRange {
   public:
-    /// One pixel, of which at least one outcome must be possible.
+    /// Adds a pixel; at least one outcome must be possible.
     void add(const Outcomes& possible) {
         uncertainPx_ += !possible.certain();
         if (possible.hit)
@@ -54,19 +55,19 @@ class RatioRange {
             ++worst_.hits;
     }
 
-    /// The pixels of another range, none of them added here already.
+    /// Adds the pixels of another range, none of which may have been added before.
     void add(const RatioRange& other) {
         best_.add(other.best_);
         worst_.add(other.worst_);
         uncertainPx_ += other.uncertainPx_;
     }
 
-    /// Pixels added that have more than one outcome.
+    /// Number of pixels with more than one outcome.
     uint64_t uncertainPx() const { return uncertainPx_; }
 
-    /// The range of hitWeight * hits / (hitWeight * hits + misses): weight 1 for IoU and shares, 2 for F1,
-    /// which rises with IoU. `figure`: the ratio of the reference as it stands; where it is absent, so is the
-    /// interval.
+    /// The range of hitWeight * hits / (hitWeight * hits + misses). The weight is 1 for IoU and shares, 2 for
+    /// F1, which increases with IoU. `figure`: the ratio computed without uncertainty; if it is absent, so is
+    /// the interval.
     Interval of(const Figure& figure, uint64_t hitWeight = 1) const {
         if (!figure) return Interval::absent(figure.reason());
         const Figure worst = worst_.ratio(hitWeight), best = best_.ratio(hitWeight);

@@ -21,10 +21,10 @@ std::string textOf(Unit unit) {
         return "texels";
     case Unit::Decibels:
         return "dB";
-    case Unit::LookUps:
-        return "look-ups";
-    case Unit::Rounds:
-        return "rounds";
+    case Unit::Lookups:
+        return "lookups";
+    case Unit::Iterations:
+        return "iterations";
     case Unit::Milliseconds:
         return "ms";
     case Unit::Bytes:
@@ -62,9 +62,8 @@ std::string describe(const MetricInfo& metric) {
     text += "\n    " + metric.meaning + "\n";
     if (!metric.formula.empty()) text += "    formula: " + metric.formula + "\n";
     text += "    domain: " + metric.domain + "\n";
-    text += metric.scope == Scope::Picture || metric.scope == Scope::Technique
-                ? "    pooled only"
-                : "    of each object and pooled";
+    text += metric.scope == Scope::Image || metric.scope == Scope::Technique ? "    pooled only"
+                                                                             : "    per object and pooled";
     text += metric.hasInterval ? ", with an interval\n" : "\n";
     if (!metric.source.empty()) text += "    source: " + metric.source + "\n";
     return text;

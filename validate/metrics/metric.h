@@ -1,9 +1,9 @@
-// What a metric is: its figures, a row each, and how they are computed. metric_registry.h lists all there
-// are; results, tables, requirements, history and the report iterate over the rows and know no figure by
-// name.
+// The interface of a metric: a row for each of its figures, and the function that computes them.
+// metric_registry.h lists all metrics; results, tables, requirements, history and the report iterate over the
+// rows and don't depend on particular figures.
 //
-// A metric is a pair of files. The .h has a struct of what it measures and a function that computes it over a
-// selection of objects; the .cpp ends with a function that makes the Metric of them, a row a figure:
+// A metric is a pair of files. The .h has a struct of what is measured and a function that computes it over a
+// selection of objects; the .cpp ends with a function that returns the Metric, with a row for each figure:
 //
 //     Metric stErrorMetric() {
 //         return makeMetric<StError>({.group = "st", .domain = kSharedDomain, .rows = {…}, .compute = …});
@@ -24,37 +24,37 @@ namespace plumbline {
 
 enum class Unit {
     Ratio,
-    PixelCount, // whole numbers
-    Pixels,     // lengths in the picture
+    PixelCount, // integers
+    Pixels,     // lengths in the image
     World,
     ReliefDepth,
     Degrees,
     Texels,
     Decibels,
-    LookUps,
-    Rounds,
+    Lookups,
+    Iterations,
     Milliseconds,
-    Bytes, // whole numbers
+    Bytes, // integers
 };
 
 /// Which values of a figure are better.
 enum class Goal {
-    None,    // neither end, as of counts that a ratio is made of
+    None,    // neither, as for the counts of a ratio
     One,     // high is better, 1 is best
-    Zero,    // low is better, by size: 0 is best
-    Highest, // high is better, there is no best
-    Lowest,  // low is better, there is no best
+    Zero,    // a low magnitude is better, 0 is best
+    Highest, // high is better, without a best value
+    Lowest,  // low is better, without a best value
 };
 
-/// What there is one figure for.
+/// What a figure is computed for.
 enum class Scope {
-    Objects,        // each object, and the pooled ones
-    ObjectsByLight, // each of those and each light
-    Picture,        // the whole picture
-    Technique,      // the technique in this run; it doesn't come from the frames
+    Objects,        // each object, and pooled
+    ObjectsByLight, // the same for each light
+    Image,          // the whole image
+    Technique,      // the technique in this run; not computed from the frames
 };
 
-/// A column of the table on the terminal; a figure with an interval gets a second one for its reach.
+/// A column of the table on the terminal. A figure with an interval gets a second one, for Interval::reach.
 struct TableColumn {
     std::string head;
     int decimals = 0;
@@ -62,62 +62,62 @@ struct TableColumn {
 
 /// A column of the tables of the report.
 struct ReportColumn {
-    std::string head, note;  // the note is the head's second line: unit or what it is of
+    std::string head, note;  // the note is the second line of the head: the unit or the statistic
     std::string format;      // of fmt
-    std::string before = {}; // key of the column in front of which it stands; empty: in the order of the rows
+    std::string before = {}; // key of the figure whose column follows it; empty: in the order of the rows
 };
 
 /// A row: one figure.
 struct MetricInfo {
-    std::string key;   // group.leaf, as in results.csv: without the light's name
-    std::string label; // a few words, for the head of a column
+    std::string key;   // group.leaf, as in results.csv, without the name of the light
+    std::string label; // a few words, for the head of a column or an axis
     Unit unit = Unit::Ratio;
     Goal goal = Goal::None;
     std::string meaning;
-    std::string formula = {}; // empty where the meaning says it all
-    std::string source = {};  // paper; empty where there is none to cite
+    std::string formula = {}; // empty if the meaning is the definition
+    std::string source = {};  // paper; empty if there is none to cite
     std::optional<TableColumn> table = {};
     std::optional<ReportColumn> report = {};
-    // The same for all figures of a metric: makeMetric fills them in.
-    std::string domain = {}; // the pixels it is of
+    // Set by makeMetric; domain and scope are the same for all figures of a metric.
+    std::string domain = {}; // the pixels over which it is computed
     Scope scope = Scope::Objects;
-    bool hasInterval = false; // then rows <key>_low and <key>_high follow
+    bool hasInterval = false; // if so, rows <key>_low and <key>_high follow
 };
 
 /// "1" for a ratio.
 std::string textOf(Unit unit);
-/// Whether figures of the unit count something.
+/// Whether figures of the unit are integers.
 bool isWhole(Unit unit);
 bool highIsBetter(Goal goal);
 /// "high", "low" or "".
 std::string betterText(Goal goal);
-/// "1", "0" or "": the value of a perfect technique, where there is one.
+/// "1", "0" or "": the value of a perfect technique, if there is one.
 std::string bestText(Goal goal);
-/// What a technique spends: how good its frame is doesn't depend on it, nor it on the reference.
+/// Whether it is a cost of the technique. Costs don't depend on the reference.
 bool isCost(const MetricInfo& metric);
 
-/// A block of lines: the key and what can be said in a word, then meaning, formula, domain, what it is of,
-/// and source, a line each. At most 110 characters wide.
+/// A block of lines, at most 110 characters wide: key, label, unit and goal, then meaning, formula, domain,
+/// scope and source, a line each.
 std::string describe(const MetricInfo& metric);
 
 /// A metric over one selection of objects.
 struct Measured {
-    std::vector<Figure> figures; // of the metric's rows, in their order
+    std::vector<Figure> figures; // one for each row of the metric, in their order
     std::vector<uint64_t> histogram;
 };
 
 struct Metric {
-    std::string group; // of results.json; with a dot a group in a group
+    std::string group; // of results.json; a dot separates nested groups
     Scope scope = Scope::Objects;
     std::vector<MetricInfo> rows;
     std::string histogram; // its key in the group; empty: there is none
-    /// Channels without which there are none of its figures, and what those are called: "normal figures".
+    /// Channels without which its figures are absent, and the name of these figures, e.g. "normal figures".
     std::vector<const char*> channels;
     std::string figuresName;
 
-    /// Computes what selections share and returns what computes the rest for each. Both may run on any
-    /// thread; the input must outlive the result. `light`: empty unless the scope is ObjectsByLight. Of scope
-    /// Technique there is no such function.
+    /// Computes what all selections share and returns a function that computes the rest for one selection.
+    /// Both may run on any thread; the input must outlive the result. `light`: empty unless the scope is
+    /// ObjectsByLight. Empty for the scope Technique.
     std::function<std::function<Measured(ObjectSelection)>(const MetricInput&, const std::string& light)>
         prepare;
 };
@@ -126,7 +126,7 @@ inline const char* const kSharedDomain =
     "pixels that show the same object in R and in T, with finite values in both";
 inline const char* const kTestDomain = "pixels that T covers";
 
-/// What the rows of an interval's two ends mean.
+/// Meanings of the two rows of an interval.
 struct EndMeanings {
     std::string low, high;
 };
@@ -139,15 +139,15 @@ struct IntervalRows {
 
 template <class Result>
 struct FigureRow {
-    // (Constructors, as g++ 12 fails on a default for `ends` in an aggregate.)
+    // Constructors, because g++ 12 rejects a default for `ends` in an aggregate.
     FigureRow(MetricInfo row, std::function<Figure(const Result&)> figureOf)
         : info(std::move(row)), figure(std::move(figureOf)) {}
     FigureRow(MetricInfo row, std::function<Figure(const Result&)> figureOf, IntervalRows<Result> endRows)
         : info(std::move(row)), figure(std::move(figureOf)), ends(std::move(endRows)) {}
 
-    MetricInfo info; // its key without the group
+    MetricInfo info; // its key is without the group
     std::function<Figure(const Result&)> figure;
-    std::optional<IntervalRows<Result>> ends; // of a figure with an interval
+    std::optional<IntervalRows<Result>> ends; // if the figure has an interval
 };
 
 template <class Result>
@@ -160,7 +160,7 @@ struct MetricSpec {
     std::string histogramKey = {};
     std::function<std::vector<uint64_t>(const Result&)> histogram = {};
     std::function<Result(const MetricInput&, ObjectSelection, const std::string& light)> compute = {};
-    /// In place of `compute`, where selections share work: does that and returns what does the rest.
+    /// Instead of `compute`, if selections share work: does that work and returns the function for the rest.
     std::function<std::function<Result(ObjectSelection)>(const MetricInput&)> prepare = {};
 };
 
@@ -177,8 +177,8 @@ Measured measure(const MetricSpec<Result>& spec, const Result& result) {
     return measured;
 }
 
-/// The row of a figure and, where it has an interval, those of its ends. `common`: what all rows of the
-/// metric have in common, with the group's name and a dot as its key.
+/// The row of a figure and, if it has an interval, those of its ends. `common`: what all rows of the metric
+/// have in common; its key is the group and a dot.
 std::vector<MetricInfo> rowsOf(MetricInfo figure, const MetricInfo& common, const EndMeanings* ends);
 
 template <class Result>

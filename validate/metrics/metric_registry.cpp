@@ -19,7 +19,7 @@
 namespace plumbline {
 namespace {
 
-/// Groups whose figures there are for every light, each with its dot.
+/// Groups with figures for every light, each with a dot at the end.
 std::vector<std::string> makeGroupsByLight() {
     std::vector<std::string> groups;
     for (const Metric& metric : metricRegistry())

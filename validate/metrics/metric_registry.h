@@ -1,5 +1,5 @@
-// Every metric there is, in the order of results: what `plumbline list metrics` prints, results hold, the
-// report shows and --require takes. Adding one: validate/README.md.
+// The list of all metrics, in the order of results. `plumbline list metrics`, results, the report and
+// --require use it. Adding one: validate/README.md.
 #pragma once
 
 #include "validate/metrics/metric.h"
@@ -15,19 +15,19 @@ std::span<const Metric> metricRegistry();
 /// The rows of all metrics, in the order of results.csv.
 std::span<const MetricInfo> metricTable();
 
-/// nullptr for a key that no row has.
+/// nullptr for an unknown key.
 const MetricInfo* findMetric(std::string_view key);
 
-/// A figure's name in results: the key of its row, and for which light.
+/// Name of a figure in results: the key of its row and the light.
 struct FigureName {
     std::string key;   // "shadow.iou"
-    std::string light; // empty: for none, or for every one
+    std::string light; // empty: no light, or every light
 };
 
-/// "shadow.sun.iou" to the key shadow.iou and the light sun, whether there is such a row or not; a key stays
-/// one.
+/// Splits "shadow.sun.iou" into the key shadow.iou and the light sun, even if there is no such row. A text
+/// that is the key of a row is returned as the key, without a light.
 FigureName parseFigureName(const std::string& text);
-/// The way back.
+/// The inverse of parseFigureName.
 std::string textOf(const FigureName& name);
 
 } // namespace plumbline

@@ -7,11 +7,11 @@
 namespace plumbline {
 namespace {
 
-/// Why a set may lack a figure.
+/// Why a set lacks a figure.
 const Figure& missing(const MetricInfo& metric) {
-    static const Figure ofPicture = Figure::absent("the picture is that of all objects"),
-                        ofRun = Figure::absent("time is measured for the whole frame"), ofObjects;
-    return metric.scope == Scope::Picture ? ofPicture : metric.scope == Scope::Technique ? ofRun : ofObjects;
+    static const Figure ofImage = Figure::absent("it is computed for the whole image only"),
+                        ofRun = Figure::absent("it is measured for the whole frame only"), ofObjects;
+    return metric.scope == Scope::Image ? ofImage : metric.scope == Scope::Technique ? ofRun : ofObjects;
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Every figure of one selection of objects, by the keys of metricTable().
+// The figures of one selection of objects, by the keys of metricTable().
 #pragma once
 
 #include "validate/metrics/metric.h"
@@ -13,20 +13,20 @@ namespace plumbline {
 
 class MetricSet {
   public:
-    /// `light`: of a figure that there is for every light. Absent where nobody has set it, with the reason.
+    /// `light`: for figures that exist for every light. A figure that wasn't set is absent, with the reason.
     const Figure& figure(const MetricInfo& metric, const std::string& light = {}) const;
     /// The same by a key of metricTable().
     const Figure& figure(std::string_view key, const std::string& light = {}) const;
-    /// Absent for a figure that has none.
+    /// Absent if the figure has none.
     Interval interval(const MetricInfo& metric, const std::string& light = {}) const;
-    /// By its whole key; empty where there is none.
+    /// By its full key; empty if there is none.
     const std::vector<uint64_t>& histogram(const std::string& key) const;
-    /// Lights there are figures for, ascending.
+    /// Lights that have figures, ascending.
     const std::set<std::string>& lights() const { return lights_; }
 
     void set(const MetricInfo& metric, const std::string& light, Figure figure);
     void add(const Metric& metric, const std::string& light, Measured measured);
-    /// Those of another set, none of which this one has.
+    /// Adds the figures of another set, which must have none in common with this one.
     void add(const MetricSet& other);
 
   private:

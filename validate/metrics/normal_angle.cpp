@@ -45,7 +45,7 @@ NormalAngle computeNormalAngle(const FramePair& pair, ObjectSelection selection)
         return result;
     }
     std::vector<double> angles;
-    angles.reserve(mostPixels(pair, selection));
+    angles.reserve(maxPixelCount(pair, selection));
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo&) {
         const double degrees = angle.degreesAt(pixel);
         if (std::isnan(degrees))
@@ -88,7 +88,7 @@ Metric normalAngleMetric() {
                    .report = {{"normal", "mean, degrees", "{:.2f}"}}},
                   &NormalAngle::meanDegrees},
                  {{.key = "p95_degrees",
-                   .label = "normal, 95 %",
+                   .label = "normal, p95",
                    .unit = Unit::Degrees,
                    .goal = Goal::Zero,
                    .meaning = "95th percentile of the angle",

@@ -1,8 +1,8 @@
-// Normals: the angle between the two frames' surface normals.
+// Normal error: the angle between the surface normals of the two frames.
 //
-// Domain: pixels both frames cover with the same object of the selection, where both normals (N.X N.Y N.Z)
-// are finite and not zero; they needn't be unit. Angle = atan2(|a x b|, a . b), which keeps its precision
-// near 0 and 180 degrees where acos loses it (Kahan, "How futile are mindless assessments of roundoff",
+// Domain: pixels that both frames cover with the same object of the selection, where both normals (N.X N.Y
+// N.Z) are finite and nonzero; they needn't be normalized. Angle = atan2(|a x b|, a . b), which is precise
+// near 0 and 180 degrees, where acos isn't (Kahan, "How futile are mindless assessments of roundoff",
 // section 12). Unit: degrees, in [0, 180].
 #pragma once
 
@@ -18,13 +18,13 @@ struct NormalAngle {
     Figure meanDegrees, p95Degrees;
 };
 
-/// The angle pixel by pixel, whatever objects are shown there. The pair must outlive it.
+/// The angle per pixel, regardless of the objects shown there. The pair must outlive it.
 class PixelNormalAngle {
   public:
     explicit PixelNormalAngle(const FramePair& pair);
-    /// Why there are no angles: a channel that a frame lacks; empty if there are.
+    /// Why there are no angles (a channel that a frame lacks); empty if there are.
     const std::string& missing() const { return missing_; }
-    /// Degrees in [0, 180]; NaN where either frame has no usable normal. Only if nothing is missing.
+    /// Degrees in [0, 180]; NaN where either frame has no usable normal. Requires that missing() is empty.
     double degreesAt(uint32_t pixel) const;
 
   private:

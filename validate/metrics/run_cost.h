@@ -1,4 +1,4 @@
-// What a technique cost in one run, beside what its frame's channels say: time and baked maps.
+// Costs of a technique in one run that aren't in channels of its frame: time and baked maps.
 #pragma once
 
 #include "validate/metrics/metric_set.h"
@@ -6,12 +6,12 @@
 namespace plumbline {
 
 struct RunCost {
-    Figure bakeMs;    // of its baked maps: made, now or when they came into the cache
-    Figure bakeBytes; // of its baked maps as held for drawing
-    Figure msMedian;  // of one frame, warm
+    Figure bakeMs;    // time to bake its maps, in this run or when they were added to the cache
+    Figure bakeBytes; // size of its baked maps in memory while drawing
+    Figure msMedian;  // median time of a frame, warmed up
 };
 
-/// Of scope Technique.
+/// Figures of scope Technique.
 MetricSet figuresOf(const RunCost& cost);
 
 Metric runCostMetric();

@@ -9,21 +9,22 @@ namespace plumbline {
 
 SearchIterations computeSearchIterations(const FramePair& pair, ObjectSelection selection) {
     SearchIterations result;
-    const std::vector<double> rounds = valuesOnCoveredPixels(pair, selection, "cost.iterations");
-    result.domainPx = rounds.size();
-    if (rounds.empty()) {
-        result.mean = result.p99 = result.most = Figure::absent(
+    const std::vector<double> iterations = valuesOnCoveredPixels(pair, selection, "cost.iterations");
+    result.domainPx = iterations.size();
+    if (iterations.empty()) {
+        result.mean = result.p99 = result.max = Figure::absent(
             pair.test().has("cost.iterations") ? "the test frame covers no pixel with it"
                                                : "the test frame has no channel cost.iterations");
         return result;
     }
-    const double most = *std::max_element(rounds.begin(), rounds.end());
-    result.mean = std::accumulate(rounds.begin(), rounds.end(), 0.0) / static_cast<double>(rounds.size());
-    result.p99 = nearestRank(rounds, 99);
-    result.most = most;
+    const double largest = *std::max_element(iterations.begin(), iterations.end());
+    result.mean =
+        std::accumulate(iterations.begin(), iterations.end(), 0.0) / static_cast<double>(iterations.size());
+    result.p99 = nearestRank(iterations, 99);
+    result.max = largest;
     constexpr auto kEnd = static_cast<double>(SearchIterations::kHistogramEnd);
-    result.histogram.assign(static_cast<size_t>(std::clamp(most, 0.0, kEnd)) + 1, 0);
-    for (const double count : rounds)
+    result.histogram.assign(static_cast<size_t>(std::clamp(largest, 0.0, kEnd)) + 1, 0);
+    for (const double count : iterations)
         ++result.histogram[static_cast<size_t>(std::clamp(count, 0.0, kEnd))];
     return result;
 }
@@ -33,23 +34,24 @@ Metric searchIterationsMetric() {
         .group = "cost",
         .domain = kTestDomain,
         .rows = {{{.key = "iterations_mean",
-                   .label = "rounds, mean",
-                   .unit = Unit::Rounds,
+                   .label = "iterations, mean",
+                   .unit = Unit::Iterations,
                    .goal = Goal::Lowest,
-                   .meaning = "rounds of the search of a covered pixel's view ray"},
+                   .meaning = "iterations of the view ray's search per covered pixel"},
                   &SearchIterations::mean},
                  {{.key = "iterations_p99",
-                   .label = "rounds, 99 %",
-                   .unit = Unit::Rounds,
+                   .label = "iterations, p99",
+                   .unit = Unit::Iterations,
                    .goal = Goal::Lowest,
-                   .meaning = "99th percentile of it, nearest rank"},
+                   .meaning = "99th percentile of the iterations per covered pixel, nearest rank"},
                   &SearchIterations::p99},
                  {{.key = "iterations_max",
-                   .label = "rounds, most",
-                   .unit = Unit::Rounds,
+                   .label = "iterations, max",
+                   .unit = Unit::Iterations,
                    .goal = Goal::Lowest,
-                   .meaning = "the most; iterations_histogram counts pixels by rounds"},
-                  &SearchIterations::most}},
+                   .meaning =
+                       "largest number of iterations; iterations_histogram counts pixels by iterations"},
+                  &SearchIterations::max}},
         .histogramKey = "iterations_histogram",
         .histogram = &SearchIterations::histogram,
         .compute = [](const MetricInput& input, ObjectSelection selection,

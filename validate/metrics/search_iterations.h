@@ -1,7 +1,7 @@
-// How many rounds a search took until it stopped: the secant paper's figure 4 as numbers.
+// Iterations of a search until it stopped, which figure 4 of the secant paper shows as an image.
 //
 // Domain: pixels of the test frame that show an object of the selection, with a finite `cost.iterations`.
-// Unit: rounds of the view ray's search as the technique counts them (bisections, secants, cone or sphere
+// Unit: iterations of the view ray's search as the technique counts them (bisections, secants, cone or sphere
 // steps, cells).
 #pragma once
 
@@ -11,8 +11,8 @@ namespace plumbline {
 
 struct SearchIterations {
     uint64_t domainPx = 0;
-    Figure mean, p99, most;
-    /// Pixels by rounds, 0 first, up to kHistogramEnd; the last bin also holds everything beyond.
+    Figure mean, p99, max;
+    /// Pixels by iterations, from 0 to kHistogramEnd; the last bin also counts all larger values.
     std::vector<uint64_t> histogram;
     static constexpr size_t kHistogramEnd = 64;
 };

@@ -23,7 +23,7 @@ Figure balancedErrorRate(const ShadowAgreement& result) {
                    static_cast<double>(result.falseLitPx) / static_cast<double>(dark))};
 }
 
-/// The figures from the counts.
+/// Computes the figures from the counts.
 void computeFigures(ShadowAgreement& result) {
     if (result.domainPx == 0) {
         result.agreement = result.iou = result.f1 = result.ber =
@@ -39,7 +39,7 @@ void computeFigures(ShadowAgreement& result) {
     result.ber = balancedErrorRate(result);
 }
 
-/// What a pixel may add to agreement and to IoU.
+/// Outcomes that a pixel may have in agreement and in IoU.
 struct PixelOutcomes {
     Outcomes agreement, iou;
     void allow(bool dark, bool darkInTest) {
@@ -52,7 +52,7 @@ struct PixelOutcomes {
     void allowOutside() { agreement.nothing = iou.nothing = true; }
 };
 
-/// The ranges and the count of pixels they come from. Both channels must be there.
+/// Computes the ranges and the number of uncertain pixels. The reference must have both channels.
 void computeRanges(const FramePair& pair, ObjectSelection selection, const std::string& light,
                    ShadowAgreement& result) {
     const auto reference = pair.reference().channel(shadowChannel(light));
@@ -80,7 +80,7 @@ void computeRanges(const FramePair& pair, ObjectSelection selection, const std::
     result.agreementRange = agreement.of(result.agreement);
     result.iouRange = iou.of(result.iou);
     result.f1Range = iou.of(result.f1, 2);
-    // Whatever is uncertain about a pixel shows in its agreement; of its share in IoU not always.
+    // Every uncertain pixel has several outcomes in agreement, but not always in IoU.
     result.uncertainPx = static_cast<double>(agreement.uncertainPx());
 }
 
@@ -115,88 +115,90 @@ Metric shadowAgreementMetric() {
         .group = "shadow",
         .domain = kSharedDomain,
         .scope = Scope::ObjectsByLight,
-        .rows =
-            {{{.key = "domain_px",
-               .label = "shadow compared",
-               .unit = Unit::PixelCount,
-               .meaning = "pixels compared; in shadow: a value of 0.5 and more"},
-              &ShadowAgreement::domainPx},
-             {{.key = "agreement",
-               .label = "shadow agreement",
-               .unit = Unit::Ratio,
-               .goal = Goal::One,
-               .meaning = "share of the domain where both are lit or both in shadow",
-               .formula = "(TP + TN) / (TP + TN + FP + FN)",
-               .table = {{"shadow", 4}},
-               .report = {{"shadow agreement", "", "{:.4f}"}}},
-              &ShadowAgreement::agreement,
-              {&ShadowAgreement::agreementRange,
-               {"lowest agreement that the reference's uncertain pixels leave open", "highest one"}}},
-             {{.key = "iou",
-               .label = "shadow IoU",
-               .unit = Unit::Ratio,
-               .goal = Goal::One,
-               .meaning = "in shadow in both / in either",
-               .formula = "TP / (TP + FP + FN)",
-               .source = "Jaccard 1901"},
-              &ShadowAgreement::iou,
-              {&ShadowAgreement::iouRange, {"lowest iou that uncertain pixels leave open", "highest one"}}},
-             {{.key = "f1",
-               .label = "shadow F1",
-               .unit = Unit::Ratio,
-               .goal = Goal::One,
-               .meaning = "harmonic mean of the test's precision and recall on shadow",
-               .formula = "2 TP / (2 TP + FP + FN)",
-               .source = "Dice 1945"},
-              &ShadowAgreement::f1,
-              {&ShadowAgreement::f1Range, {"lowest f1 that uncertain pixels leave open", "highest one"}}},
-             {{.key = "ber",
-               .label = "shadow error rate",
-               .unit = Unit::Ratio,
-               .goal = Goal::Zero,
-               .meaning = "balanced error rate: mean of the error rates on lit and on dark pixels",
-               .formula = "½ (FP / (TN + FP) + FN / (TP + FN))",
-               .table = {{"BER", 4}},
-               .report = {{"shadow error rate", "balanced", "{:.4f}"}}},
-              &ShadowAgreement::ber},
-             {{.key = "false_shadow_px",
-               .label = "false shadow",
-               .unit = Unit::PixelCount,
-               .goal = Goal::Zero,
-               .meaning = "lit in the reference, in shadow in the test",
-               .formula = "FP"},
-              &ShadowAgreement::falseShadowPx},
-             {{.key = "false_lit_px",
-               .label = "false lit",
-               .unit = Unit::PixelCount,
-               .goal = Goal::Zero,
-               .meaning = "in shadow in the reference, lit in the test",
-               .formula = "FN"},
-              &ShadowAgreement::falseLitPx},
-             {{.key = "both_shadow_px",
-               .label = "shadow in both",
-               .unit = Unit::PixelCount,
-               .meaning = "in shadow in both",
-               .formula = "TP"},
-              &ShadowAgreement::bothShadowPx},
-             {{.key = "both_lit_px",
-               .label = "lit in both",
-               .unit = Unit::PixelCount,
-               .meaning = "lit in both",
-               .formula = "TN"},
-              &ShadowAgreement::bothLitPx},
-             {{.key = "invalid_px",
-               .label = "without shadow",
-               .unit = Unit::PixelCount,
-               .goal = Goal::Zero,
-               .meaning = "shared pixels without a finite shadow value in both: not in the domain"},
-              &ShadowAgreement::invalidPx},
-             {{.key = "uncertain_px",
-               .label = "uncertain",
-               .unit = Unit::PixelCount,
-               .meaning =
-                   "pixels of the test whose shadow in the reference, or part in the domain, is uncertain"},
-              &ShadowAgreement::uncertainPx}},
+        .rows = {{{.key = "domain_px",
+                   .label = "shadow compared",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels compared; a value >= 0.5 is shadow"},
+                  &ShadowAgreement::domainPx},
+                 {{.key = "agreement",
+                   .label = "shadow agreement",
+                   .unit = Unit::Ratio,
+                   .goal = Goal::One,
+                   .meaning = "share of the domain where both are lit or both in shadow",
+                   .formula = "(TP + TN) / (TP + TN + FP + FN)",
+                   .table = {{"shadow", 4}},
+                   .report = {{"shadow agreement", "", "{:.4f}"}}},
+                  &ShadowAgreement::agreement,
+                  {&ShadowAgreement::agreementRange,
+                   {"lowest agreement over all true images that the reference's uncertain pixels allow",
+                    "highest agreement over them"}}},
+                 {{.key = "iou",
+                   .label = "shadow IoU",
+                   .unit = Unit::Ratio,
+                   .goal = Goal::One,
+                   .meaning = "pixels in shadow in both frames / in either",
+                   .formula = "TP / (TP + FP + FN)",
+                   .source = "Jaccard 1901"},
+                  &ShadowAgreement::iou,
+                  {&ShadowAgreement::iouRange,
+                   {"lowest IoU over all true images that uncertain pixels allow", "highest IoU over them"}}},
+                 {{.key = "f1",
+                   .label = "shadow F1",
+                   .unit = Unit::Ratio,
+                   .goal = Goal::One,
+                   .meaning = "harmonic mean of the test's precision and recall on shadow",
+                   .formula = "2 TP / (2 TP + FP + FN)",
+                   .source = "Dice 1945"},
+                  &ShadowAgreement::f1,
+                  {&ShadowAgreement::f1Range,
+                   {"lowest F1 over all true images that uncertain pixels allow", "highest F1 over them"}}},
+                 {{.key = "ber",
+                   .label = "shadow error rate",
+                   .unit = Unit::Ratio,
+                   .goal = Goal::Zero,
+                   .meaning = "balanced error rate: mean of the error rates on lit and on dark pixels",
+                   .formula = "½ (FP / (TN + FP) + FN / (TP + FN))",
+                   .table = {{"BER", 4}},
+                   .report = {{"shadow error rate", "balanced", "{:.4f}"}}},
+                  &ShadowAgreement::ber},
+                 {{.key = "false_shadow_px",
+                   .label = "false shadow",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "lit in the reference, in shadow in the test",
+                   .formula = "FP"},
+                  &ShadowAgreement::falseShadowPx},
+                 {{.key = "false_lit_px",
+                   .label = "false lit",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "in shadow in the reference, lit in the test",
+                   .formula = "FN"},
+                  &ShadowAgreement::falseLitPx},
+                 {{.key = "both_shadow_px",
+                   .label = "shadow in both",
+                   .unit = Unit::PixelCount,
+                   .meaning = "in shadow in both",
+                   .formula = "TP"},
+                  &ShadowAgreement::bothShadowPx},
+                 {{.key = "both_lit_px",
+                   .label = "lit in both",
+                   .unit = Unit::PixelCount,
+                   .meaning = "lit in both",
+                   .formula = "TN"},
+                  &ShadowAgreement::bothLitPx},
+                 {{.key = "invalid_px",
+                   .label = "without shadow",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "shared pixels without a finite shadow value in both: not in the domain"},
+                  &ShadowAgreement::invalidPx},
+                 {{.key = "uncertain_px",
+                   .label = "uncertain",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels of the test whose shadow in the reference, or membership in the "
+                              "domain, is uncertain"},
+                  &ShadowAgreement::uncertainPx}},
         .compute =
             [](const MetricInput& input, ObjectSelection selection, const std::string& light) {
                 return computeShadowAgreement(input.pair, selection, light);

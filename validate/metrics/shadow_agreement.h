@@ -1,23 +1,23 @@
-// Shadow: whether the two frames agree on where one light is blocked.
+// Shadow agreement: whether the two frames agree on the pixels at which one light is blocked.
 //
-// Domain: pixels both frames cover with the same object of the selection, where both shadow values are
-// finite. A value >= 0.5 counts as shadow (this project's frames hold 0 and 1; another renderer's penumbra is
-// cut at its middle). With TP, TN, FP, FN the pixels in shadow in both, lit in both, in shadow in the test
-// alone, lit in the test alone:
+// Domain: pixels that both frames cover with the same object of the selection, where both shadow values are
+// finite. A value >= 0.5 counts as shadow (frames of this project contain 0 and 1; penumbrae of other
+// renderers are cut at their middle). With TP, TN, FP, FN the pixels in shadow in both, lit in both, in
+// shadow in the test only, lit in the test only:
 //     agreement = (TP + TN) / domain      IoU = TP / (TP + FP + FN)      F1 = 2 TP / (2 TP + FP + FN)
 //     BER = (FP / (TN + FP) + FN / (TP + FN)) / 2                        (balanced error rate)
-// Both cast and attached shadows count (apart: shadow_kinds.h). Never looks at depth: a pixel may be in the
-// right shadow for a wrong reason.
+// Both cast and attached shadows count (shadow_kinds.h separates them). Depth isn't used: a pixel may be in
+// shadow in both frames because of different occluders.
 //
-// Intervals: [low, high] of agreement, IoU and F1 are their ranges over all true images that the reference
-// leaves open, pixel by pixel, independently:
+// Intervals: [low, high] of agreement, IoU and F1 are their ranges over all true images that the reference's
+// channels allow, independently at each pixel:
 //     `uncertain`           the true image may show any object or none: a pixel may leave the domain; one
-//     that the test covers
-//                           with an object of the selection may enter it, and is lit or dark there
-//     `uncertain.shadow.L`  what the reference sees there may be lit or dark
-// A pixel with neither is as the reference says; a pixel with `uncertain` alone that stays keeps its shadow.
-// What a pixel adds is a hit, a miss or nothing, so that interval.h has the closed form. BER has none: its
-// two rates pull against each other.
+//                           that the test covers with an object of the selection may enter it, lit or dark
+//     `uncertain.shadow.L`  the point that the reference shows may be lit or dark
+// A pixel marked in neither is as in the reference. A pixel marked in `uncertain` alone keeps its shadow
+// value if it stays in the domain. A pixel contributes a hit, a miss or nothing, so interval.h has the closed
+// form. BER has no interval: a pixel's outcome changes both of its rates, so the extremes can't be found
+// pixel by pixel.
 #pragma once
 
 #include "validate/metrics/metric.h"
@@ -50,11 +50,12 @@ struct ShadowAgreement {
     uint64_t bothShadowPx = 0, bothLitPx = 0;   // TP, TN
     uint64_t falseShadowPx = 0, falseLitPx = 0; // FP, FN
     Figure agreement, iou, f1;                  // in [0, 1], 1 = equal
-    Figure ber; // in [0, 1], 0 = equal; absent if the reference is all lit or all dark
+    Figure ber; // in [0, 1], 0 = equal; absent if the reference is lit or dark at all pixels of the domain
     Interval agreementRange, iouRange,
-        f1Range;        // absent without both channels, and where the figure is absent
-    Figure uncertainPx; // pixels the test covers with the selection, whose shadow or part in the domain is
-                        // uncertain
+        f1Range; // absent without both channels, and where the figure is absent
+    /// Pixels that the test covers with the selection and whose shadow or membership in the domain is
+    /// uncertain.
+    Figure uncertainPx;
 };
 
 /// `light`: name as in "shadow.<light>". All figures are absent if a frame lacks the channel.

@@ -20,7 +20,8 @@ std::string missingReason(const FramePair& pair, const std::string& name, const 
                           const std::optional<Camera>& camera) {
     if (const std::string missing = pair.missingChannel(shadowChannel(name)); !missing.empty())
         return missing;
-    if (!light) return fmt::format("no frame's header says where the light is (light.{})", name);
+    if (!light)
+        return fmt::format("neither header contains the direction or position of the light (light.{})", name);
     if (!camera) return "the camera is not known";
     std::vector<const char*> channels{"N.X", "N.Y", "N.Z"};
     if (light->kind == Light::Kind::Point) channels.insert(channels.end(), {"P.X", "P.Y", "P.Z"});
@@ -29,7 +30,7 @@ std::string missingReason(const FramePair& pair, const std::string& name, const 
     return {};
 }
 
-/// On which side of its surface's shadow line the reference's pixels lie.
+/// Classifies the reference's pixels by whether their surface faces the light.
 class LightSide {
   public:
     LightSide(const Frame& reference, const Light& light, const Camera& camera)
@@ -38,7 +39,7 @@ class LightSide {
         if (light.kind == Light::Kind::Point) position_ = planes(reference, {"P.X", "P.Y", "P.Z"});
     }
 
-    /// nullopt where the reference has no normal, or no point, to tell by.
+    /// nullopt where the reference has no normal or no position.
     std::optional<bool> attached(uint32_t pixel) const {
         const Vec3 normal = at(normal_, pixel);
         const Vec3 view = rays_.ray(pixel % width_ + 0.5, pixel / width_ + 0.5).direction;
@@ -95,15 +96,15 @@ ShadowKinds computeShadowKinds(const FramePair& pair, ObjectSelection selection,
         counts.falseShadow += !dark && darkInTest;
         counts.falseLit += dark && !darkInTest;
     });
-    return {attached.part("no pixel of the domain is turned away from the light"),
-            cast.part("no pixel of the domain is turned toward the light"), static_cast<double>(noNormalPx)};
+    return {attached.part("no pixel of the domain faces away from the light"),
+            cast.part("no pixel of the domain faces the light"), static_cast<double>(noNormalPx)};
 }
 
 namespace {
 
 using Rows = std::vector<FigureRow<ShadowKinds>>;
 
-/// The rows of one of the parts. `where`: N·L there.
+/// The rows of one of the parts. `where`: the condition on N·L.
 void appendRows(Rows& rows, ShadowKinds::Part ShadowKinds::*part, const std::string& kind,
                 const std::string& where, const std::string& meaningOfDomain) {
     const auto figure = [part](Figure ShadowKinds::Part::*member) {
@@ -119,21 +120,21 @@ void appendRows(Rows& rows, ShadowKinds::Part ShadowKinds::*part, const std::str
                      .label = kind + " shadow agreement",
                      .unit = Unit::Ratio,
                      .goal = Goal::One,
-                     .meaning = "share of them where both are lit or both in shadow",
+                     .meaning = "share of these pixels that are lit in both frames or in shadow in both",
                      .formula = "agreement over " + where},
                     figure(&ShadowKinds::Part::agreement)});
     rows.push_back({{.key = kind + "_false_shadow_px",
                      .label = kind + ", false shadow",
                      .unit = Unit::PixelCount,
                      .goal = Goal::Zero,
-                     .meaning = "of them, lit in the reference and in shadow in the test",
+                     .meaning = "those of them that are lit in the reference and in shadow in the test",
                      .formula = "FP over " + where},
                     figure(&ShadowKinds::Part::falseShadowPx)});
     rows.push_back({{.key = kind + "_false_lit_px",
                      .label = kind + ", false lit",
                      .unit = Unit::PixelCount,
                      .goal = Goal::Zero,
-                     .meaning = "of them, in shadow in the reference and lit in the test",
+                     .meaning = "those of them that are in shadow in the reference and lit in the test",
                      .formula = "FN over " + where},
                     figure(&ShadowKinds::Part::falseLitPx)});
 }
@@ -143,20 +144,21 @@ void appendRows(Rows& rows, ShadowKinds::Part ShadowKinds::*part, const std::str
 Metric shadowKindsMetric() {
     Rows rows;
     appendRows(rows, &ShadowKinds::attached, "attached", "N·L <= 0",
-               "pixels turned away from the light: dark in truth");
+               "pixels that face away from the light: dark in the true image");
     appendRows(rows, &ShadowKinds::cast, "cast", "N·L > 0",
-               "pixels turned toward the light: every shadow there is cast");
+               "pixels that face the light: every shadow there is cast");
     for (FigureRow<ShadowKinds>& row : rows)
         if (row.info.key == "cast_agreement") row.info.report = {"cast shadows", "", "{:.4f}", "shadow.ber"};
     rows.push_back(
         {{.key = "no_normal_px",
           .label = "without normal",
           .unit = Unit::PixelCount,
-          .meaning = "pixels of shadow's domain where the reference has no normal: in neither part"},
+          .meaning = "pixels of the shadow domain where the reference has no normal: in neither part"},
          &ShadowKinds::noNormalPx});
     return makeMetric<ShadowKinds>({
         .group = "shadow",
-        .domain = "of shadow's domain; N the reference's normal on the camera's side, L toward the light",
+        .domain =
+            "shadow domain; N: the reference's normal turned toward the camera, L: direction to the light",
         .scope = Scope::ObjectsByLight,
         .rows = std::move(rows),
         .compute =

@@ -12,7 +12,7 @@ std::set<int> idsOf(const FramePair& pair, ObjectSelection selection) {
     return ids;
 }
 
-/// What a pixel adds when the truth there is what the reference shows.
+/// Outcome of a certain pixel, at which the true image shows what the reference shows.
 Outcomes certainOutcome(bool referenceSelected, bool testSelected, bool same) {
     Outcomes outcome;
     if (!referenceSelected && !testSelected)
@@ -36,7 +36,7 @@ Outcomes uncertainOutcomes(bool testSelected, bool severalSelected) {
     return outcomes;
 }
 
-/// Every pixel that adds to the sums or might.
+/// Adds every pixel that contributes to the sums or might.
 RatioRange rangeOfIou(const FramePair& pair, ObjectSelection selection) {
     const std::set<int> ids = idsOf(pair, selection);
     RatioRange range;
@@ -45,8 +45,8 @@ RatioRange rangeOfIou(const FramePair& pair, ObjectSelection selection) {
         for (const uint32_t pixel : pair.pixelsOf(index)) {
             const int inReference = pair.referenceIds()[pixel], inTest = pair.testIds()[pixel];
             const bool referenceSelected = ids.contains(inReference), testSelected = ids.contains(inTest);
-            // Where both show objects of the selection the pixel is listed with each: taken with the
-            // reference's.
+            // A pixel at which the frames show different objects of the selection is listed with both. It is
+            // counted once, with the reference's.
             const bool elsewhere = referenceSelected && id != inReference;
             if (!elsewhere && !pair.isUncertain(pixel))
                 range.add(certainOutcome(referenceSelected, testSelected, inReference == inTest));
@@ -101,7 +101,8 @@ Metric silhouetteIouMetric() {
                    .report = {{"silhouette IoU", "", "{:.5f}"}}},
                   &SilhouetteIou::iou,
                   {&SilhouetteIou::iouRange,
-                   {"lowest iou that the reference's uncertain pixels leave open", "highest one"}}},
+                   {"lowest IoU over all true images that the reference's uncertain pixels allow",
+                    "highest IoU over them"}}},
                  {{.key = "missing_px",
                    .label = "missing",
                    .unit = Unit::PixelCount,
@@ -147,7 +148,7 @@ Metric silhouetteIouMetric() {
                  {{.key = "uncertain_px",
                    .label = "uncertain",
                    .unit = Unit::PixelCount,
-                   .meaning = "pixels at which the reference can't tell which object is seen"},
+                   .meaning = "pixels at which the reference is uncertain about the visible object"},
                   &SilhouetteIou::uncertainPx}},
         .compute = [](const MetricInput& input, ObjectSelection selection,
                       const std::string&) { return computeSilhouetteIou(input.pair, selection); },

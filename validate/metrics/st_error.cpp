@@ -45,7 +45,7 @@ StError computeStError(const FramePair& pair, ObjectSelection selection) {
     const auto testS = pair.test().channel("st.S"), testT = pair.test().channel("st.T");
     StError result;
     std::vector<double> errors;
-    errors.reserve(mostPixels(pair, selection));
+    errors.reserve(maxPixelCount(pair, selection));
     forSharedPixels(pair, selection, [&](uint32_t pixel, const ObjectInfo& object) {
         const double ds = tileDifference(testS[pixel], referenceS[pixel], object.map->repeatS);
         const double dt = tileDifference(testT[pixel], referenceT[pixel], object.map->repeatT);
@@ -83,15 +83,15 @@ Metric stErrorMetric() {
                    .label = "st, mean",
                    .unit = Unit::Texels,
                    .goal = Goal::Zero,
-                   .meaning = "mean distance in the height map between the places seen",
+                   .meaning = "mean distance in the height map between the points shown",
                    .formula = "mean |(Δs·W, Δt·H)|, modulo one tile along an axis that repeats",
                    .report = {{"st", "mean, texels", "{:.2f}"}}},
                   &StError::meanTexels},
                  {{.key = "p95_texels",
-                   .label = "st, 95 %",
+                   .label = "st, p95",
                    .unit = Unit::Texels,
                    .goal = Goal::Zero,
-                   .meaning = "95th percentile of it",
+                   .meaning = "95th percentile of that distance",
                    .formula = "p95, nearest rank"},
                   &StError::p95Texels},
                  {{.key = "invalid_px",

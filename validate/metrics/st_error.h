@@ -1,11 +1,12 @@
-// Texture coordinates: how many texels lie between the places the two frames see.
+// Texture coordinate error: the distance in texels between the points of the map that the two frames show.
 //
-// Domain: pixels both frames cover with the same object of the selection, where both st are finite. Per pixel
+// Domain: pixels that both frames cover with the same object of the selection, where both st are finite. Per
+// pixel
 //     e = | ((s_test - s_reference) * map width, (t_test - t_reference) * map height) |          unit: texels
-// Along an axis on which the map repeats the difference is taken modulo one tile, to the nearest (in [-1/2,
-// 1/2] tiles): st is unwrapped but jumps at the seam of a closed surface. An error of more than half a tile
-// along such an axis is therefore seen as what it looks like, not as what it is. Along a clamped axis the
-// difference is taken as it is.
+// Along an axis on which the map repeats, the difference is taken modulo one tile, in [-1/2, 1/2] tiles,
+// because st is unwrapped but jumps at the seam of a closed surface. An error of more than half a tile along
+// such an axis is therefore underestimated: whole tiles, which look the same, aren't counted. Along a clamped
+// axis the difference isn't wrapped.
 #pragma once
 
 #include "validate/metrics/metric.h"

@@ -8,9 +8,9 @@
 namespace plumbline {
 namespace {
 
-// Blue as kExtra and orange as kMissing: a surface that is too near is one that shouldn't be there. No map of
-// d3-scale-chromatic goes from blue to orange. Luminance falls evenly from the middle to both ends, so that
-// equal errors of either sign look equally strong.
+// Blue like kExtra and orange like kMissing, because a surface that is too near resembles an extra one. No
+// map of d3-scale-chromatic goes from blue to orange. Luminance decreases evenly from the middle to both
+// ends, so equal errors of either sign look equally strong.
 constexpr std::array<Rgb, 5> kBlueOrange{
     {{5, 76, 135}, {100, 170, 215}, {247, 247, 247}, {240, 165, 80}, {150, 65, 0}}};
 
@@ -25,11 +25,11 @@ constexpr std::array<Rgb, 9> kYlOrBr{{{255, 255, 229},
                                       {153, 52, 4},
                                       {102, 37, 6}}};
 
-// Ends before black, where the farthest pixel would look like kNothing; Grays of d3-scale-chromatic is black
-// there.
+// Doesn't end at black, unlike Grays of d3-scale-chromatic, because the farthest pixel would look like
+// kNothing.
 constexpr std::array<Rgb, 2> kGrays{{{240, 240, 240}, {48, 48, 48}}};
 
-// The green is the palest, so that either sign is told from level by lightness alone.
+// The green is the palest, so that either sign differs from 0 by lightness alone.
 constexpr std::array<Rgb, 3> kBlueGreenRed{{{0, 72, 168}, {160, 218, 170}, {196, 56, 16}}};
 
 Rgb mix(const Rgb& a, const Rgb& b, double t) {
@@ -65,7 +65,8 @@ std::vector<ColorMap> colormap::all() {
 
 Rgb colorAt(const ColorMap& map, double x) {
     const double inside = std::clamp(x, map.low, 1.0);
-    // From the middle stop of a map that diverges to either end, so that x and -x are equally far along.
+    // From the middle stop of a diverging map to either end, so that x and -x are equally far from the
+    // middle.
     const size_t first = map.low < 0 ? map.stops.size() / 2 : 0, last = map.stops.size() - 1 - first;
     const double at = std::abs(inside) * static_cast<double>(last);
     const size_t below = std::min(static_cast<size_t>(at), last - 1);

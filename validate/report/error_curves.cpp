@@ -33,7 +33,7 @@ uint64_t countAbove(const std::vector<double>& sorted, double limit) {
 std::vector<double> badpixThresholds() {
     std::vector<double> thresholds(kNamedThresholds.begin(), kNamedThresholds.end());
     for (int i = -32; i <= 8; ++i)
-        if (i != -16) thresholds.push_back(std::pow(10.0, i / 8.0)); // 0.01 is there
+        if (i != -16) thresholds.push_back(std::pow(10.0, i / 8.0)); // 0.01 is already a named one
     std::sort(thresholds.begin(), thresholds.end());
     return thresholds;
 }

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kReliefShare = 0.05; // as badpix_5pct
 
-/// By id: the largest depth error that passes, world units; negative where the relief depth is unknown.
+/// By id: the largest depth error that doesn't count as failing, in world units; negative if the relief depth
+/// is unknown.
 std::vector<double> tolerances(const FramePair& pair) {
     std::vector<double> byId;
     for (const ObjectInfo& object : pair.objects()) {
@@ -23,7 +24,7 @@ std::vector<double> tolerances(const FramePair& pair) {
 
 /// One light's shadow in both frames.
 struct ShadowPlanes {
-    std::span<const float> reference, test, uncertain; // the last empty where the reference has none
+    std::span<const float> reference, test, uncertain; // the last is empty if the reference has none
 
     ShadowPlanes(const FramePair& pair, const std::string& light)
         : reference(pair.reference().channel(shadowChannel(light))),
@@ -44,9 +45,8 @@ struct ShadowPlanes {
 std::string FailingPixels::meaning() {
     return fmt::format(
         "another object than in the reference, or none; a depth error above {:.0f} % of the relief depth, or "
-        "a "
-        "depth that isn't finite; a different shadow of any light, or none. Pixels where the reference is "
-        "uncertain don't count, nor do controls.",
+        "a depth that isn't finite; a different shadow value for any light, or none. Pixels where the "
+        "reference is uncertain and controls aren't counted.",
         100 * kReliefShare);
 }
 

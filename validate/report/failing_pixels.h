@@ -1,5 +1,5 @@
-// How many techniques fail at each pixel. Where all do, the cause is the scene or the base; where one does,
-// it is the technique.
+// The number of techniques that fail at each pixel. If all fail, the cause is the scene or the base; if one
+// fails, it is the technique.
 #pragma once
 
 #include "validate/compare/compare.h"
@@ -12,14 +12,14 @@ namespace plumbline::report {
 
 class FailingPixels {
   public:
-    /// `comparison` must be of this pair; every pair of one size.
+    /// `comparison` must be of this pair; all pairs must have the same size.
     void add(const FramePair& pair, const Comparison& comparison);
 
-    /// Techniques added.
+    /// Number of techniques added.
     int techniques() const { return techniques_; }
-    /// Per pixel, row 0 = top: those that fail there.
+    /// Per pixel, row 0 = top: the number of techniques that fail there.
     const std::vector<uint16_t>& counts() const { return counts_; }
-    /// What counts as failing, a sentence.
+    /// The definition of failing, as a sentence.
     static std::string meaning();
 
   private:

@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Whole numbers from 0 to `largest`, or NaN.
-bool holdsOnlyCounts(std::span<const float> values, float largest) {
+/// Whether all values are integers from 0 to `largest`, or NaN.
+bool areCounts(std::span<const float> values, float largest) {
     for (const float value : values)
         if (!std::isnan(value) && !(value >= 0 && value <= largest && value == std::floor(value)))
             return false;
@@ -32,14 +32,14 @@ std::vector<Whole> toWhole(std::span<const float> values) {
     return whole;
 }
 
-/// In the smallest type that keeps every value.
+/// Packed in the smallest type that represents every value exactly.
 Json packPlane(std::span<const float> values) {
-    if (holdsOnlyCounts(values, 254))
+    if (areCounts(values, 254))
         return {{"type", "u8"},
                 {"components", 1},
                 {"has_none", true},
                 {"data", packBytes(toWhole<uint8_t>(values))}};
-    if (holdsOnlyCounts(values, 65534))
+    if (areCounts(values, 65534))
         return {{"type", "u16"},
                 {"components", 1},
                 {"has_none", true},
@@ -61,7 +61,7 @@ Json packIds(std::span<const int> ids) {
     return packPlane(std::vector<float>(ids.begin(), ids.end()));
 }
 
-/// In 256ths of a degree.
+/// In units of 1/256 degree.
 Json packNormalAngle(const FramePair& pair) {
     constexpr double kSteps = 256;
     std::vector<uint16_t> angles(pair.referenceIds().size(), 65535);
@@ -79,14 +79,14 @@ Json packNormalAngle(const FramePair& pair) {
             {"data", packWords(angles)}};
 }
 
-/// Layers to be packed, in parallel once all are added.
+/// Collects layers; pack() packs them in parallel.
 class Layers {
   public:
     void add(const std::string& name, std::function<Json()> pack) {
         names_.push_back(name);
         pack_.push_back(std::move(pack));
     }
-    /// A channel of the frame as layer `layer`, if the frame has it.
+    /// Adds a channel of the frame as layer `layer`, if the frame has it.
     void addChannel(const Frame& frame, const std::string& channel, const std::string& layer) {
         if (frame.has(channel)) add(layer, [&frame, channel] { return packPlane(frame.channel(channel)); });
     }

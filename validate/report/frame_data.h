@@ -1,4 +1,4 @@
-// The planes of a frame that the page shows, as text that its src/layer_unpacking.ts unpacks.
+// The planes of a frame that the page shows, packed as text. page/src/layer_unpacking.ts unpacks it.
 #pragma once
 
 #include "validate/compare/compare.h"
@@ -10,7 +10,7 @@
 
 namespace plumbline::report {
 
-/// A frame packed: a JSON object, a member a layer, and the layers' names in order.
+/// A packed frame: a JSON object with a member for each layer, and the names of the layers in order.
 struct FrameData {
     std::vector<std::string> layers;
     std::string json;
@@ -19,15 +19,14 @@ struct FrameData {
 /// Color, object, depth, shadows, uncertain pixels. `depth`: planar, empty if there is none.
 FrameData packReference(const FramePair& pair, std::span<const float> depth);
 
-/// Color, object, depth, angle to the reference's normal, shadows, look-ups, iterations of the pair's test
-/// frame.
+/// Color, object, depth, angle to the reference's normal, shadows, lookups and iterations of the test frame.
 FrameData packTest(const FramePair& pair, std::span<const float> depth);
 
 /// One layer of counts.
 FrameData packCounts(const std::string& layer, const std::vector<uint16_t>& counts);
 
 inline constexpr std::string_view kFrameScriptBeginning = "plumblineFrame(";
-/// The script that hands a frame to the page: a call of plumblineFrame(). `file`: as the page names it.
+/// The script that passes a frame to the page: a call of plumblineFrame(). `file`: as in FrameEntry.
 std::string frameScript(const std::string& file, const FrameData& frame);
 
 } // namespace plumbline::report

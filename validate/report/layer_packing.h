@@ -1,8 +1,9 @@
-// Planes of numbers as text that a script can hold. src/layer_unpacking.ts of the page unpacks it.
+// Packs planes of numbers as text that a script can contain. page/src/layer_unpacking.ts unpacks it.
 //
-// Bytes of equal weight stand side by side, the most significant first, and each byte is replaced by its
-// difference to the one before (as TIFF's predictor 3, Adobe Photoshop TIFF Technical Note 3, 2005):
-// neighbors are similar there. Then zlib (RFC 1950), then base64 (RFC 4648).
+// Bytes of equal significance are stored together, the most significant first, and each byte is replaced by
+// its difference from the one before (as TIFF's predictor 3, Adobe Photoshop TIFF Technical Note 3, 2005),
+// because neighboring values are similar. The result is compressed by zlib (RFC 1950) and encoded in base64
+// (RFC 4648).
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 
 namespace plumbline::report {
 
-/// Every bit of the floats is kept, whatever they are.
+/// Every bit of the floats is kept, those of NaN too.
 std::string packFloats(std::span<const float> values);
 std::string packWords(std::span<const uint16_t> values);
 std::string packBytes(std::vector<uint8_t> bytes);

@@ -1,6 +1,7 @@
 #include "validate/report/page_bundle.h"
 
-// A file as a symbol with its size, read by the assembler: compilers take minutes over arrays of that length.
+// Embeds a file as two symbols, its begin and end. The assembler reads it, because compilers take minutes for
+// arrays of that length.
 #define PLUMBLINE_EMBED(symbol, file)                                                                        \
     asm(".section .rodata\n"                                                                                 \
         ".global " #symbol "\n" #symbol ":\n"                                                                \

@@ -1,16 +1,16 @@
-// The page's script and style, bundled from page/src when the program is built and held in the program.
+// The page's script and style, bundled from page/src when the program is built and embedded in it.
 #pragma once
 
 #include <string_view>
 
 namespace plumbline::report {
 
-/// Empty in a program built without Node, whose reports are plain pages without scripts.
+/// Empty if the program was built without Node; its reports are then plain pages without scripts.
 std::string_view pageScript();
-/// For both kinds of page.
+/// Style of both kinds of page.
 std::string_view pageStyle();
 
-/// Why reports are plain, a sentence; empty if they aren't.
+/// Why reports are plain pages, as a sentence; empty if they are interactive.
 std::string_view plainReportReason();
 
 } // namespace plumbline::report

@@ -1,4 +1,4 @@
-// The templates of validate/report/page/.
+// Reads and renders the templates of validate/report/page/.
 #pragma once
 
 #include <kainjow/mustache.hpp>
@@ -10,7 +10,7 @@ namespace plumbline::report {
 /// Throws MachineError if it can't be read.
 std::string readTemplate(const char* name);
 
-/// The page that a template makes of `page`. Throws MachineError for an invalid template.
+/// Renders a template with the data `page`. Throws MachineError for an invalid template.
 std::string renderTemplate(const char* name, const kainjow::mustache::data& page);
 
 } // namespace plumbline::report

@@ -59,12 +59,12 @@ Picture depthErrorPicture(const FramePair& pair, std::span<const float> referenc
     });
 }
 
-Picture iterationsPicture(const Frame& test, double most) {
-    const auto rounds = test.channel("cost.iterations"), id = test.channel("id");
+Picture iterationsPicture(const Frame& test, double largest) {
+    const auto iterations = test.channel("cost.iterations"), id = test.channel("id");
     return paint(test, [&](size_t i) {
         if (!(id[i] > 0)) return palette::kNothing;
-        return std::isfinite(rounds[i]) ? colorAt(colormap::kSequential, rounds[i] / most)
-                                        : palette::kInvalid;
+        return std::isfinite(iterations[i]) ? colorAt(colormap::kSequential, iterations[i] / largest)
+                                            : palette::kInvalid;
     });
 }
 

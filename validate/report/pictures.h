@@ -1,4 +1,4 @@
-// Frames and their differences as pictures: 8-bit sRGB, row 0 = top row, width x height x 3.
+// Frames and their differences as images: 8-bit sRGB, row 0 = top row, width x height x 3.
 #pragma once
 
 #include "validate/metrics/frame_pair.h"
@@ -15,30 +15,31 @@ struct Picture {
     std::vector<uint8_t> rgb;
 };
 
-/// The frame's R G B, sRGB-encoded, pixels that aren't finite in kInvalid; gray coverage if the frame has no
-/// color.
+/// The frame's R G B, sRGB-encoded; pixels that aren't finite have kInvalid. If the frame has no color, its
+/// coverage in gray.
 Picture colorPicture(const Frame& frame);
 
-/// Agree, missing, extra, another object.
+/// Pixels colored by whether they agree, are missing, extra, or show another object.
 Picture silhouettePicture(const FramePair& pair);
 
-/// Signed error test - reference over shared pixels by colormap::kDiverging, its ends at +-range. `range` >
-/// 0, world units.
+/// Signed error test - reference at shared pixels, by colormap::kDiverging with its ends at +-range. `range`:
+/// > 0, world units.
 Picture depthErrorPicture(const FramePair& pair, std::span<const float> referenceDepth,
                           std::span<const float> testDepth, double range);
 
-/// cost.iterations over the test's covered pixels by colormap::kSequential, its end at `most` > 0.
-Picture iterationsPicture(const Frame& test, double most);
+/// cost.iterations at the test's covered pixels, by colormap::kSequential with its end at `largest` > 0.
+Picture iterationsPicture(const Frame& test, double largest);
 
-/// A curvature channel over the test's covered pixels by colormap::kCurvature, its ends at +-range > 0, world
-/// units^-1: red where the base is convex along the channel's direction, blue where it is concave.
+/// A curvature channel at the test's covered pixels, by colormap::kCurvature with its ends at +-range > 0,
+/// world units^-1: red where the base is convex along the channel's direction, blue where it is concave.
 Picture curvaturePicture(const Frame& test, const std::string& channel, double range);
 
-/// |value| of the channel that 90 % of the covered pixels stay within, as edges and tips have many times the
-/// curvature; 0 if none is finite.
+/// 90th percentile of |value| over the covered pixels, because edges and tips have many times the curvature
+/// of the rest; 0 if no value is finite.
 double curvatureRange(const Frame& test, const std::string& channel);
 
-/// Lit in both, dark in both, false shadow (kExtra), false light (kMissing) over shared pixels.
+/// Shared pixels colored by whether they are lit in both, dark in both, falsely dark (kExtra) or falsely lit
+/// (kMissing).
 Picture shadowPicture(const FramePair& pair, const std::string& light);
 
 } // namespace plumbline

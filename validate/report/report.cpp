@@ -26,13 +26,14 @@ FramePair pairOf(const Comparison& comparison, const Frame& reference, const Fra
     return {reference, test, objects};
 }
 
-/// Those of an earlier run, recognized by their beginning: the folder may hold other files.
+/// Removes the frames of an earlier run. They are recognized by their beginning, because the folder may
+/// contain other files.
 void removeOldFrames(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (!entry.is_regular_file() || entry.path().extension() != ".js") continue;
         std::string beginning(report::kFrameScriptBeginning.size(), ' ');
         std::ifstream(entry.path()).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-        std::error_code ignored; // one that stays isn't shown by the page
+        std::error_code ignored; // the page doesn't show files that remain
         if (beginning == report::kFrameScriptBeginning) std::filesystem::remove(entry.path(), ignored);
     }
 }
@@ -48,7 +49,8 @@ Report::Report(std::filesystem::path folder, ReportOptions options)
 }
 
 std::string Report::save(const std::string& stem, const std::string& what, const Picture& picture) const {
-    // Each part by itself, so that a long name keeps the part that tells its pictures apart.
+    // The parts are shortened separately, so that the images of a technique with a long name keep different
+    // names.
     const std::string file = safeFileName(stem) + (what.empty() ? "" : safeFileName(what)) + ".png";
     writePng(folder_ / file, picture.width, picture.height, picture.rgb);
     if (!options_.singleFile) return file;
@@ -58,7 +60,7 @@ std::string Report::save(const std::string& stem, const std::string& what, const
            report::base64({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
 }
 
-/// Replaces an earlier one with its id.
+/// Replaces an earlier frame with the same id.
 void Report::saveFrame(report::FrameEntry entry, const report::FrameData& frame) {
     entry.layers = frame.layers;
     if (options_.singleFile)
@@ -105,10 +107,10 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
         if (pair.missingChannel(shadowChannel(light)).empty())
             entries.push_back({save(stem, "_shadow_" + light, shadowPicture(pair, light)),
                                "Shadow difference, light " + light, Kind::Shadow});
-    const Figure &most = comparison.pooled.figure("cost.iterations_max"),
+    const Figure &largest = comparison.pooled.figure("cost.iterations_max"),
                  &p99 = comparison.pooled.figure("cost.iterations_p99");
-    if (most && *most > 0 && test.has("id")) {
-        // By the 99th percentile, or a few pixels would leave the rest pale.
+    if (largest && *largest > 0 && test.has("id")) {
+        // Scaled by the 99th percentile, because the maximum of a few pixels would make all others pale.
         const double darkest = std::max(*p99, 1.0);
         entries.push_back({save(stem, "_iterations", iterationsPicture(test, darkest)),
                            "Iterations of the search", Kind::Iterations, fmt::format("{:.0f}", darkest), "",
@@ -117,8 +119,8 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
     return entries;
 }
 
-/// Fig. 5.28 of Watt and Policarpo (2005), chapter 5: one picture along s and one along t, at one range; the
-/// cross term where a base has one.
+/// Fig. 5.28 of Watt and Policarpo (2005), chapter 5: an image of the curvature along s and one along t with
+/// the same range, and one of the cross term if a base has one.
 void Report::saveCurvature(const std::string& stem, const Frame& test,
                            std::vector<ReportPicture>& entries) const {
     const std::vector<std::pair<std::string, std::string>> channels{
@@ -137,14 +139,14 @@ void Report::saveCurvature(const std::string& stem, const Frame& test,
                                Kind::Curvature, fmt::format("{:.3g}", range)});
 }
 
-/// The planes of a frame that is compared with the reference. The first pair decides what takes two frames:
-/// what is known of the objects, whether both frames tell them apart, and where depth comes from.
+/// Saves the planes of a frame that is compared with the reference. The first pair determines what depends on
+/// two frames: the objects, whether both frames distinguish them, and the source of depth.
 void Report::saveTest(const std::string& stem, report::FrameEntry entry, const Comparison& comparison,
                       const FramePair& pair) {
     if (data_.frames.size() == 1) {
         data_.objects = pair.objects();
         data_.depthRange = report::depthRange(comparison);
-        if (!pair.objectsToldApart() || !pair.reference().has("Z"))
+        if (!pair.hasObjectIds() || !pair.reference().has("Z"))
             saveReference(pair, comparison.referenceDepth);
     }
     entry.file = fmt::format("data/{}.js", safeFileName(stem));
@@ -194,7 +196,8 @@ void Report::write(const Results& results, bool last) {
             {.id = "s", .name = "all techniques", .kind = "summary", .file = "data/failing.js", .layers = {}},
             report::packCounts("failing", failing_.counts()));
     }
-    if (options_.singleFile && !last) return; // writing all of it each time would take longer than the run
+    if (options_.singleFile && !last)
+        return; // rewriting the whole file each time would take longer than the run
     PageScripts scripts;
     scripts.data = report::reportDataJson(results, data_);
     if (options_.singleFile) {

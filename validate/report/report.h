@@ -1,8 +1,8 @@
-// The folder report/: index.html and the files it shows. It opens from disk, without the network.
+// The folder report/: index.html and the files it shows. It can be opened from disk, offline.
 //
 // With the interactive page (page_bundle.h): index.html, report.js, data/*.js with the planes of each frame,
-// pictures of curvatures. Without: index.html without scripts and every picture as PNG. As a single file:
-// index.html alone, whole.
+// and images of curvatures. Without it: index.html without scripts, and every image as PNG. As a single file:
+// index.html with everything embedded.
 #pragma once
 
 #include "scenes/frame/frame.h"
@@ -21,15 +21,15 @@ namespace plumbline {
 struct Picture;
 
 struct ReportOptions {
-    bool interactive = true; // needs the page's script
+    bool interactive = true; // requires pageScript()
     bool singleFile = false;
 };
 
-/// Paints each frame when it is added and writes the page from that, so that a run holds only the reference
-/// and one test frame at a time, and a stopped run leaves a page of what was finished.
+/// Writes the images and planes of each frame when it is added, so that a run has only the reference and one
+/// test frame in memory, and an interrupted run leaves a page with what was finished.
 class Report {
   public:
-    /// `folder`: the page becomes folder/index.html. Must exist.
+    /// The page is written to folder/index.html. `folder` must exist.
     Report(std::filesystem::path folder, ReportOptions options);
 
     void addReference(const Frame& reference);
@@ -55,7 +55,7 @@ class Report {
     ReportPictures pictures_;
     report::ReportData data_;
     report::FailingPixels failing_;
-    std::map<std::string, std::string> embedded_; // planes of frames by file, if all is one file
+    std::map<std::string, std::string> embedded_; // planes of frames by file, if the report is a single file
 };
 
 } // namespace plumbline

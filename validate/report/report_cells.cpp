@@ -23,11 +23,10 @@ data cellOf(const Column& column, const MetricSet& figures) {
 }
 
 bool isBetter(const Column& column, double a, double b) {
-    return highIsBetter(column.metric->goal) ? a > b
-                                             : std::abs(a) < std::abs(b); // a bias may have either sign
+    return highIsBetter(column.metric->goal) ? a > b : std::abs(a) < std::abs(b); // a bias may be negative
 }
 
-/// Rows with a column, in the order of the columns.
+/// The rows that have a column, in the order of the columns.
 std::vector<const MetricInfo*> shownMetrics() {
     std::vector<const MetricInfo*> shown, inserted;
     for (const MetricInfo& metric : metricTable())
@@ -37,7 +36,7 @@ std::vector<const MetricInfo*> shownMetrics() {
     return shown;
 }
 
-/// Those of lights that stand side by side come for one light after the other.
+/// Adjacent columns of lights are grouped by light.
 std::vector<Column> columnsOf(const std::vector<const MetricInfo*>& metrics,
                               const std::set<std::string>& lights) {
     const auto isOfLights = [](const MetricInfo* metric) { return metric->scope == Scope::ObjectsByLight; };
@@ -111,25 +110,25 @@ data headOf(const Column& column) {
     return head;
 }
 
-/// Whether the figure of that key misses a requirement.
+/// Whether the figure of that key doesn't reach a requirement.
 bool isMissed(const std::string& key, const TechniqueOutcome& technique) {
     return std::any_of(technique.requirements.begin(), technique.requirements.end(),
                        [&](const RequirementResult& each) { return !each.passed && each.key == key; });
 }
 
-/// As requirements name the figure of an object.
+/// The name of an object's figure in requirements.
 std::string keyOf(const Column& column, const ObjectComparison& object) {
     return column.key() + "@" + object.object.name;
 }
 
-/// A lone object has no row of its own, so the technique's row is marked for it too.
+/// A single object has no row, so its requirements are marked in the technique's row.
 bool isMissedInRow(const Column& column, const TechniqueOutcome& technique) {
     const std::vector<ObjectComparison>& objects = technique.comparison.objects;
     return isMissed(column.key(), technique) ||
            (objects.size() == 1 && isMissed(keyOf(column, objects[0]), technique));
 }
 
-/// Costs have no best: a technique without a search is always cheapest.
+/// Costs have no best value, because a technique without a search is always cheapest.
 bool isQuality(const Column& column) {
     return column.metric->goal != Goal::None && !isCost(*column.metric);
 }

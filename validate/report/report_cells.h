@@ -1,5 +1,5 @@
-// Cells of the report's tables as data for its template. A column is a row of metricTable() that has one
-// (ReportColumn), of figures of lights one for each light.
+// Cells of the report's tables, as data for its template. There is a column for each row of metricTable()
+// with a ReportColumn; figures of lights have one for each light.
 #pragma once
 
 #include "validate/results/results.h"
@@ -16,7 +16,7 @@ namespace plumbline::report {
 
 using kainjow::mustache::data;
 
-/// Sets nothing for an empty text, as even an empty string opens its section of the template.
+/// Does nothing for an empty text, because an empty string would also open its section of the template.
 void setIfAny(data& entry, const std::string& key, const std::string& text);
 data listOfTexts(const std::vector<std::string>& texts);
 
@@ -27,27 +27,27 @@ std::set<std::string> lightsOf(const Results& results);
 
 struct Column {
     const MetricInfo* metric;
-    std::string light; // of a figure that there is for every light
+    std::string light; // empty unless the figure exists for every light
 
-    /// As requirements name the figure: with the light's name.
+    /// The name of the figure in requirements, with the light.
     std::string key() const;
 };
 
-/// What is measured.
+/// Columns of quality.
 std::vector<Column> metricColumns(const std::set<std::string>& lights);
-/// That, and what a technique costs.
+/// Columns of quality and of cost.
 std::vector<Column> techniqueColumns(const std::set<std::string>& lights);
 
 data headsOf(const std::vector<Column>& columns);
 data cellsOf(const std::vector<Column>& columns, const MetricSet& figures);
 
-/// The best figure of each column among techniques that aren't controls; none if there are fewer than two, or
-/// where neither end is better.
+/// The best figure of each column among techniques that aren't controls; nullopt if there are fewer than two,
+/// or if the figure has no goal.
 std::vector<std::optional<double>> bestOf(const std::vector<Column>& columns, const Results& results);
-/// Figures of an object; those that miss a requirement are marked.
+/// Figures of an object. Those that don't reach a requirement are marked.
 data objectCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
                  const ObjectComparison& object);
-/// Pooled figures; the best ones and those that miss a requirement are marked.
+/// Pooled figures. The best ones and those that don't reach a requirement are marked.
 data techniqueCells(const std::vector<Column>& columns, const TechniqueOutcome& technique,
                     const std::vector<std::optional<double>>& best);
 

@@ -56,8 +56,8 @@ DepthRange depthRange(const Comparison& comparison) {
         if (object.object.reliefDepth) deepest = std::max(deepest, *object.object.reliefDepth);
     if (deepest > 0) return {0.25 * deepest, "a quarter of the relief depth"};
     const Figure& p95 = comparison.pooled.figure("depth.p95");
-    if (p95 && *p95 > 0) return {*p95, "95 % of the shared pixels lie within"};
-    return {1, "no relief depth is known, and no error to scale by"};
+    if (p95 && *p95 > 0) return {*p95, "the 95th percentile of the shared pixels"};
+    return {1, "neither a relief depth nor an error is known"};
 }
 
 std::string scriptSafe(std::string json) {

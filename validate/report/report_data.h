@@ -1,5 +1,5 @@
-// The data that the page's script gets beside its frames: results, list of frames, curves, ranges, colors.
-// src/data.ts of the page describes its structure.
+// The data of the page's script other than the planes of frames: results, list of frames, curves, ranges,
+// colors. page/src/data.ts describes its structure.
 #pragma once
 
 #include "validate/report/error_curves.h"
@@ -11,9 +11,9 @@
 
 namespace plumbline::report {
 
-/// A frame the page can show.
+/// A frame that the page can show.
 struct FrameEntry {
-    std::string id;                 // unique; names needn't be
+    std::string id;                 // unique, unlike the name
     std::string name;               // of a technique: its name in the results
     const char* kind = "technique"; // reference, proxy, technique, summary
     std::string file;               // relative to the page
@@ -21,12 +21,12 @@ struct FrameEntry {
     std::optional<ErrorCurves> curves = {};
 };
 
-/// Where the color map of signed depth errors ends, world units: at a quarter of the largest relief depth,
-/// so that pictures of different techniques and runs can be compared; without a relief depth, at the
-/// comparison's own p95 (1 if that is 0).
+/// The range of the color map of signed depth errors, in world units: a quarter of the largest relief depth,
+/// so that images of different techniques and runs can be compared; without a relief depth, the p95 of the
+/// comparison (1 if that is 0).
 struct DepthRange {
     double worldUnits = 1;
-    std::string note; // why it ends there
+    std::string note; // reason for the range
 };
 DepthRange depthRange(const Comparison& comparison);
 
@@ -37,10 +37,10 @@ struct ReportData {
     int failingOf = 0; // techniques counted in the summary's layer "failing"
 };
 
-/// JSON that may stand in a script element: it holds no '<'.
+/// JSON that is safe in a script element: it contains no '<'.
 std::string reportDataJson(const Results& results, const ReportData& data);
 
-/// A JSON text as it may stand in a script element.
+/// A JSON text made safe for a script element.
 std::string scriptSafe(std::string json);
 
 } // namespace plumbline::report

@@ -29,14 +29,14 @@ std::string withThousands(double count) {
     return digits;
 }
 
-/// Limits of the reference, a sentence each.
+/// Limitations of the reference, a sentence each.
 std::vector<std::string> referenceLimits(const ReferenceSummary& reference) {
     std::vector<std::string> limits;
     for (const ReferenceSummary::Object& object : reference.objects)
         if (object.rate < object.wantedRate)
             limits.push_back(fmt::format(
-                "{}: {} segments per control edge instead of the {} needed for the error aimed at, "
-                "because of the limit on memory or the rate given.",
+                "{}: {} segments per control edge instead of the {} needed for the requested error, because "
+                "of the limit on memory or the given rate.",
                 object.name, object.rate, object.wantedRate));
     for (const std::string& sentence : certificateSentences(reference.certificate))
         limits.push_back(sentence);
@@ -70,7 +70,7 @@ data referenceData(const ReferenceSummary& reference) {
     return entry;
 }
 
-/// A palette's colors, and maps as the stops of a CSS gradient.
+/// The colors of the palette, and color maps as stops of a CSS gradient.
 data colorsData() {
     data colors{data::type::object};
     for (const auto& [name, color] : palette::all())
@@ -98,15 +98,17 @@ data histogramBars(const std::vector<uint64_t>& histogram) {
     for (const uint64_t count : histogram)
         tallest = std::max(tallest, count);
     const double width = 100.0 / static_cast<double>(std::max<size_t>(histogram.size(), 1));
-    for (size_t rounds = 0; rounds < histogram.size(); ++rounds) {
-        const double height = 30.0 * static_cast<double>(histogram[rounds]) / static_cast<double>(tallest);
-        const bool open = rounds == SearchIterations::kHistogramEnd;
+    for (size_t iterations = 0; iterations < histogram.size(); ++iterations) {
+        const double height =
+            30.0 * static_cast<double>(histogram[iterations]) / static_cast<double>(tallest);
+        const bool open = iterations == SearchIterations::kHistogramEnd;
         data bar{data::type::object};
-        bar.set("x", fmt::format("{:.3f}", width * static_cast<double>(rounds)));
+        bar.set("x", fmt::format("{:.3f}", width * static_cast<double>(iterations)));
         bar.set("y", fmt::format("{:.3f}", 30.0 - height));
         bar.set("width", fmt::format("{:.3f}", 0.9 * width));
         bar.set("height", fmt::format("{:.3f}", height));
-        bar.set("bar_title", fmt::format("{}{}: {} px", rounds, open ? " or more" : "", histogram[rounds]));
+        bar.set("bar_title",
+                fmt::format("{}{}: {} px", iterations, open ? " or more" : "", histogram[iterations]));
         bars << bar;
     }
     return bars;
@@ -142,12 +144,13 @@ data objectRows(const TechniqueOutcome& technique, const std::vector<Column>& co
     return objects;
 }
 
-/// A sentence each.
+/// The requirements that the technique doesn't reach, a sentence each.
 std::vector<std::string> missedRequirements(const TechniqueOutcome& technique) {
     std::vector<std::string> missed;
     for (const RequirementResult& each : technique.requirements) {
         if (each.passed) continue;
-        const bool named = each.requirement.starts_with(each.key + " "); // else it is for every light
+        const bool named =
+            each.requirement.starts_with(each.key + " "); // otherwise it applies to every light
         missed.push_back(fmt::format("Required {}, found {}{}", each.requirement,
                                      each.value ? fmt::format("{}", *each.value)
                                                 : "no figure (" + each.value.reason() + ")",

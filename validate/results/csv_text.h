@@ -1,4 +1,4 @@
-// Text of comma-separated values, RFC 4180.
+// Writes comma-separated values, RFC 4180.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// In quotes where it needs them.
+/// Quoted if necessary.
 std::string csvCell(const std::string& text);
 /// Ends with CR LF.
 std::string csvLine(const std::vector<std::string>& texts);

@@ -7,10 +7,10 @@
 namespace plumbline {
 namespace {
 
-/// Parts of a result that are no figures of the whole picture.
+/// Parts of a result that aren't figures of the whole image.
 const std::set<std::string> kSkipped{"objects", "absent", "parameters", "gl", "notes", "pooled_objects"};
-/// against_proxy.shadow.sun.iou has three; a file that isn't ours may have any number.
-constexpr int kDeepest = 8;
+/// against_proxy.shadow.sun.iou has three levels; files of other programs may have any number.
+constexpr int kMaxDepth = 8;
 
 void add(const nlohmann::json& value, const std::string& prefix, int depth,
          std::map<std::string, double>& figures) {
@@ -19,7 +19,7 @@ void add(const nlohmann::json& value, const std::string& prefix, int depth,
         if (depth == 0 && kSkipped.contains(key)) continue;
         if (element.is_number())
             figures[name] = element.get<double>();
-        else if (element.is_object() && depth < kDeepest)
+        else if (element.is_object() && depth < kMaxDepth)
             add(element, name, depth + 1, figures);
     }
 }

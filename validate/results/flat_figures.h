@@ -8,8 +8,8 @@
 
 namespace plumbline {
 
-/// Adds the numbers of `value`, an object, under names that begin with `prefix`, if there is one. Left out:
-/// those of single objects, reasons, parameters, lists, and what is nested deeper than any result is.
+/// Adds the numbers of `value`, a JSON object, under names that begin with `prefix` (if not empty). Figures
+/// of single objects, reasons, parameters, lists and values nested deeper than in any result are left out.
 void addFlatFigures(const nlohmann::json& value, const std::string& prefix,
                     std::map<std::string, double>& figures);
 

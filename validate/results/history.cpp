@@ -20,17 +20,17 @@ using nlohmann::ordered_json;
 constexpr const char* kResultsExpected = "results.json of validate or compare";
 constexpr const char* kRecordExpected = "a line that plumbline history wrote";
 
-/// A JSON file, or a line of one, whose fields are asked for by name; errors say where.
+/// A JSON file, or a line of one. Fields are read by name; errors give their path.
 class Source {
   public:
     Source(std::string where, const char* expected, const std::string& text)
         : where_(std::move(where)), expected_(expected) {
         try {
             json_ = json::parse(text);
-        } catch (const json::exception&) { // its words are of bytes and states
+        } catch (const json::exception&) { // its message is about bytes and parser states
             fail("is not valid JSON");
         }
-        if (!json_.is_object()) fail("is no JSON object");
+        if (!json_.is_object()) fail("is not a JSON object");
     }
 
     [[noreturn]] void fail(const std::string& what) const { throw InputError(where_, what, expected_); }
@@ -40,7 +40,7 @@ class Source {
         if (!found.is_number_integer() || found != schema)
             throw InputError(
                 where_, fmt::format("schema is {}", found.is_number() ? found.dump() : found.type_name()),
-                fmt::format("{}", schema), "another version of the program wrote it");
+                fmt::format("{}", schema), "another version of the program wrote the file");
     }
 
     const json& field(const json& object, const char* key, const std::string& path) const {
@@ -48,14 +48,14 @@ class Source {
         if (!object.is_object() || found == object.end()) fail(fmt::format("has no {}{}", path, key));
         return *found;
     }
-    /// `orNull`: null is as good as an empty text.
+    /// `orNull`: null is accepted and read as an empty text.
     std::string text(const json& object, const char* key, const std::string& path,
                      bool orNull = false) const {
         const json& found = field(object, key, path);
         if (orNull && found.is_null()) return {};
-        if (!found.is_string()) fail(fmt::format("{}{} is no text", path, key));
+        if (!found.is_string()) fail(fmt::format("{}{} is not a text", path, key));
         auto result = found.get<std::string>();
-        for (char& c : result) // it will be printed: one line, no escapes of terminals
+        for (char& c : result) // it will be printed, so remove line ends and terminal escapes
             if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
         return result;
     }
@@ -63,20 +63,20 @@ class Source {
                                           const std::string& path) const {
         const json& found = field(object, key, path);
         std::map<std::string, double> result;
-        if (!found.is_object()) fail(fmt::format("{}{} is no object", path, key));
+        if (!found.is_object()) fail(fmt::format("{}{} is not an object", path, key));
         for (const auto& [name, number] : found.items()) {
-            if (!number.is_number()) fail(fmt::format("{}{}.{} is no number", path, key, name));
+            if (!number.is_number()) fail(fmt::format("{}{}.{} is not a number", path, key, name));
             result[name] = number.get<double>();
         }
         return result;
     }
     const json& root() const { return json_; }
 
-    /// `read`: of one element and its path.
+    /// `read`: reads the figures of an element, given its path.
     template <class Read>
     std::vector<HistoryTechnique> techniques(const Read& read) const {
         const json& found = field(json_, "techniques", "");
-        if (!found.is_array() || found.empty()) fail("holds no technique");
+        if (!found.is_array() || found.empty()) fail("contains no technique");
         std::vector<HistoryTechnique> result;
         std::set<std::string> names;
         for (const json& element : found) {
@@ -84,7 +84,8 @@ class Source {
             HistoryTechnique technique;
             technique.name = text(element, "name", path);
             technique.error = text(element, "error", path, true);
-            if (!names.insert(technique.name).second) fail(fmt::format("names '{}' twice", technique.name));
+            if (!names.insert(technique.name).second)
+                fail(fmt::format("contains '{}' twice", technique.name));
             if (technique.error.empty()) technique.figures = read(element, path);
             result.push_back(std::move(technique));
         }
@@ -97,9 +98,9 @@ class Source {
     json json_;
 };
 
-/// Whole numbers without a decimal point: most figures count pixels.
+/// Integers are written without a decimal point, because most figures are counts of pixels.
 ordered_json numberJson(double number) {
-    constexpr double kExact = 1e15; // every whole number up to there is a double
+    constexpr double kExact = 1e15; // every integer up to this one is exact in double
     if (std::floor(number) == number && std::abs(number) < kExact) return static_cast<int64_t>(number);
     return number;
 }
@@ -143,7 +144,7 @@ HistoryRecord recordOf(const std::string& where, const std::string& resultsJson,
     for (const auto& [key, value] : source.field(source.root(), "reference", "").items())
         if (key.starts_with("error_") && value.is_number()) record.certificate[key] = value.get<double>();
     record.techniques = source.techniques([&](const json& technique, const std::string& path) {
-        source.field(technique, "silhouette", path); // a result without any figure is none
+        source.field(technique, "silhouette", path); // fails for a technique without figures
         std::map<std::string, double> figures;
         addFlatFigures(technique, "", figures);
         return figures;

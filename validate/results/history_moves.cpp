@@ -14,10 +14,10 @@ namespace {
 
 constexpr const char* kAll = "all";
 
-/// Where a figure should go.
+/// The direction in which a figure becomes better.
 enum class Direction { None, Higher, NearZero, Lower };
 
-/// The key its row has for a figure: without the reference it is held against and without the light.
+/// The key of a figure's row, without the prefix of the proxy's reference and without the light.
 std::string metricKey(std::string figure) {
     constexpr std::string_view kAgainstProxy = "against_proxy.";
     if (figure.starts_with(kAgainstProxy)) figure.erase(0, kAgainstProxy.size());
@@ -33,7 +33,7 @@ bool isCost(const std::string& figure) {
     return metric && isCost(*metric);
 }
 
-/// Numerators and the like: the ratio made of them has an interval, they have none.
+/// Numerators and other counts. They have no interval; the ratio computed from them has one.
 bool isCount(const std::string& figure) {
     const MetricInfo* metric = metricOf(figure);
     return metric && metric->unit == Unit::PixelCount;
@@ -48,7 +48,7 @@ Direction directionOf(const std::string& figure) {
                                         : Direction::None;
 }
 
-/// How much worse `after` is, in the figure's unit; below 0 where it is better.
+/// How much worse `after` is, in the figure's unit; negative if it is better.
 double worsening(Direction direction, double before, double after) {
     switch (direction) {
     case Direction::Higher:
@@ -67,7 +67,7 @@ bool isEndOfInterval(const std::string& figure) {
     return figure.ends_with("_low") || figure.ends_with("_high");
 }
 
-/// How far a figure may fall within the interval it had; 0 for one without.
+/// Distance from a figure to the lower end of its previous interval; 0 without an interval.
 double intervalBelow(const HistoryTechnique& technique, const std::string& figure, double before) {
     const auto low = technique.figures.find(figure + "_low");
     return low == technique.figures.end() ? 0.0 : std::max(0.0, before - low->second);
@@ -123,7 +123,7 @@ bool comparable(const HistoryRecord& a, const HistoryRecord& b) {
     return a.scene == b.scene && a.sceneHash == b.sceneHash && a.base == b.base;
 }
 
-/// A record's technique against those of `earlier`, latest first, all comparable.
+/// Compares a technique with those of `earlier`: comparable records, latest first.
 void addTechnique(SceneMoves& result, const HistoryTechnique& now,
                   const std::vector<const HistoryRecord*>& earlier, const Tolerances& tolerances) {
     const HistoryRecord* worked = nullptr;
@@ -150,7 +150,7 @@ void addTechnique(SceneMoves& result, const HistoryTechnique& now,
         if (!worked) return;
         if (worked != earlier[0])
             result.notes.push_back(
-                fmt::format("{} is held against '{}', where it worked last", now.name, worked->label));
+                fmt::format("{} is compared with '{}', where it last worked", now.name, worked->label));
         compare(result, *find(*worked, now.name), now, tolerances);
     }
 }
@@ -158,14 +158,14 @@ void addTechnique(SceneMoves& result, const HistoryTechnique& now,
 void addNotes(SceneMoves& result, const HistoryRecord& now, const HistoryRecord& before) {
     for (const HistoryTechnique& technique : before.techniques)
         if (!find(now, technique.name))
-            result.notes.push_back(technique.name + " isn't in the latest record");
+            result.notes.push_back(technique.name + " is not in the latest record");
     if (now.certificate != before.certificate)
         result.notes.emplace_back(
-            "the reference's own error isn't what it was (--error-px, --rate, --memory, or the machine's "
-            "memory): figures move with it");
+            "the reference's own error is different (--error-px, --rate, --memory, or the machine's memory): "
+            "figures change with it");
     if (now.sceneHash.empty())
         result.notes.emplace_back(
-            "neither record says which files its scene had: whether they are the same isn't known");
+            "neither record contains the hash of its scene: the scenes may be different");
 }
 
 SceneMoves movesOf(const std::vector<HistoryRecord>& records, size_t latest, const Tolerances& tolerances) {
@@ -174,7 +174,7 @@ SceneMoves movesOf(const std::vector<HistoryRecord>& records, size_t latest, con
     result.scene = now.scene;
     result.after = now.label;
     std::vector<const HistoryRecord*> earlier;
-    const HistoryRecord* other = nullptr; // the latest of the scene's name that doesn't compare
+    const HistoryRecord* other = nullptr; // the latest record of the same scene name that isn't comparable
     for (size_t i = latest; i-- > 0;) {
         if (comparable(records[i], now))
             earlier.push_back(&records[i]);
@@ -185,9 +185,9 @@ SceneMoves movesOf(const std::vector<HistoryRecord>& records, size_t latest, con
         result.notes.push_back(
             !other ? std::string("the first record of this scene")
             : other->sceneHash != now.sceneHash
-                ? fmt::format("not comparable with '{}': the scene's files or fields are others now",
+                ? fmt::format("not comparable with '{}': files or fields of the scene have changed",
                               other->label)
-                : fmt::format("not comparable with '{}': another base was displaced", other->label));
+                : fmt::format("not comparable with '{}': its base is different", other->label));
         return result;
     }
     result.before = earlier[0]->label;
@@ -218,7 +218,7 @@ Tolerances Tolerances::parse(const std::vector<std::string>& texts) {
                 if (const std::string name(metric.key);
                     directionOf(name) != Direction::None && !isEndOfInterval(name))
                     known.push_back(name);
-            throw InputError("--tolerance", fmt::format("no figure '{}' can become worse", key),
+            throw InputError("--tolerance", fmt::format("'{}' is not a figure that can become worse", key),
                              "all, or a figure of 'plumbline list metrics' with a best value, or of cost",
                              didYouMean(key, known));
         }

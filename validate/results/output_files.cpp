@@ -29,7 +29,7 @@ void requireWritableFolder(const std::filesystem::path& folder) {
     if (!std::filesystem::is_directory(folder, ignored))
         throw InputError(folder.string(),
                          "the folder can't be created" + (error ? fmt::format(" ({})", error.message()) : ""),
-                         "a place for results, given with -o");
+                         "a folder for results, given with -o");
     tryCreateFile(folder);
 }
 
@@ -38,8 +38,8 @@ void requireWritableFile(const std::filesystem::path& file,
     std::error_code ignored;
     for (const std::filesystem::path& input : inputs)
         if (std::filesystem::equivalent(file, input, ignored))
-            throw InputError(file.string(), "would be replaced, and is what is read",
-                             "another name for the result");
+            throw InputError(file.string(), "this file is an input and would be overwritten",
+                             "another file for the result");
     if (std::filesystem::is_directory(file, ignored) || !file.has_filename())
         throw InputError(file.string(), "this is a folder", "the name of a file");
     requireWritableFolder(file.has_parent_path() ? file.parent_path() : std::filesystem::path("."));
@@ -49,19 +49,20 @@ void removeOldResults(const std::filesystem::path& folder) {
     for (const char* name : {"results.json", "results.csv", "report/index.html"}) {
         std::error_code error;
         std::filesystem::remove(folder / name, error);
-        if (error) throw InputError((folder / name).string(), "can't be replaced", "the name of a file");
+        if (error)
+            throw InputError((folder / name).string(), "can't be removed", "a file that may be replaced");
     }
 }
 
 std::string safeFileName(const std::string& name) {
-    constexpr size_t kLongest = 100; // leaves room for a suffix within the 255 bytes of common file systems
+    constexpr size_t kLongest = 100; // leaves space for a suffix in the 255 bytes of common file systems
     std::string result;
     for (const char c : name) {
         const bool keep = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
                           std::string_view("-_=.").find(c) != std::string_view::npos;
         if (keep)
             result += c;
-        else if (c == '@') // oiiotool and its like read it as the number of a frame
+        else if (c == '@') // oiiotool and similar tools read it as a frame number
             result += "-on-";
         else if (result.empty() || result.back() != '_')
             result += '_';

@@ -1,5 +1,4 @@
-// Where results go, checked before any work is done. The files themselves are written by
-// scenes/core/replace_file.h.
+// Checks the paths of output files before any work is done. scenes/core/replace_file.h writes the files.
 #pragma once
 
 #include <filesystem>
@@ -8,18 +7,19 @@
 
 namespace plumbline {
 
-/// Creates the folder with its parents and makes sure a file can be created in it. Throws InputError.
+/// Creates the folder with its parents and checks that a file can be created in it. Throws InputError.
 void requireWritableFolder(const std::filesystem::path& folder);
-/// Likewise for the folder a file is to be written to; also throws if the file is a folder, or one of
-/// `inputs`, which it would replace.
+/// The same for the folder of a file that will be written. Also throws if the file is a folder, or if it is
+/// one of `inputs`, which would be overwritten.
 void requireWritableFile(const std::filesystem::path& file, const std::vector<std::filesystem::path>& inputs);
 
-/// Results and report page of an earlier run in the folder: to be gone before the first file of a new one, so
-/// that no stopped run can pass for whole. Throws InputError.
+/// Removes results and report page of an earlier run from the folder. Called before a run writes its first
+/// file, so that an interrupted run isn't mistaken for a complete one. Throws InputError.
 void removeOldResults(const std::filesystem::path& folder);
 
-/// A technique's or light's name as part of a file name: letters, digits and -_=. stay, @ becomes "-on-",
-/// every run of others one '_'; never empty, never hidden, at most 100 characters. Two names can become one.
+/// A technique's or light's name as part of a file name: letters, digits and -_=. are kept, @ becomes "-on-",
+/// each sequence of other characters '_'. Never empty, never hidden, at most 100 characters. Different names
+/// may give the same result.
 std::string safeFileName(const std::string& name);
 
 } // namespace plumbline

@@ -21,7 +21,7 @@ std::string trimmed(const std::string& text) {
 
 double parseBound(const std::string& text, const std::string& where) {
     const std::optional<double> bound = parseNumber<double>(text);
-    if (!bound) throw InputError(where, fmt::format("'{}' is no finite number", text), kForm);
+    if (!bound) throw InputError(where, fmt::format("'{}' is not a finite number", text), kForm);
     return *bound;
 }
 
@@ -39,7 +39,7 @@ void requireName(const Requirement& requirement, const char* what, const std::st
                  std::span<const std::string> names) {
     if (name.empty() || std::find(names.begin(), names.end(), name) != names.end()) return;
     throw InputError(requirement.where, fmt::format("no {} is called '{}'", what, name),
-                     names.empty() ? fmt::format("none: there is no {}", what) : listOf(names),
+                     names.empty() ? fmt::format("none, because there is no {}", what) : listOf(names),
                      didYouMean(name, names));
 }
 
@@ -77,7 +77,7 @@ Figure figureOf(const TechniqueOutcome& technique, const Requirement& requiremen
                                       : metrics->figure(*metric, light);
 }
 
-/// The lights it is about; one without a name where none is known.
+/// The lights to which it applies; one without a name if there is no light.
 std::vector<std::string> lightsOf(const TechniqueOutcome& technique, const Requirement& requirement) {
     if (!isOfLights(requirement) || !requirement.light.empty()) return {requirement.light};
     const std::set<std::string>& lights = technique.comparison.pooled.lights();
@@ -96,7 +96,7 @@ Requirement parseRequirement(const std::string& text, const std::string& where) 
     requirement.where = where;
     const size_t at = text.find_first_of("<>");
     if (at == std::string::npos)
-        throw InputError(where, fmt::format("'{}' compares with nothing", text), kForm);
+        throw InputError(where, fmt::format("'{}' contains no comparison", text), kForm);
     const size_t length = at + 1 < text.size() && text[at + 1] == '=' ? 2 : 1;
     requirement.comparison = text.substr(at, length);
     const std::string bound = trimmed(text.substr(at + length));
@@ -105,7 +105,7 @@ Requirement parseRequirement(const std::string& text, const std::string& where) 
     if (const size_t object = requirement.key.find('@'); object != std::string::npos) {
         requirement.object = trimmed(requirement.key.substr(object + 1));
         requirement.key = trimmed(requirement.key.substr(0, object));
-        if (requirement.object.empty()) throw InputError(where, "nothing follows '@'", kForm);
+        if (requirement.object.empty()) throw InputError(where, "no object follows '@'", kForm);
     }
     requirement.text = fmt::format("{}{}{} {} {}", requirement.key, requirement.object.empty() ? "" : "@",
                                    requirement.object, requirement.comparison, bound);
@@ -114,8 +114,8 @@ Requirement parseRequirement(const std::string& text, const std::string& where) 
     requirement.light = name.light;
     const MetricInfo* metric = findMetric(requirement.key);
     if (!metric) refuseMetric(requirement);
-    if ((metric->scope == Scope::Picture || metric->scope == Scope::Technique) && !requirement.object.empty())
-        throw InputError(where, fmt::format("no object has a {} of its own", requirement.key),
+    if ((metric->scope == Scope::Image || metric->scope == Scope::Technique) && !requirement.object.empty())
+        throw InputError(where, fmt::format("{} is not computed per object", requirement.key),
                          requirement.key + " without '@'");
     return requirement;
 }
@@ -126,8 +126,8 @@ void checkNames(const Requirement& requirement, std::span<const std::string> lig
     requireName(requirement, "object", requirement.object, objects);
 }
 
-std::vector<RequirementResult> holdAgainst(std::span<const Requirement> requirements,
-                                           const TechniqueOutcome& technique) {
+std::vector<RequirementResult> evaluateRequirements(std::span<const Requirement> requirements,
+                                                    const TechniqueOutcome& technique) {
     std::vector<RequirementResult> results;
     for (const Requirement& requirement : requirements)
         for (const std::string& light : lightsOf(technique, requirement)) {

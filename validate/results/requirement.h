@@ -1,9 +1,9 @@
-// What a run must reach: "silhouette.iou >= 0.99", from --require or a scene's [require].
+// Requirements on the figures of a run: "silhouette.iou >= 0.99", from --require or a scene's [require].
 //
 //     KEY[@OBJECT] OPERATOR NUMBER
-// KEY: of metricTable(); of figures of lights also with a light, "shadow.sun.agreement", else every light
-// must reach it. @OBJECT: the figure of that object, else the pooled one. OPERATOR: >= > <= <. Spaces don't
-// matter.
+// KEY: of metricTable(). With a light ("shadow.sun.agreement") it applies to that light, without one to every
+// light. With @OBJECT the figure of that object is evaluated, otherwise the pooled one. OPERATOR: >= > <= <.
+// Spaces are ignored.
 #pragma once
 
 #include "validate/metrics/figure.h"
@@ -18,7 +18,7 @@ struct TechniqueOutcome;
 
 struct Requirement {
     std::string text;       // "silhouette.iou@torus >= 0.99"
-    std::string where;      // it was given, for messages
+    std::string where;      // source of the requirement, for messages
     std::string key;        // of metricTable()
     std::string light;      // empty: every light
     std::string object;     // empty: pooled
@@ -26,23 +26,23 @@ struct Requirement {
     double bound = 0;
 };
 
-/// How a technique stands to a requirement; of one on every light, to that of one light.
+/// Result of a requirement for a technique; if it applies to every light, there is one for each.
 struct RequirementResult {
     std::string requirement; // its text
     std::string key; // with the light, "shadow.sun.agreement"; with the object, "silhouette.iou@torus"
     Figure value;
-    bool passed = false; // never where there is no value
+    bool passed = false; // false if the figure is absent
 };
 
-/// Throws InputError that begins with `where` for a text not of the form or a metric there isn't.
+/// Throws InputError, located at `where`, for a text that isn't of this form or an unknown metric.
 Requirement parseRequirement(const std::string& text, const std::string& where);
 
-/// Throws InputError for a light or an object that isn't among these.
+/// Throws InputError for an unknown light or object.
 void checkNames(const Requirement& requirement, std::span<const std::string> lights,
                 std::span<const std::string> objects);
 
-/// One result a requirement, or one a light of it; a technique that wasn't drawn reaches none.
-std::vector<RequirementResult> holdAgainst(std::span<const Requirement> requirements,
-                                           const TechniqueOutcome& technique);
+/// One result for each requirement, or for each light of it. A technique that failed reaches none.
+std::vector<RequirementResult> evaluateRequirements(std::span<const Requirement> requirements,
+                                                    const TechniqueOutcome& technique);
 
 } // namespace plumbline

@@ -12,14 +12,14 @@ std::string cell(const MetricInfo& metric, const Figure& figure) {
     return isWhole(metric.unit) ? fmt::format("{:.0f}", *figure) : fmt::format("{}", *figure);
 }
 
-/// What a row is of, beyond its object and light.
+/// Identifies a row, together with its object and light.
 struct Subject {
     std::string technique;
-    std::string reference;     // base of the reference held against
-    MetricSet runFigures = {}; // what its run cost
+    std::string reference;     // base of the reference it is compared with
+    MetricSet runFigures = {}; // cost of its run
 };
 
-/// Texts around the figures: the same for the head and for every row, so they can't part.
+/// Joins figures and the other cells. Header and rows use it, so their columns stay in the same order.
 std::string line(const std::string& technique, const std::string& object, const std::string& light,
                  const std::string& reference, const std::vector<std::string>& figures,
                  const std::string& error) {

@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 const std::string kCostGroup = "cost";
 
-/// A group of the schema: figures that are there, groups in it, and the reasons of figures that aren't there.
+/// A group of the schema: figures, nested groups, and the reasons of absent figures.
 class Group {
   public:
     void add(const std::string& key, const Figure& figure) {
@@ -22,7 +22,7 @@ class Group {
         else
             absent_[key] = figure.reason();
     }
-    /// A figure that is a whole number, without a decimal point.
+    /// A figure that is an integer, written without a decimal point.
     void addCount(const std::string& key, const Figure& figure) {
         if (figure)
             json_[key] = static_cast<uint64_t>(*figure);
@@ -35,14 +35,14 @@ class Group {
         else
             absent_[key] = reason;
     }
-    /// What stands behind the figures and their reasons.
+    /// Adds a value that is written after the figures and their reasons.
     void addLast(const std::string& key, Json value) { last_[key] = std::move(value); }
-    /// The group of that name; where it is new, it stands behind what was added so far.
+    /// The group of that name; a new one is written after what was added so far.
     Group& inner(const std::string& key) {
         std::unique_ptr<Group>& group = inner_[key];
         if (!group) {
             group = std::make_unique<Group>();
-            json_[key] = nullptr; // its place
+            json_[key] = nullptr; // reserves its position
         }
         return *group;
     }
@@ -61,14 +61,14 @@ class Group {
     std::map<std::string, std::unique_ptr<Group>> inner_;
 };
 
-/// The group of a metric; `path`: with dots between the names of groups in groups.
+/// The group of a metric. `path`: names of nested groups, separated by dots.
 Group& groupOf(Group& root, const std::string& path) {
     const size_t dot = path.find('.');
     return dot == std::string::npos ? root.inner(path)
                                     : groupOf(root.inner(path.substr(0, dot)), path.substr(dot + 1));
 }
 
-/// Schema 1 has the time of a frame in front of what else a run costs.
+/// In schema 1 the time of a frame comes before the other costs of a run.
 std::vector<const MetricInfo*> inSchemaOrder(const std::vector<MetricInfo>& rows) {
     std::vector<const MetricInfo*> ordered;
     for (const MetricInfo& row : rows)
@@ -90,7 +90,7 @@ void addMetric(Group& group, const Metric& metric, const MetricSet& metrics, con
     if (!histogram.empty()) group.addLast(metric.histogram, histogram);
 }
 
-/// The metrics whose scope is one of `scopes`.
+/// The figures of metrics whose scope is one of `scopes`.
 Group metricGroups(const MetricSet& metrics, std::initializer_list<Scope> scopes) {
     Group root;
     for (const Metric& metric : metricRegistry()) {
@@ -105,7 +105,8 @@ Group metricGroups(const MetricSet& metrics, std::initializer_list<Scope> scopes
     return root;
 }
 
-/// `withCost`: two references have none, and a technique's doesn't depend on what it is held against.
+/// `withCost`: false for two references, which have no cost, and for a technique compared with the proxy,
+/// whose cost is already written.
 void addGroups(Json& json, const Group& groups, bool withCost) {
     const Json all = groups.json();
     for (const auto& [name, group] : all.items())
@@ -129,7 +130,7 @@ void addObjectsAndNotes(Json& json, const Comparison& comparison, bool withCost)
 Json toJson(const Comparison& comparison) {
     Json json;
     json["pooled_objects"] = comparison.pooledObjects;
-    addGroups(json, metricGroups(comparison.pooled, {Scope::Objects, Scope::ObjectsByLight, Scope::Picture}),
+    addGroups(json, metricGroups(comparison.pooled, {Scope::Objects, Scope::ObjectsByLight, Scope::Image}),
               false);
     addObjectsAndNotes(json, comparison, false);
     return json;
@@ -157,7 +158,7 @@ Json toJson(const TechniqueOutcome& technique) {
     }
     json["pooled_objects"] = technique.comparison.pooledObjects;
     Group groups = metricGroups(pooledFigures(technique),
-                                {Scope::Objects, Scope::ObjectsByLight, Scope::Picture, Scope::Technique});
+                                {Scope::Objects, Scope::ObjectsByLight, Scope::Image, Scope::Technique});
     if (technique.cost.msMedian) {
         groups.inner(kCostGroup).addLast("ms_runs", technique.msRuns);
         groups.inner(kCostGroup).addLast("timer", technique.timer);

@@ -14,10 +14,10 @@ std::string shown(const Figure& figure, int decimals) {
     return figure ? fmt::format("{:.{}f}", *figure, decimals) : std::string("-");
 }
 
-/// How far the true figure may be from the one shown, rounded up: never less than it is.
+/// The largest possible distance of the true figure from the one shown, rounded up so that it is never
+/// understated.
 std::string shownReach(const Interval& interval, const Figure& figure, int decimals) {
-    constexpr double kRounding =
-        1e-6; // of the last place: 0.3 - 0.2 is 1e-17 above 0.1 and no reason for 0.11
+    constexpr double kRounding = 1e-6; // in units of the last place: 0.3 - 0.2 > 0.1 by 1e-17 is no 0.11
     const Figure reach = interval.reach(figure);
     if (!reach) return "-";
     const double scale = std::pow(10.0, decimals);
@@ -51,7 +51,8 @@ std::vector<std::string> headsOf(const std::vector<MetricInfo>& columns) {
     return heads;
 }
 
-/// The light that stands for all: with the lowest figure in the first column of lights; results.csv has each.
+/// The light shown for all: the one with the lowest figure in the first column of lights. results.csv has
+/// each.
 std::string worstLight(const std::vector<MetricInfo>& columns, const MetricSet& metrics) {
     const auto column = std::ranges::find(columns, Scope::ObjectsByLight, &MetricInfo::scope);
     std::string worst;
@@ -78,7 +79,7 @@ std::vector<std::string> cellsOf(const std::vector<MetricInfo>& columns, const M
     return cells;
 }
 
-/// `cells` between a first and the last ones.
+/// `first`, `cells` and `last` in one row.
 std::vector<std::string> joined(const std::string& first, std::vector<std::string> cells,
                                 const std::vector<std::string>& last) {
     cells.insert(cells.begin(), first);
@@ -124,9 +125,8 @@ std::string toTable(const Results& results) {
     }
     std::string text = table.text() + errors;
     if (results.proxy)
-        text += "\nTechniques held against the reference on the proxy. (base gap): that reference held "
-                "against the one "
-                "above, on the limit surface.\n" +
+        text += "\nTechniques compared with the reference on the proxy. (base gap): that reference compared "
+                "with the one above, on the limit surface.\n" +
                 proxyTable(results);
     return text;
 }

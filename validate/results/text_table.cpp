@@ -7,7 +7,7 @@
 namespace plumbline {
 namespace {
 
-/// Of UTF-8: bytes that don't continue a character.
+/// Number of UTF-8 characters, that is, of bytes that don't continue one.
 size_t characters(const std::string& text) {
     return static_cast<size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));

@@ -1,4 +1,4 @@
-// A table for the terminal: the first column to the left, the others to the right.
+// A table for the terminal. The first column is left-aligned, the others are right-aligned.
 #pragma once
 
 #include <string>
@@ -9,10 +9,10 @@ namespace plumbline {
 class TextTable {
   public:
     explicit TextTable(std::vector<std::string> heads) { rows_.push_back(std::move(heads)); }
-    /// As many cells as there are heads.
+    /// `cells`: as many as there are heads.
     void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
     bool empty() const { return rows_.size() == 1; }
-    /// A line a row, the heads first. Widths are those of UTF-8 characters.
+    /// One line per row, the heads first. Widths count UTF-8 characters.
     std::string text() const;
 
   private:

@@ -9,8 +9,8 @@
 namespace plumbline {
 namespace {
 
-constexpr double kLargest = 1e12; // of a range: scenes have narrower limits of their own
-constexpr int kMostSteps = 1000000;
+constexpr double kLargest = 1e12; // ends of a range; the fields of scenes have narrower limits
+constexpr int kMaxSteps = 1000000;
 
 bool isPathCharacter(unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == '-' || c == '.';
@@ -18,7 +18,7 @@ bool isPathCharacter(unsigned char c) {
 
 std::vector<std::string> valuesOfRange(const TomlTable& table) {
     const Vec2 range = table.vector2("range", -kLargest, kLargest);
-    const int steps = table.integer("steps", 1, kMostSteps);
+    const int steps = table.integer("steps", 1, kMaxSteps);
     const bool log = table.choice("spacing", {"linear", "log"}, "linear") == "log";
     if (!(range.x < range.y))
         table.fail("range", fmt::format("[{}, {}] is empty", range.x, range.y), "[lowest, highest]");
@@ -30,7 +30,7 @@ std::vector<std::string> valuesOfRange(const TomlTable& table) {
         const double t = static_cast<double>(i) / (steps - 1);
         const double value =
             log ? range.x * std::pow(range.y / range.x, t) : range.x + t * (range.y - range.x);
-        values.push_back(fmt::format("{:.9g}", value)); // without the noise of the last digits
+        values.push_back(fmt::format("{:.9g}", value)); // without rounding errors in the last digits
     }
     return values;
 }
@@ -50,7 +50,7 @@ StudyAxis readStudyAxis(const TomlTable& table, const std::string& name) {
     StudyAxis axis{name, {}, {}};
     if (table.has("field") == table.has("fields"))
         table.fail({}, table.has("field") ? "has both field and fields" : "changes nothing",
-                   "field = \"camera.width\", or fields = […] that take each value together");
+                   "field = \"camera.width\", or fields = […] that all get the same value");
     axis.fields =
         table.has("field") ? std::vector<std::string>{table.text("field")} : table.distinctTexts("fields");
     if (axis.fields.empty()) table.fail("fields", "is empty", "at least one");
@@ -58,7 +58,7 @@ StudyAxis readStudyAxis(const TomlTable& table, const std::string& name) {
         if (field.empty() || !std::all_of(field.begin(), field.end(), isPathCharacter))
             table.fail(table.has("field") ? "field" : "fields",
                        fmt::format("has \"{}\"", field.substr(0, 64)),
-                       "keys of the scene with dots between them, as camera.width");
+                       "keys of the scene separated by dots, for example camera.width");
     if (table.has("values") == table.has("range"))
         table.fail({}, table.has("values") ? "has both values and range" : "has no values",
                    "values = […], or range = [lowest, highest] and steps");
@@ -66,7 +66,7 @@ StudyAxis readStudyAxis(const TomlTable& table, const std::string& name) {
     std::vector<std::string> sorted = axis.values;
     std::sort(sorted.begin(), sorted.end());
     if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-        table.fail(table.has("values") ? "values" : "range", fmt::format("{} is there twice", *twice),
+        table.fail(table.has("values") ? "values" : "range", fmt::format("{} occurs twice", *twice),
                    "each once");
     table.finish();
     return axis;

@@ -1,4 +1,4 @@
-// The values an axis of a study takes.
+// Reads the axes of a study and their values.
 #pragma once
 
 #include "scenes/toml/toml_table.h"
@@ -6,11 +6,12 @@
 
 namespace plumbline {
 
-/// `[[grid.axis]]`: `field` or `fields`, and `values`, or `range`, `steps` and `spacing`. Throws InputError.
+/// Reads `[[grid.axis]]`: `field` or `fields`, and `values`, or `range`, `steps` and `spacing`. Throws
+/// InputError.
 StudyAxis readStudyAxis(const TomlTable& table, const std::string& name);
 
-/// One scalar or an array of them, each as TOML writes it; as plain texts if `plain`. Throws InputError for
-/// none.
+/// Reads one scalar or an array of them in TOML syntax; if `plain`, as texts without quotes. Throws
+/// InputError if there is none.
 std::vector<std::string> readStudyValues(const TomlTable& table, const std::string& key, bool plain);
 
 } // namespace plumbline

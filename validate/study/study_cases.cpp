@@ -17,7 +17,7 @@ bool namesFile(const std::string& field) {
     return last == "mesh" || last == "file" || last == "color_map";
 }
 
-/// A change, and the file it names.
+/// Adds a change and the contents of the file that it names.
 void addChange(ContentHash& hash, const std::string& change, const std::filesystem::path& sceneFile) {
     hash.add(change);
     const size_t equals = change.find('=');
@@ -25,7 +25,7 @@ void addChange(ContentHash& hash, const std::string& change, const std::filesyst
     try {
         const TomlTable value = TomlTable::parse("", "file = " + change.substr(equals + 1));
         hash.addFile(sceneFile.parent_path() / value.text("file"));
-    } catch (const InputError&) { // no text, or no such file: the case will say so
+    } catch (const InputError&) { // not a text, or no such file: the case itself reports the error
     }
 }
 

@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::vector<std::string> kStatistics{"median", "mean", "min", "max", "count"};
-/// What rows can be told apart by beside the axes.
+/// What rows can be grouped by, in addition to the axes.
 const std::vector<std::string> kColumns{"scene", "technique"};
 
 class StudyReader {
@@ -59,7 +59,7 @@ class StudyReader {
         for (const TomlTable& technique : table.tables("technique")) {
             StudyTechnique entry{technique.line("label"), technique.text("name")};
             if (entry.label == kAgainstReference || !labels.insert(entry.label).second)
-                technique.fail("label", fmt::format("is \"{}\"", entry.label), "a text of its own");
+                technique.fail("label", fmt::format("is \"{}\"", entry.label), "a unique text");
             technique.finish();
             grid.techniques.push_back(entry);
         }
@@ -67,7 +67,7 @@ class StudyReader {
         for (const TomlTable& pair : table.tables("pair")) {
             const std::vector<std::string> known(labels.begin(), labels.end());
             const StudyPair entry{pair.choice("first", known), pair.choice("second", known)};
-            if (entry.first == entry.second) pair.fail("second", "is the first", "another technique");
+            if (entry.first == entry.second) pair.fail("second", "is the same as first", "another technique");
             pair.finish();
             grid.pairs.push_back(entry);
         }
@@ -83,12 +83,12 @@ class StudyReader {
             taken.insert(other.fields.begin(), other.fields.end());
         for (const std::string& field : axis.fields)
             if (!taken.insert(field).second)
-                table.fail(key, fmt::format("\"{}\" is changed twice", field),
-                           "each field on one axis, once");
+                table.fail(key, fmt::format("\"{}\" is set by two axes", field),
+                           "each field on one axis only");
         grid.axes.push_back(std::move(axis));
     }
 
-    /// Beside the study, else in the library.
+    /// In the folder of the study, otherwise in the library.
     fs::path findSceneOf(const TomlTable& table, const std::string& scene) const {
         const fs::path beside = file_.parent_path() / scene;
         std::error_code error;
@@ -105,7 +105,7 @@ class StudyReader {
         return gridNamed(study_, table.choice("grid", names, study_.grids.front().name));
     }
 
-    /// Names rows of a grid can be grouped by.
+    /// Names by which the rows of a grid can be grouped.
     static std::vector<std::string> groupings(const StudyGrid& grid) {
         std::vector<std::string> names = kColumns;
         for (const StudyAxis& axis : grid.axes)
@@ -127,12 +127,12 @@ class StudyReader {
         for (const std::string& key : where.keys()) {
             const std::vector<std::string> names = groupings(grid);
             if (std::find(names.begin(), names.end(), key) == names.end())
-                where.fail(key, "is no axis of the grid", listOf(names), didYouMean(key, names));
+                where.fail(key, "is not an axis of the grid", listOf(names), didYouMean(key, names));
             rows.where[key] = readStudyValues(where, key, key == "scene" || key == "technique");
             const std::vector<std::string> known = groupValues(grid, key);
             for (const std::string& value : rows.where[key])
                 if (std::find(known.begin(), known.end(), value) == known.end())
-                    where.fail(key, fmt::format("{} is none of its values", value), listOf(known),
+                    where.fail(key, fmt::format("{} is not one of its values", value), listOf(known),
                                didYouMean(value, known));
         }
         where.finish();
@@ -143,7 +143,7 @@ class StudyReader {
         const StudyGrid& grid = readGridName(table);
         StudyTable entry{table.line("title"), table.choice("rows", groupings(grid)),
                          table.choice("columns", groupings(grid)), readRows(table, grid)};
-        if (entry.rows == entry.columns) table.fail("columns", "is what the rows are", "another grouping");
+        if (entry.rows == entry.columns) table.fail("columns", "is the same as rows", "another grouping");
         table.finish();
         study_.tables.push_back(std::move(entry));
     }

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kMark = "study.json";
 
-/// Name of the study whose results are there; nothing if there are none.
+/// Name of the study whose results the folder contains; nullopt if there are none.
 std::optional<std::string> studyIn(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_regular_file(folder / kMark, error)) return std::nullopt;
@@ -33,8 +33,9 @@ std::optional<std::string> studyIn(const fs::path& folder) {
 
 void refuseOther(const fs::path& folder, const std::string& found, const Study& study) {
     if (found != study.name)
-        throw InputError(folder.string(), fmt::format("holds the results of study '{}'", found),
-                         fmt::format("those of '{}', or an empty folder", study.name), "-o names another");
+        throw InputError(folder.string(), fmt::format("contains the results of study '{}'", found),
+                         fmt::format("those of '{}', or an empty folder", study.name),
+                         "choose another with -o");
 }
 
 bool areResults(const json& outcome, const char* part, std::initializer_list<const char*> names) {
@@ -47,7 +48,7 @@ bool areResults(const json& outcome, const char* part, std::initializer_list<con
     return found != outcome.end() && found->is_array() && std::all_of(found->begin(), found->end(), isResult);
 }
 
-/// Whether a value has the form that is kept.
+/// Whether a value has the form of a stored outcome.
 bool isOutcome(const json& value) {
     if (!value.is_object() || !value.contains("error")) return false;
     if (value["error"].is_string()) return !value["error"].get<std::string>().empty();
@@ -62,7 +63,7 @@ StudyFolder::StudyFolder(fs::path folder, const Study& study) : folder_(std::mov
     if (const auto found = studyIn(folder_))
         refuseOther(folder_, *found, study);
     else if (fs::is_directory(folder_, error) && !fs::is_empty(folder_, error))
-        throw InputError(folder_.string(), "holds files that are no study's",
+        throw InputError(folder_.string(), "contains files that don't belong to a study",
                          "an empty folder, or a new one");
     requireWritableFolder(folder_);
     requireWritableFolder(folder_ / "cases");
@@ -72,7 +73,7 @@ StudyFolder::StudyFolder(fs::path folder, const Study& study) : folder_(std::mov
 StudyFolder StudyFolder::open(fs::path folder, const Study& study) {
     const auto found = studyIn(folder);
     if (!found)
-        throw InputError(folder.string(), "holds no results of a study",
+        throw InputError(folder.string(), "contains no results of a study",
                          fmt::format("the folder of 'plumbline study run {}'", study.name));
     refuseOther(folder, *found, study);
     return StudyFolder(std::move(folder));
@@ -86,7 +87,7 @@ std::optional<json> StudyFolder::outcomeOf(const StudyCase& studyCase) const {
     std::ifstream stream(fileOf(studyCase), std::ios::binary);
     if (!stream) return std::nullopt;
     json outcome = json::parse(stream, nullptr, false);
-    // Written whole or not at all: a damaged one was damaged by something else, and is made again.
+    // Files are written atomically. One that is damaged anyway is computed again.
     if (!isOutcome(outcome) || outcome.contains("again")) return std::nullopt;
     return outcome;
 }

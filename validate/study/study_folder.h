@@ -1,9 +1,9 @@
 // The results of a study on disk:
 //
-//     FOLDER/study.json           whose they are
-//     FOLDER/cases/ID.json        one a case, written whole when it is done
-//     FOLDER/results.csv          a row a case and technique, made of them
-//     FOLDER/report/              made of that
+//     FOLDER/study.json           the name of the study
+//     FOLDER/cases/ID.json        one for each case, written atomically when it is done
+//     FOLDER/results.csv          made of the cases: a row for each case, technique and frame compared with
+//     FOLDER/report/              made of the rows
 #pragma once
 
 #include "validate/study/study_cases.h"
@@ -16,19 +16,20 @@ namespace plumbline {
 
 class StudyFolder {
   public:
-    /// Makes the folder. Throws InputError if it can't be written, or holds the results of another study or
-    /// other files.
+    /// Creates the folder. Throws InputError if it can't be written, or contains the results of another study
+    /// or other files.
     StudyFolder(std::filesystem::path folder, const Study& study);
-    /// Of a study that was run. Throws InputError if there is none, or of another study.
+    /// Opens the folder of a study that was run. Throws InputError if there are no results, or those of
+    /// another study.
     static StudyFolder open(std::filesystem::path folder, const Study& study);
 
     const std::filesystem::path& path() const { return folder_; }
     /// JSON: {"scene", "values", "changes", "seconds", "error", "again", "reference", "fit", "techniques":
-    /// [{"name", "result"}], "pairs": [{"first", "second", "result"}]}; `error` is null or why there is
-    /// nothing else.
+    /// [{"name", "result"}], "pairs": [{"first", "second", "result"}]}; `error` is null or the reason why
+    /// there are no results.
     ///
-    /// What is known of a case: nothing if it wasn't run, was cut short, or failed for a reason that may have
-    /// gone (`again`).
+    /// The stored outcome of a case; nullopt if it wasn't run, was interrupted, or failed for a reason that
+    /// may no longer apply (`again`).
     std::optional<nlohmann::json> outcomeOf(const StudyCase& studyCase) const;
     void store(const StudyCase& studyCase, const nlohmann::json& outcome) const;
 

@@ -16,8 +16,8 @@
 namespace plumbline {
 namespace {
 
-// Told apart also by those who see no red or green, and by point shapes: Okabe and Ito 2008, without the
-// yellow, which is pale on white.
+// Distinguishable with red-green color blindness, and also by point shapes: Okabe and Ito 2008, without the
+// yellow, which is too pale on white.
 const std::vector<std::string> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                        "#56b4e9", "#e69f00", "#000000"};
 
@@ -27,12 +27,12 @@ const std::string& colorOf(size_t line) {
     return kColors[line % kColors.size()];
 }
 
-/// Of gnuplot's svg terminal: hollow squares, circles, triangles …, then filled ones.
+/// Point type of gnuplot's svg terminal: hollow squares, circles, triangles …, then filled ones.
 size_t pointOf(size_t line) {
     return 4 + 2 * (line % 5) + line / 5 % 2;
 }
 
-/// Single quotes: gnuplot takes everything in them as it is, where double ones would run what stands in
+/// In single quotes, in which gnuplot interprets nothing. In double quotes it would execute text in
 /// backticks.
 std::string quoted(const std::string& text) {
     std::string result = "'";
@@ -41,7 +41,7 @@ std::string quoted(const std::string& text) {
     return result + "'";
 }
 
-/// Values of an axis as numbers; where one isn't, their places 1, 2, 3.
+/// Values of an axis as numbers; if one isn't a number, their indices 1, 2, 3.
 struct Positions {
     std::vector<std::string> texts;
     std::vector<double> numbers;
@@ -63,7 +63,7 @@ struct Positions {
             list += fmt::format("{}{} {}", i > 0 ? ", " : "", quoted(texts[i]), numbers[i]);
         return fmt::format("set xtics ({})\n", list);
     }
-    /// All of them, with a little room.
+    /// The range of all values, with a margin.
     std::string range(bool log) const {
         const auto [low, high] = std::minmax_element(numbers.begin(), numbers.end());
         if (log && *low > 0) {
@@ -75,7 +75,7 @@ struct Positions {
     }
 };
 
-/// A grouping's values in the study's order, those only that rows have.
+/// The values of a grouping that occur in rows, in the study's order.
 std::vector<std::string> present(const StudyGrid& grid, const std::string& grouping,
                                  const std::vector<StudyRow>& rows, const StudyRows& choice) {
     std::vector<std::string> values = groupValues(grid, grouping);
@@ -88,14 +88,14 @@ std::vector<std::string> present(const StudyGrid& grid, const std::string& group
     return values;
 }
 
-/// Where each line's name stands above the panels, pixels from the left: in rows, as many in each as fit.
+/// Positions of the line names above the panels: pixels from the left, in rows with as many as fit.
 struct Key {
     std::vector<double> x;
     std::vector<int> row;
     int rows = 1;
 
     Key(const std::vector<std::string>& names, int width) {
-        constexpr double kLetter = 7, kGap = 40, kMargin = 20; // of the font, about
+        constexpr double kLetter = 7, kGap = 40, kMargin = 20; // pixels; approximate width of the font
         double at = kMargin;
         for (const std::string& name : names) {
             const double wide = kLetter * static_cast<double>(name.size()) + kGap;
@@ -107,7 +107,7 @@ struct Key {
     }
 };
 
-/// The lines of one panel: data blocks first, then the plot command.
+/// The script of one panel: data blocks first, then the plot command.
 std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const std::vector<StudyRow>& rows,
                         const Positions& x, const std::vector<std::string>& lines, size_t panel) {
     const StudyCells cells = cellsOf(rows, choice, plot.lines, plot.x);
@@ -129,7 +129,7 @@ std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const st
     return data + command + "\n";
 }
 
-/// What gnuplot makes of a script, to a file.
+/// Runs gnuplot on a script and writes its output to a file.
 bool runGnuplot(const std::filesystem::path& script, const std::filesystem::path& output) {
     std::string program = "gnuplot", file = std::filesystem::absolute(script).string();
     char* const arguments[] = {program.data(), file.data(), nullptr};
@@ -161,7 +161,7 @@ std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::
     const int width = std::max(columns, 2) * kPanelWidth;
     const Key key(lines, width);
     const int head = kHead + key.rows * kKeyRow, height = panelRows * kPanelHeight + head;
-    // Above the panels the title, what is drawn, and the key of all of them.
+    // Above the panels: the title, the figure and statistic, and the common key.
     std::string script = fmt::format(
         "set terminal svg size {},{} font 'sans-serif,12' noenhanced background '#ffffff'\n"
         "set label 1 {} at screen 0.5,{:.4f} center font 'sans-serif,14'\n"
@@ -195,8 +195,8 @@ std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::
 
 void requireGnuplot() {
     if (std::system("gnuplot --version >/dev/null 2>&1") != 0)
-        throw MachineError("study report", "gnuplot isn't there",
-                           "it for the plots: apt install gnuplot-nox");
+        throw MachineError("study report", "gnuplot is missing",
+                           "gnuplot for the plots (apt install gnuplot-nox)");
 }
 
 bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,

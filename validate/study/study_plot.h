@@ -5,15 +5,15 @@
 
 namespace plumbline {
 
-/// Throws MachineError if gnuplot isn't there.
+/// Throws MachineError if gnuplot isn't installed.
 void requireGnuplot();
 
-/// Draws one plot to `file`. Throws InputError for a figure that no row has, MachineError if gnuplot fails.
-/// False: no row is chosen, nothing was drawn.
+/// Draws one plot to `file`. Returns false, without drawing, if no row is selected. Throws InputError for a
+/// figure that no row has, MachineError if gnuplot fails.
 bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows,
               const std::filesystem::path& file);
 
-/// What it reads; empty where no row is chosen. The picture is what it prints.
+/// The script for gnuplot, which prints the SVG; empty if no row is selected.
 std::string gnuplotScript(const Study& study, const StudyPlot& plot, const std::vector<StudyRow>& rows);
 
 } // namespace plumbline

@@ -19,14 +19,14 @@ namespace {
 namespace fs = std::filesystem;
 using report::data, report::listOfTexts, report::setIfAny;
 
-/// A table's texts: head and rows, the first cell of each the group's name.
+/// The texts of a table: head and rows. The first cell of each is the name of the group.
 struct TableTexts {
     std::string title, note;
     std::vector<std::string> head;
     std::vector<std::vector<std::string>> rows;
 };
 
-/// What `action` gives; an InputError says first what it was about.
+/// Returns the result of `action`; prefixes an InputError with `context`.
 template <class Action>
 auto inContext(const std::string& context, const Action& action) {
     try {
@@ -38,7 +38,7 @@ auto inContext(const std::string& context, const Action& action) {
 
 std::string describeWhere(const StudyRows& choice) {
     std::string text = fmt::format("{} of {}", choice.statistic, choice.figure);
-    if (choice.against != kAgainstReference) text += ", against " + choice.against;
+    if (choice.against != kAgainstReference) text += ", compared with " + choice.against;
     for (const auto& [key, values] : choice.where)
         text += fmt::format("; {} {}", key, fmt::join(values, ", "));
     return text;
@@ -111,7 +111,7 @@ data dataOf(const TableTexts& table) {
     return entry;
 }
 
-/// Failures, each once with the number of times it came.
+/// Distinct errors, each with its number of occurrences.
 std::vector<std::string> errorsOf(const std::vector<StudyRow>& rows) {
     std::map<std::string, size_t> counts;
     for (const StudyRow& row : rows)

@@ -22,7 +22,7 @@ std::string textAt(const json& value, const char* key) {
     return found != value.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
-/// Techniques go by labels in rows and by names in files, so that a label can be changed later.
+/// Rows identify techniques by label, files by name, so that a label can be changed later.
 std::string labelOf(const StudyGrid& grid, const std::string& name) {
     for (const StudyTechnique& technique : grid.techniques)
         if (technique.name == name) return technique.label;
@@ -83,7 +83,7 @@ std::vector<StudyRow> rowsOf(const StudyCase& studyCase, const json& outcome) {
 
 std::string errorOf(const StudyRow& row) {
     if (row.technique.empty()) return row.error;
-    return row.technique + (row.against == kAgainstReference ? "" : " against " + row.against) + ": " +
+    return row.technique + (row.against == kAgainstReference ? "" : " compared with " + row.against) + ": " +
            row.error;
 }
 

@@ -15,20 +15,19 @@
 namespace plumbline {
 namespace {
 
-/// How long a killed process may take to end. In a driver it can take longer, where a GPU hangs; then it is
-/// left behind.
+/// Time that a killed process may take to end. If a GPU hangs, it can take longer in the driver; the process
+/// is then abandoned.
 constexpr std::chrono::seconds kKillLimit(10);
-constexpr std::chrono::milliseconds kBetweenLooks(1);
+constexpr std::chrono::milliseconds kPollInterval(1);
 
 } // namespace
 
-// Not fork(): only one of this process's threads would be there in the child, with the locks of all the
-// others.
+// Not fork(): the child would have only one of this process's threads, but the locks of all of them.
 ChildProcess::ChildProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                            int descriptor, int descriptorThere) {
     std::vector<char*> argv;
     for (const std::string& argument : arguments)
-        argv.push_back(const_cast<char*>(argument.c_str())); // left unchanged, says POSIX
+        argv.push_back(const_cast<char*>(argument.c_str())); // POSIX guarantees that they aren't modified
     argv.push_back(nullptr);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -48,10 +47,10 @@ bool ChildProcess::waitForEnd(std::chrono::milliseconds limit) {
     while (!status_) {
         int status = 0;
         const pid_t ended = ::waitpid(process_, &status, WNOHANG);
-        // -1: this program was started with SIGCHLD ignored, so that it can't know how its children end.
+        // -1: this program was started with SIGCHLD ignored, so it can't get the status of its children.
         if (ended == process_ || (ended < 0 && errno != EINTR)) status_ = status;
         if (status_ || std::chrono::steady_clock::now() >= end) break;
-        std::this_thread::sleep_for(kBetweenLooks);
+        std::this_thread::sleep_for(kPollInterval);
     }
     return status_.has_value();
 }
@@ -67,7 +66,7 @@ int ChildProcess::signal() const {
 }
 
 std::string ChildProcess::howItEnded() const {
-    if (!status_) return "it isn't known how";
+    if (!status_) return "exit status unknown";
     if (!WIFSIGNALED(*status_)) return fmt::format("exit code {}", WEXITSTATUS(*status_));
     const char* name = ::sigabbrev_np(signal());
     return name ? fmt::format("signal {}, SIG{}", signal(), name) : fmt::format("signal {}", signal());

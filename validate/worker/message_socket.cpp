@@ -17,11 +17,11 @@
 namespace plumbline {
 namespace {
 
-/// Of a value; frames travel as numbers. More is no message but bytes gone astray.
+/// Of a value; frames are sent as numbers. A larger length means that the stream is corrupt.
 constexpr uint64_t kLongestBytes = uint64_t(1) << 26;
 
-/// Sockets stay above the standard streams, which a caller may have closed, and above the number a child
-/// finds its end at.
+/// Sockets get numbers above the standard streams, which a caller may have closed, and above the number of
+/// the child's end.
 constexpr int kLowestDescriptor = 10;
 
 void sendBytes(int descriptor, const void* data, size_t size) {
@@ -46,7 +46,7 @@ void receiveBytes(int descriptor, void* data, size_t size) {
     }
 }
 
-/// The same socket under a number that is free for it.
+/// The same socket with a number from kLowestDescriptor on.
 MessageSocket moved(int descriptor) {
     const int high = ::fcntl(descriptor, F_DUPFD_CLOEXEC, kLowestDescriptor);
     const int error = errno;

@@ -1,8 +1,9 @@
-// Whole messages between two processes of this program: a value as MessagePack behind its length, or numbers
-// as they lie in memory.
+// Messages between two processes of this program: a value as MessagePack with its length before it, or an
+// array of numbers in its memory layout.
 //
-// MessagePack and not JSON text: paths and compiler logs hold bytes that aren't UTF-8, times may be NaN, and
-// both arrive as they were. The processes share machine and program, so byte order and layout need no care.
+// MessagePack rather than JSON text, because paths and compiler logs may contain bytes that aren't UTF-8 and
+// times may be NaN; it transmits both unchanged. Both processes run the same program on the same machine, so
+// byte order and memory layout are equal.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -14,13 +15,13 @@
 
 namespace plumbline {
 
-/// The other end is gone: between two messages, in the middle of one, or before it took one.
+/// The other end was closed: between two messages, within one, or before it received one.
 class ConnectionLost : public std::runtime_error {
   public:
     ConnectionLost() : std::runtime_error("the other process closed the connection") {}
 };
 
-/// One end. Blocks; never raises SIGPIPE.
+/// One end of the connection. Its operations block and never raise SIGPIPE.
 class MessageSocket {
   public:
     /// Takes ownership of a connected stream socket.
@@ -29,18 +30,18 @@ class MessageSocket {
     MessageSocket(MessageSocket&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
     MessageSocket& operator=(MessageSocket&& other) noexcept;
 
-    /// Two connected ends, both closed in programs that are started. Throws MachineError.
+    /// Two connected ends, both close-on-exec. Throws MachineError.
     static std::pair<MessageSocket, MessageSocket> makePair();
 
     int descriptor() const { return descriptor_; }
 
-    /// All four throw ConnectionLost; receiving a value also std::runtime_error for bytes that are none.
+    /// All four throw ConnectionLost; receiving a value also throws std::runtime_error for invalid bytes.
     void send(const nlohmann::json& value) const;
     void send(std::span<const float> numbers) const;
     nlohmann::json receive() const;
     void receive(std::span<float> numbers) const;
 
-    /// Whether something came, the end included, before `limit` was over.
+    /// Waits at most `limit`; returns whether there is something to receive or the other end was closed.
     bool waitFor(std::chrono::milliseconds limit) const;
 
   private:

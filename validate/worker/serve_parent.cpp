@@ -20,21 +20,21 @@ namespace {
 MessageSocket socketFromParent(const char* command) {
     struct stat status {};
     if (::fstat(kWorkerDescriptor, &status) != 0 || !S_ISSOCK(status.st_mode))
-        throw InputError("plumbline", fmt::format("'{}' is for the program itself", command),
+        throw InputError("plumbline", fmt::format("'{}' is an internal command", command),
                          "one of the commands that --help lists");
     ::fcntl(kWorkerDescriptor, F_SETFD, FD_CLOEXEC);
     return MessageSocket(kWorkerDescriptor);
 }
 
-/// Also in the middle of a shader.
+/// Ends this process with its parent, even while a shader runs. Returns false if the parent has already
+/// ended.
 bool endWithParent(pid_t parent) {
-    ::prctl(PR_SET_NAME, "plumbline"); // not "exe", what it was started as
+    ::prctl(PR_SET_NAME, "plumbline"); // instead of "exe", as which it was started
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    return ::getppid() == parent; // else that was too late
+    return ::getppid() == parent; // otherwise the parent ended before
 }
 
-/// They come to the parent as well, whose they are; what it does about them ends this process, if it is to
-/// end.
+/// The parent receives these signals too and handles them; it ends this process if necessary.
 void leaveSignalsToParent() {
     for (const int signal : {SIGINT, SIGQUIT, SIGHUP, SIGTERM})
         ::signal(signal, SIG_IGN);
@@ -49,7 +49,7 @@ void sendPrintsToStderr() {
     if (nowhere != STDOUT_FILENO) ::close(nowhere);
 }
 
-/// The last message of a process that can't go on.
+/// Sends the last message of a process that can't continue.
 void sendError(const MessageSocket& socket, const std::exception& error) {
     try {
         socket.send(errorReply(error));
@@ -66,9 +66,9 @@ int serveParent(pid_t parent, const char* command, const std::function<void(cons
     sendPrintsToStderr();
     try {
         serve(socket);
-    } catch (const ConnectionLost&) { // how it ends
+    } catch (const ConnectionLost&) { // the regular end
     } catch (const std::bad_alloc&) {
-        sendError(socket, MachineError(command, "this machine hasn't the memory for that",
+        sendError(socket, MachineError(command, "this machine doesn't have enough memory",
                                        "a smaller scene or frame"));
     } catch (const std::exception& error) {
         sendError(socket, error);

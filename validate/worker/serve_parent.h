@@ -1,4 +1,4 @@
-// The frame of a process that works for the one that started it.
+// The common part of worker processes, which work for the process that started them.
 #pragma once
 
 #include "validate/worker/message_socket.h"
@@ -8,10 +8,10 @@
 
 namespace plumbline {
 
-/// Finds the socket to the parent and runs `serve` with it. What that throws is the last thing sent, as
-/// errorReply; the process ends with the parent, also in the middle of a shader, leaves signals to it, and
-/// prints to stderr only. `command`: what it was started as. Throws InputError if no program of this project
-/// started it. Returns an exit code.
+/// Finds the socket to the parent and runs `serve` with it. An exception of `serve` is sent as errorReply,
+/// which is the last message. The process ends with the parent, even while a shader runs, leaves signals to
+/// it, and prints to stderr only. `command`: the command by which it was started. Throws InputError if the
+/// program itself didn't start it. Returns an exit code.
 int serveParent(pid_t parent, const char* command, const std::function<void(const MessageSocket&)>& serve);
 
 } // namespace plumbline

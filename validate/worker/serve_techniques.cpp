@@ -12,12 +12,12 @@
 namespace plumbline {
 namespace {
 
-/// The file may be another by the time a new process is started.
+/// The file may have changed before a new process is started.
 Scene readSameScene(const WorkerSetup& setup) {
     Scene scene = readScene(setup.scene, setup.sceneChanges);
     if (scene.hash != setup.sceneHash)
         throw InputError(setup.scene.string(), "the scene changed during the run",
-                         "the files it had at the start");
+                         "the same files as at the start");
     return scene;
 }
 
@@ -26,14 +26,14 @@ void drawTechnique(const MessageSocket& socket, RealtimeRenderer& renderer, cons
     try {
         sendResult(socket, renderer.render(resolveTechnique(request), nullptr, sendPhase));
     } catch (const InputError& error) {
-        socket.send(errorReply(error)); // the others go on
+        socket.send(errorReply(error)); // the next techniques are drawn all the same
     }
 }
 
 void drawTechniques(const MessageSocket& socket) {
     const WorkerSetup setup = workerSetup(socket.receive());
-    // Before the scene, whose maps load the libraries for pictures: those bring copies of libraries (libdrm,
-    // libxcb) that drivers link too, and a driver must have its own.
+    // Before the scene is read, because its maps load the image libraries. These load copies of libraries
+    // (libdrm, libxcb) that drivers also link, and a driver must get its own.
     std::unique_ptr<GlContext> context = createGlContext(setup.gl);
     const Scene scene = readSameScene(setup);
     RealtimeRenderer renderer(scene, setup.gl, std::move(context));

@@ -1,11 +1,11 @@
-// The process that draws for a TechniqueWorker.
+// The process that draws techniques for a TechniqueWorker.
 #pragma once
 
 #include <sys/types.h>
 
 namespace plumbline {
 
-/// Draws what the process `parent` asks for until that is gone. Returns an exit code.
+/// Draws the techniques that the process `parent` requests, until that ends. Returns an exit code.
 int serveTechniques(pid_t parent);
 
 } // namespace plumbline

@@ -15,12 +15,12 @@ namespace {
 
 using std::chrono::milliseconds;
 
-/// The clock runs in slices. While this process is stopped (Ctrl-Z) at most one passes.
+/// Time is counted in slices. At most one is counted while this process is stopped (Ctrl-Z).
 constexpr milliseconds kSlice(100);
-/// What a process that is no longer needed gets to write its shader caches.
+/// Time that a process gets at its end to write its shader caches.
 constexpr milliseconds kShutdown(1000);
 
-/// Waits for a message and takes the time that took from `left`. False: none is left.
+/// Waits for a message and subtracts the time from `left`. Returns false if no time is left.
 bool waitWithin(const MessageSocket& socket, milliseconds& left) {
     while (left.count() > 0) {
         const auto start = std::chrono::steady_clock::now();
@@ -36,7 +36,7 @@ bool waitWithin(const MessageSocket& socket, milliseconds& left) {
 
 InputError tooSlow(const std::string& technique, int limitSeconds) {
     return {technique, fmt::format("not finished after {} s and stopped", limitSeconds),
-            "a search whose loops end", "--time-limit SECONDS gives it more"};
+            "a search whose loops terminate", "--time-limit SECONDS raises the limit"};
 }
 
 MachineError endedWhile(const std::string& where, bool drawing, WorkerProcess& worker) {
@@ -60,7 +60,7 @@ TechniqueWorker::TechniqueWorker(const WorkerOptions& options) : options_(option
 
 TechniqueWorker::~TechniqueWorker() {
     if (!connection_) return;
-    connection_->socket = MessageSocket(-1); // at which the process ends
+    connection_->socket = MessageSocket(-1); // the process ends when the socket is closed
     connection_->process.waitForEnd(kShutdown);
 }
 
@@ -70,12 +70,12 @@ void TechniqueWorker::start() {
         connection_->socket.send(
             toJson(WorkerSetup{options_.sceneFile, options_.sceneChanges, options_.sceneHash, options_.gl}));
     } catch (const ConnectionLost&) {
-        // It ended already; waitUntilReady reports how.
+        // It has already ended; waitUntilReady reports how.
     }
 }
 
 void TechniqueWorker::waitUntilReady() {
-    // One that ended since its last technique did no harm to the next.
+    // If it ended after its last technique, the next one isn't affected.
     if (connection_ && connection_->ready && connection_->process.waitForEnd(milliseconds(0)))
         connection_.reset();
     if (!connection_) start();
@@ -101,13 +101,14 @@ TechniqueResult TechniqueWorker::render(const Technique& technique) {
         connection_->socket.send(toJson(technique.request()));
         return awaitResult(technique.name(), drawing);
     } catch (const InputError&) {
-        throw; // the technique's own fault
+        throw; // an error of the technique; the process is fine
     } catch (const ConnectionLost&) {
         const MachineError error = endedWhile(technique.name(), drawing, *connection_);
         connection_.reset();
         throw error;
     } catch (...) {
-        connection_.reset(); // whatever happened there, a lost context included, isn't for the next technique
+        connection_
+            .reset(); // the next technique needs a new process, because this one may have lost its context
         throw;
     }
 }

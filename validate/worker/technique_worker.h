@@ -1,9 +1,8 @@
-// Draws techniques in a process of their own, so that a shader that loops for ever, or a driver that crashes
-// over it, costs that one technique and not the run: the process is killed, and the next technique gets a new
-// one.
+// Draws techniques in a separate process, so that a shader that loops forever, or a driver that crashes,
+// fails that one technique and not the run: the process is killed, and the next technique gets a new one.
 //
-// llvmpipe runs shaders on threads of the process that draws, and nothing but its end stops them. The process
-// serves technique after technique: starting it takes up to half a second.
+// llvmpipe runs shaders on threads of the drawing process, and only ending the process stops them. The
+// process is reused for the next technique, because starting it takes up to half a second.
 #pragma once
 
 #include "realtime/realtime.h"
@@ -13,7 +12,7 @@
 namespace plumbline {
 
 inline constexpr int kDefaultTimeLimitSeconds = 60;
-/// The command by which the program starts itself to draw; --help doesn't list it.
+/// The command with which the program starts itself to draw; --help doesn't list it.
 inline constexpr const char* kDrawWorkerCommand = "draw-worker";
 
 struct WorkerOptions {
@@ -23,14 +22,13 @@ struct WorkerOptions {
     GlOptions gl;
     int threads = 0; // --threads; 0: all
     int timeLimitSeconds = kDefaultTimeLimitSeconds;
-    std::filesystem::path program =
-        "/proc/self/exe"; // plumbline itself, also where its file was replaced meanwhile
+    std::filesystem::path program = "/proc/self/exe"; // this program, even if its file was replaced meanwhile
 };
 
 class TechniqueWorker {
   public:
-    /// Starts the process but doesn't wait for it. Linux ends it with the *thread* that runs this: use one
-    /// that stays.
+    /// Starts the process but doesn't wait for it. Linux ends it with the *thread* that runs this, so that
+    /// thread must outlive the worker.
     explicit TechniqueWorker(const WorkerOptions& options);
     ~TechniqueWorker();
 
@@ -38,19 +36,20 @@ class TechniqueWorker {
     /// throw.
     void waitUntilReady();
 
-    /// As RealtimeRenderer::render, to the byte. The process resolves the technique's request in its turn.
-    /// Throws what that throws; InputError if compiling and drawing take longer than the limit; MachineError
-    /// if the process ends. Time spent on maps before that, or stopped by Ctrl-Z, doesn't count.
+    /// The result is that of RealtimeRenderer::render, to the byte. The process resolves the technique's
+    /// request itself. Throws what render throws; InputError if compiling and drawing take longer than the
+    /// limit; MachineError if the process ends. Time spent on baking maps before that, or stopped by Ctrl-Z,
+    /// doesn't count.
     TechniqueResult render(const Technique& technique);
 
   private:
     struct Connection;
     void start();
-    /// `drawing`: whether the technique's time runs, kept up to date also where this throws.
+    /// `drawing`: set to whether the time of the technique is running, also if this throws.
     TechniqueResult awaitResult(const std::string& technique, bool& drawing);
 
     WorkerOptions options_;
-    std::unique_ptr<Connection> connection_; // null: not started since the last one was stopped
+    std::unique_ptr<Connection> connection_; // null: no process is running
 };
 
 } // namespace plumbline

@@ -13,8 +13,8 @@ constexpr std::chrono::milliseconds kEnding(5000);
 WorkerProcess::WorkerProcess(const std::filesystem::path& program, const char* command, int threads)
     : WorkerProcess(program, command, threads, MessageSocket::makePair()) {}
 
-// The pair is gone after the call, so that the process alone has its end: else its closing would go
-// unnoticed.
+// The pair is destroyed after the call, so that only the process has its end. Otherwise this process wouldn't
+// notice when it is closed.
 WorkerProcess::WorkerProcess(const std::filesystem::path& program, const char* command, int threads,
                              std::pair<MessageSocket, MessageSocket> ends)
     : socket(std::move(ends.first)),

@@ -1,4 +1,4 @@
-// A process of this program that works for this one. Its own side is serve_parent.h.
+// A worker process of this program, as its parent sees it. serve_parent.h is its own side.
 #pragma once
 
 #include "validate/worker/child_process.h"
@@ -8,15 +8,15 @@
 
 namespace plumbline {
 
-/// The number under which it finds its socket: not stdin, stdout or stderr, so that nothing a driver prints
-/// gets among the messages.
+/// The descriptor of its socket. It isn't stdin, stdout or stderr, so that output of a driver isn't mixed
+/// with messages.
 inline constexpr int kWorkerDescriptor = 3;
 
 struct WorkerProcess {
-    /// Runs `program COMMAND PARENT --threads THREADS`, PARENT this process. Throws MachineError.
+    /// Runs `program COMMAND PARENT --threads THREADS`, where PARENT is this process. Throws MachineError.
     WorkerProcess(const std::filesystem::path& program, const char* command, int threads);
 
-    /// Of one that has closed its end of the socket: "signal 11, SIGSEGV" or "exit code 1".
+    /// How a process that has closed its end of the socket ended: "signal 11, SIGSEGV" or "exit code 1".
     std::string howItEnded();
 
     MessageSocket socket;

@@ -1,11 +1,11 @@
-// The messages between a run and the process that draws its techniques, as values for MessageSocket.
+// The messages between a run and the process that draws its techniques, as values for MessageSocket:
 //
-//   run     -> drawing process: WorkerSetup, then a TechniqueRequest a technique
-//   drawing process -> run:     phases as it comes to them, kPhaseReady first; for each request a result or
-//   an error
+//   run -> drawing process      WorkerSetup, then a TechniqueRequest for each technique
+//   drawing process -> run      phases when they begin, kPhaseReady first; for each request a result or an
+//   error
 //
-// A result is followed by its frame's planes. A field more in TechniqueResult is one line in each of the two
-// functions.
+// A result is followed by the planes of its frame. A new field of TechniqueResult needs a line in toJson and
+// one in techniqueResult.
 #pragma once
 
 #include "realtime/realtime.h"
@@ -21,7 +21,7 @@ inline constexpr std::string_view kPhaseReady = "ready"; // scene read, OpenGL s
 struct WorkerSetup {
     std::filesystem::path scene;
     std::vector<std::string> sceneChanges; // Scene::changes
-    std::string sceneHash;                 // the scene is refused if it has another by now
+    std::string sceneHash;                 // the scene is refused if its hash is different
     GlOptions gl;
 };
 nlohmann::json toJson(const WorkerSetup& setup);
@@ -30,7 +30,7 @@ WorkerSetup workerSetup(const nlohmann::json& value);
 nlohmann::json toJson(const TechniqueRequest& request);
 TechniqueRequest techniqueRequest(const nlohmann::json& value);
 
-/// All but the frame's planes; reading gives planes of the right size, not yet filled.
+/// All except the planes of the frame; reading creates planes of the right size without values.
 nlohmann::json toJson(const TechniqueResult& result);
 TechniqueResult techniqueResult(const nlohmann::json& value);
 
@@ -38,14 +38,14 @@ nlohmann::json phaseReply(std::string_view phase);
 nlohmann::json errorReply(const std::exception& error);
 void sendResult(const MessageSocket& socket, const TechniqueResult& result);
 
-/// The error of an errorReply: InputError, MachineError or another std::runtime_error; null if the value is
-/// something else.
+/// The error of an errorReply: InputError, MachineError or another std::runtime_error; null if the value
+/// isn't an errorReply.
 std::exception_ptr errorOf(const nlohmann::json& reply);
 
-/// One reply of the drawing process: exactly one of the three is there.
+/// One reply of the drawing process; exactly one of the three is set.
 struct WorkerReply {
     std::string phase;
-    std::optional<TechniqueResult> result; // whole
+    std::optional<TechniqueResult> result; // complete, with the planes of its frame
     std::exception_ptr error; // InputError, MachineError or another std::runtime_error, with its text
 };
 WorkerReply receiveReply(const MessageSocket& socket);

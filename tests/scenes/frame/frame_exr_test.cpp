@@ -160,7 +160,7 @@ TEST(FrameExr, FullDisk_KeepsOldFile) {
 }
 
 /// A file of another renderer: a half Z, a uint id and a float A, `window` its data and display window.
-Imf::Header foreignHeader(const Imath::Box2i& window) {
+Imf::Header importedHeader(const Imath::Box2i& window) {
     Imf::Header header(window, window);
     header.channels().insert("Z", Imf::Channel(Imf::HALF));
     header.channels().insert("id", Imf::Channel(Imf::UINT));
@@ -169,8 +169,8 @@ Imf::Header foreignHeader(const Imath::Box2i& window) {
     return header;
 }
 
-struct ForeignPixels {
-    explicit ForeignPixels(const Imath::Box2i& window) {
+struct ImportedPixels {
+    explicit ImportedPixels(const Imath::Box2i& window) {
         const auto count = static_cast<size_t>((window.size().x + 1) * (window.size().y + 1));
         for (size_t i = 0; i < count; ++i) {
             z.push_back(half(static_cast<float>(i) * 0.5f));
@@ -188,7 +188,7 @@ struct ForeignPixels {
     Imf::FrameBuffer buffer;
 };
 
-void expectForeignPixels(const Frame& frame, int width, int height) {
+void expectImportedPixels(const Frame& frame, int width, int height) {
     ASSERT_EQ(frame.width(), width);
     ASSERT_EQ(frame.height(), height);
     EXPECT_THAT(frame.channelNames(), testing::UnorderedElementsAre("Z", "id", "A"));
@@ -203,15 +203,15 @@ TEST(FrameExr, HalfUintAndShiftedWindow_AreRead) {
     const TemporaryFolder folder;
     const Imath::Box2i window({-3, 10}, {6, 14}); // 10 x 5
     for (const auto compression : {Imf::NO_COMPRESSION, Imf::PIZ_COMPRESSION, Imf::RLE_COMPRESSION}) {
-        Imf::Header header = foreignHeader(window);
+        Imf::Header header = importedHeader(window);
         header.compression() = compression;
-        ForeignPixels pixels(window);
+        ImportedPixels pixels(window);
         {
             Imf::OutputFile file((folder / "a.exr").c_str(), header);
             file.setFrameBuffer(pixels.buffer);
             file.writePixels(5);
         }
-        expectForeignPixels(readFrame(folder / "a.exr"), 10, 5);
+        expectImportedPixels(readFrame(folder / "a.exr"), 10, 5);
     }
 }
 
@@ -219,9 +219,9 @@ TEST(FrameExr, Tiles_AreRead) {
     const TemporaryFolder folder;
     const Imath::Box2i window({0, 0}, {39, 24});
     for (const auto mode : {Imf::ONE_LEVEL, Imf::MIPMAP_LEVELS}) { // ripmaps: exr_variants_test.cpp
-        Imf::Header header = foreignHeader(window);
+        Imf::Header header = importedHeader(window);
         header.setTileDescription(Imf::TileDescription(16, 16, mode));
-        ForeignPixels pixels(window);
+        ImportedPixels pixels(window);
         {
             Imf::TiledOutputFile file((folder / "a.exr").c_str(), header);
             file.setFrameBuffer(pixels.buffer);
@@ -229,13 +229,13 @@ TEST(FrameExr, Tiles_AreRead) {
                  ++level) // coarser ones get the same memory's first pixels
                 file.writeTiles(0, file.numXTiles(level) - 1, 0, file.numYTiles(level) - 1, level);
         }
-        expectForeignPixels(readFrame(folder / "a.exr"), 40, 25);
+        expectImportedPixels(readFrame(folder / "a.exr"), 40, 25);
         const std::string whole = readFile(folder / "a.exr");
         for (size_t length = 0; length < whole.size(); length += 37) {
             writeFile(folder / "cut.exr", whole.substr(0, length));
             // Coarser levels follow the finest: a file that lacks only some of those has all that is read.
             const bool read =
-                worksOrIsRefused([&] { expectForeignPixels(readFrame(folder / "cut.exr"), 40, 25); });
+                worksOrIsRefused([&] { expectImportedPixels(readFrame(folder / "cut.exr"), 40, 25); });
             EXPECT_FALSE(read && mode == Imf::ONE_LEVEL) << length;
             EXPECT_FALSE(read && length < whole.size() / 2) << length;
         }
@@ -245,8 +245,8 @@ TEST(FrameExr, Tiles_AreRead) {
 TEST(FrameExr, Crops_AreRefused) {
     const TemporaryFolder folder;
     const Imath::Box2i window({0, 0}, {9, 4});
-    ForeignPixels pixels(window);
-    Imf::Header cropped = foreignHeader(window);
+    ImportedPixels pixels(window);
+    Imf::Header cropped = importedHeader(window);
     cropped.displayWindow() = Imath::Box2i({0, 0}, {19, 9});
     {
         Imf::OutputFile file((folder / "crop.exr").c_str(), cropped);

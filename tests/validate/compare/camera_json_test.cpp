@@ -27,7 +27,7 @@ Scene describedScene() {
     return scene;
 }
 
-/// By nothing but the file's own numbers and its words about them.
+/// Uses only the numbers of the file and its conventions.
 TEST(CameraJson, MatrixAndFov_ProjectAsCamera) {
     const Scene scene = describedScene();
     const auto json = nlohmann::json::parse(cameraJson(scene));

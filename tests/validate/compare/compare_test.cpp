@@ -21,7 +21,7 @@ using ::testing::IsEmpty;
 RC_GTEST_PROP(CompareProperty, PooledCounts_AreSumsOfReliefObjects, ()) {
     const Frame a = randomFrame(), b = randomFrame();
     auto objects = threeObjects();
-    objects[1].reliefDepth = 0; // object 2 has no relief: in the list, not in the pool
+    objects[1].reliefDepth = 0; // object 2 has no relief: listed, but not pooled
     const Comparison result = compareFrames(a, b, objects, std::nullopt);
     const MetricSet &one = result.objects[0].metrics, &three = result.objects[2].metrics;
     RC_ASSERT(result.pooledObjects == (std::vector<std::string>{"object 1", "object 3"}));
@@ -57,14 +57,13 @@ TEST(Compare, MissingChannels_AreNoted) {
     const auto coverage = test.add("A");
     coverage[0] = coverage[1] = 1;
     const Comparison result = compareFrames(reference, test, {}, std::nullopt);
-    EXPECT_THAT(result.notes, Contains(HasSubstr("no channel id: everything covered counts as one object")));
+    EXPECT_THAT(result.notes, Contains(HasSubstr("no channel id: all covered pixels count as one object")));
     EXPECT_THAT(result.notes,
                 Contains(HasSubstr("the test frame has neither Z nor P.X P.Y P.Z: no depth figures")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no shadow figures for sun")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no normal figures")));
     EXPECT_THAT(result.notes, Contains(HasSubstr("no st figures")));
-    EXPECT_THAT(result.notes,
-                Contains(HasSubstr("the test frame has no channel R: no figures of the picture")));
+    EXPECT_THAT(result.notes, Contains(HasSubstr("the test frame has no channel R: no image figures")));
     EXPECT_EQ(*result.pooled.figure("silhouette.iou"), 1);
     EXPECT_FALSE(result.pooled.figure("depth.mae"));
     EXPECT_FALSE(result.pooled.figure("shadow.agreement", "sun"));
@@ -89,8 +88,8 @@ TEST(Compare, CompleteFrames_HaveNoNotes) {
     EXPECT_THAT(compareFrames(frame, frame, {objectWithRelief(1, 0.1)}, Camera()).notes, IsEmpty());
 }
 
-// paintPixel's normal is +z, the camera stands there too: a light from the front leaves nothing attached, one
-// from behind all.
+// paintPixel's normal is +z, and the camera is on that side: a light in front causes no attached shadows, one
+// behind only attached shadows.
 TEST(Compare, Lights_ComeFromReferencesHeaderFirst) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
@@ -103,17 +102,18 @@ TEST(Compare, Lights_ComeFromReferencesHeaderFirst) {
     EXPECT_EQ(castPx(lit, dark), 2);
     EXPECT_EQ(castPx(dark, lit), 0);
     EXPECT_EQ(castPx(frame, lit), 2);
-    Frame other = frame; // knows of a light that isn't asked for
+    Frame other = frame; // its header has a light without a channel
     other.metadata["light.fill"] = "to_light 0 0 -1";
     EXPECT_EQ(castPx(other, lit), 2);
     const Comparison unknown = compareFrames(frame, frame, {}, Camera());
-    EXPECT_THAT(unknown.notes, Contains(HasSubstr("no frame's header says where the light sun is")));
+    EXPECT_THAT(unknown.notes,
+                Contains(HasSubstr("neither header contains the direction or position of the light")));
     EXPECT_FALSE(unknown.pooled.figure("shadow.cast_agreement", "sun"));
     EXPECT_THAT(compareFrames(lit, lit, {}, std::nullopt).notes,
                 Contains(HasSubstr("the camera is not known: attached and cast")));
 }
 
-// Whatever runs side by side writes its own figures: one thread gives the same as all.
+// Parallel tasks write separate figures, so one thread gives the same result as all.
 TEST(Compare, AnyThreadCount_GivesEqualResult) {
     Frame reference = emptyFrame(64, 48);
     paintRectangle(reference, 5, 5, 40, 40, 1);
@@ -133,7 +133,7 @@ TEST(Compare, AnyThreadCount_GivesEqualResult) {
     EXPECT_EQ(results(), all);
 }
 
-// Camera at (0, 0, 3) looking down -z: the point (5, 7, 1) has the planar depth 2, wherever it is sideways.
+// Camera at (0, 0, 3) looking down -z: the point (5, 7, 1) has the planar depth 2, independent of x and y.
 TEST(PlanarDepth, NoZ_UsesPositionsAndCamera) {
     Frame frame(1, 1);
     frame.add("P.X")[0] = 5;
@@ -144,7 +144,7 @@ TEST(PlanarDepth, NoZ_UsesPositionsAndCamera) {
     camera.targetWorld = {0, 0, 0};
     EXPECT_THAT(planarDepth(frame, "test", camera).depth, ElementsAre(2.0f));
     EXPECT_THAT(planarDepth(frame, "test", std::nullopt).reason, HasSubstr("camera is not known"));
-    frame.add("Z")[0] = 9; // Z wins: it needs no camera
+    frame.add("Z")[0] = 9; // Z takes precedence and needs no camera
     EXPECT_THAT(planarDepth(frame, "test", camera).depth, ElementsAre(9.0f));
 }
 

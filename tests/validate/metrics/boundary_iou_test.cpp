@@ -29,8 +29,7 @@ TEST(BoundaryIou, IdenticalSquares_AreOne) {
     Frame frame = emptyFrame(20, 20);
     paintRectangle(frame, 4, 4, 14, 14);
     const BoundaryIou result = pooled(frame, frame);
-    // 10 x 10 less 8 x 8; less 6 x 6; less 2 x 2. The nearest pixel outside lies straight across the nearest
-    // side.
+    // 10 x 10 minus 8 x 8, 6 x 6, 2 x 2. The nearest pixel outside is perpendicular to the nearest side.
     EXPECT_EQ(result.at[k1px].unionPx, 36u);
     EXPECT_EQ(result.at[k2px].unionPx, 64u);
     EXPECT_EQ(result.at[k4px].unionPx, 96u);
@@ -39,9 +38,10 @@ TEST(BoundaryIou, IdenticalSquares_AreOne) {
         EXPECT_EQ(*at.iou, 1);
 }
 
-// Columns and rows 4 … 13 against columns 5 … 14. Rims of 1 px: the squares' contours, 36 pixels each. Both
-// have columns 5 … 13 of rows 4 and 13: 18 pixels, and nothing else: column 4 is outside the test, 14 outside
-// the reference; columns 5 and 13 of rows 5 … 12 are rim of one only. IoU 18 / (36 + 36 - 18) = 1/3.
+// Columns and rows 4 … 13, compared with columns 5 … 14. The rims of 1 px are the contours of the squares, 36
+// pixels each. They share columns 5 … 13 of rows 4 and 13, 18 pixels, and no others: column 4 is outside the
+// test, 14 outside the reference, and columns 5 and 13 of rows 5 … 12 are in the rim of one only. IoU 18 /
+// (36 + 36 - 18) = 1/3.
 TEST(BoundaryIou, SquareShiftedByOne_EqualsHandComputed) {
     Frame reference = emptyFrame(20, 20);
     paintRectangle(reference, 4, 4, 14, 14);
@@ -51,9 +51,9 @@ TEST(BoundaryIou, SquareShiftedByOne_EqualsHandComputed) {
     EXPECT_EQ(*result.at[k1px].iou, 1.0 / 3.0);
 }
 
-// A pixel of nothing in a field 9 x 9 of the object. Rim of 2 px: those at most 2 away from it, by the
-// circle: 4 straight, 4 at sqrt(2), 4 at 2; not the 8 at sqrt(5). A square of erosion would take all 24. Rim
-// of 1 px: 4. The picture's border is none.
+// An empty pixel in a 9 x 9 image of the object. The rim of 2 px contains the pixels at a Euclidean distance
+// of at most 2 from it: 4 at 1, 4 at sqrt(2), 4 at 2; not the 8 at sqrt(5). Erosion by a square would include
+// all 24. The rim of 1 px has 4. The image border is no outline.
 TEST(BoundaryIou, Distance_IsEuclidean) {
     Frame frame = emptyFrame(9, 9);
     paintRectangle(frame, 0, 0, 9, 9);
@@ -61,10 +61,10 @@ TEST(BoundaryIou, Distance_IsEuclidean) {
     const BoundaryIou result = pooled(frame, frame);
     EXPECT_EQ(result.at[k1px].unionPx, 4u);
     EXPECT_EQ(result.at[k2px].unionPx, 12u);
-    EXPECT_EQ(result.at[k4px].unionPx, 48u); // x² + y² <= 16: 49 points of the lattice, less the middle
+    EXPECT_EQ(result.at[k4px].unionPx, 48u); // x² + y² <= 16: 49 lattice points without the center
 }
 
-// 300 x 400: the diagonal is 500, 2 % of it 10 px exactly; column 0 … 9 is outside, 10 … 19 the rim.
+// 300 x 400: 2 % of the diagonal of 500 is exactly 10 px. Columns 0 … 9 are outside, 10 … 19 the rim.
 TEST(BoundaryIou, TwoPercent_IsOfDiagonal) {
     Frame frame = emptyFrame(400, 300);
     paintRectangle(frame, 10, 0, 400, 300);
@@ -87,7 +87,7 @@ TEST(BoundaryIou, NoOutline_IsAbsent) {
     paintRectangle(square, 1, 1, 4, 4);
     for (const Frame& shown : {full, empty}) {
         const BoundaryIou result = pooled(shown, square);
-        EXPECT_EQ(*result.at[k1px].iou, 0); // one of them has one
+        EXPECT_EQ(*result.at[k1px].iou, 0); // one of them has an outline
     }
     const FramePair pair(full, full, {objectWithRelief(1, 0.1)}),
         nothing(empty, empty, {objectWithRelief(1, 0.1)});
@@ -99,7 +99,7 @@ TEST(BoundaryIou, NoOutline_IsAbsent) {
     }
 }
 
-// Objects 1 and 2 side by side: the line between them is outline of both, pooled too.
+// Objects 1 and 2 are adjacent: the line between them is part of both outlines, also in the pooled figure.
 TEST(BoundaryIou, TwoObjects_HaveOwnRims) {
     Frame frame = emptyFrame(8, 4);
     paintRectangle(frame, 0, 0, 4, 4, 1);
@@ -113,12 +113,12 @@ TEST(BoundaryIou, NoUncertainChannel_HasNoInterval) {
     paintRectangle(frame, 2, 2, 4, 4);
     EXPECT_THAT(pooled(frame, frame).at[k1px].range.low.reason(), HasSubstr("no channel uncertain"));
     addUncertainty(frame);
-    const BoundaryIou sure = pooled(frame, frame);
-    EXPECT_EQ(*sure.at[k1px].range.low, 1);
-    EXPECT_EQ(*sure.at[k1px].range.high, 1);
+    const BoundaryIou certain = pooled(frame, frame);
+    EXPECT_EQ(*certain.at[k1px].range.low, 1);
+    EXPECT_EQ(*certain.at[k1px].range.high, 1);
 }
 
-/// The definition taken literally: bits as in BoundaryIou.
+/// Brute force from the definition; bits as in BoundaryIou.
 std::vector<std::array<bool, 4>> slowRims(const std::vector<int>& ids, int width, int height, int id) {
     const double twoPercent = std::max(1.0, 0.02 * std::hypot(width, height));
     const std::array<double, 4> distances{1, 2, 4, twoPercent};
@@ -174,7 +174,7 @@ void expectSlowVersion(const Frame& a, const Frame& b, const std::vector<size_t>
     }
 }
 
-/// Rectangles of three objects, larger than the widest rim.
+/// Rectangles of three objects, wider than the widest rim.
 Frame boxesFrame() {
     Frame frame = emptyFrame(31, 23);
     for (int i = *rc::gen::inRange(0, 5); i > 0; --i) {
@@ -203,8 +203,8 @@ RC_GTEST_PROP(BoundaryIouProperty, SwappedOrFlipped_IsEqual, ()) {
         }
 }
 
-// Wider rims hold narrower ones, so the sums grow; the silhouettes hold all of them. The rim of 1 px is the
-// contour.
+// Wider rims contain narrower ones, so the sums increase; the silhouettes contain all of them. The rim of 1
+// px is the contour.
 RC_GTEST_PROP(BoundaryIouProperty, WiderRim_HasLargerSums, ()) {
     const Frame a = boxesFrame(), b = boxesFrame();
     const FramePair pair(a, b, threeObjects());
@@ -221,7 +221,7 @@ RC_GTEST_PROP(BoundaryIouProperty, WiderRim_HasLargerSums, ()) {
               contour.referencePx + contour.testPx);
 }
 
-/// Every true image that up to three uncertain pixels leave open: any of the objects or none at each.
+/// Visits every true image that up to three uncertain pixels allow: any of the objects or none at each.
 std::vector<std::vector<int>> trueImages(const Frame& reference) {
     std::vector<std::vector<int>> images{idsOf(reference)};
     for (size_t pixel = 0; pixel < reference.pixelCount(); ++pixel) {

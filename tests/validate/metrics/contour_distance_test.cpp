@@ -14,8 +14,8 @@ namespace {
 using namespace test;
 using ::testing::HasSubstr;
 
-/// Sums of roots in another order, and roots themselves, round in the 16th digit; sums here have fewer than
-/// 1000 terms.
+/// Square roots and sums of them in another order have rounding errors in the 16th digit; sums here have
+/// fewer than 1000 terms.
 constexpr double kRounding = 1e-12;
 
 ContourDistance pooled(const Frame& reference, const Frame& test, std::vector<ObjectInfo> objects = {}) {
@@ -31,7 +31,7 @@ Frame disc(int size, double radius) {
     return frame;
 }
 
-// A 4 x 4 square's contour is all of it but the 2 x 2 inside.
+// The contour of a 4 x 4 square is the square without the inner 2 x 2.
 TEST(ContourDistance, IdenticalSquares_AreZero) {
     Frame frame = emptyFrame(10, 10);
     paintRectangle(frame, 3, 2, 7, 6);
@@ -43,13 +43,13 @@ TEST(ContourDistance, IdenticalSquares_AreZero) {
 }
 
 // 20 x 10 moved right by 3. Contour: columns 5 and 24 of ten rows, rows 5 and 14 of 18 further columns: 56
-// pixels. To the moved one, columns 8 … 27 of the same rows:
-//     left column, 10 pixels: 3 to its left column; 3 also from the corners, whose row is nearest at column
-//     8: 10 x 3 columns 6 and 7 of the two rows: 2 and 1, twice each: 6 columns 8 … 23 of the two rows: 0
-//     right column: 0 in rows 5 and 14; in rows 6 … 13 the nearer of those rows, 1 2 3 4 4 3 2 1 away, or the
-//     moved right
-//         column, 3 away: 1 2 3 3 3 3 2 1 = 18
-// 54 each way by symmetry (turned by 180 degrees): mean 108 / 112. Rank ceil(0.95 * 56) = 54 of 56: 3.
+// pixels. Distances to the moved one, columns 8 … 27 of the same rows:
+//     left column, 10 pixels: 3 to its left column, from the corners too, whose nearest pixel is at column 8:
+//     10 x 3 columns 6 and 7 of the two rows: 2 and 1, twice each: 6 columns 8 … 23 of the two rows: 0 right
+//     column: 0 in rows 5 and 14; in rows 6 … 13 the minimum of the distance to the nearer of those rows,
+//         1 2 3 4 4 3 2 1, and to the moved right column, 3: 1 2 3 3 3 3 2 1 = 18
+// The sum is 54 in each direction by symmetry (rotation by 180 degrees): mean 108 / 112. Rank ceil(0.95 * 56)
+// = 54 of 56: 3.
 TEST(ContourDistance, RectangleShiftedByThree_HasHandComputedDistance) {
     Frame reference = emptyFrame(40, 20), test = emptyFrame(40, 20);
     paintRectangle(reference, 5, 5, 25, 15);
@@ -61,10 +61,11 @@ TEST(ContourDistance, RectangleShiftedByThree_HasHandComputedDistance) {
     EXPECT_EQ(*result.hausdorff95Px, 3);
 }
 
-// A pixel of the contour of a disc of radius r is at most r from the middle, and more than r - 1: a neighbor
-// is outside. So no two pixels of the contours of r and r + k are k - 1 apart or less. From a pixel of the
-// one walk outwards or inwards: where the nearest pixel centers change from inside the other disc to outside,
-// at r + k +- sqrt(2) / 2, there is one of its contour within sqrt(2) / 2: at most k + 1 + sqrt(2).
+// A contour pixel of a disc of radius r is at most r and more than r - 1 from the center, because a neighbor
+// is outside. Pixels of the contours of r and r + k are therefore more than k - 1 apart. From a pixel of one
+// contour go outwards or inwards: where the nearest pixel centers change from inside the other disc to
+// outside, at r + k +- sqrt(2) / 2, there is a pixel of its contour within sqrt(2) / 2: at most k + 1 +
+// sqrt(2) away.
 TEST(ContourDistance, ConcentricDiscs_AreRadiusDifference) {
     for (const int k : {2, 5, 12}) {
         const ContourDistance result = pooled(disc(81, 20), disc(81, 20 + k));
@@ -85,10 +86,11 @@ TEST(ContourDistance, OnePixelEach_IsTheirDistance) {
     EXPECT_EQ(*result.hausdorff95Px, 5);
 }
 
-// 39 pixels of a row against the same and one more, 10 below its end. There: 0. Back: 39 zeros and a 10, rank
-// ceil(0.95 * 40) = 38: 0. Mean 10 / 79. With 19 pixels rank ceil(0.95 * 20) = 19 of 20: 0 still; with 18,
-// ceil(18.05) = 19 of 19: 10. The directed percentiles are never pooled: 10 would be the last of 37, rank
-// ceil(35.15) = 36: 0.
+// 39 pixels of a row, compared with the same pixels and one more, 10 below the end. From the first contour
+// all distances are 0. From the second there are 39 zeros and a 10; rank ceil(0.95 * 40) = 38: 0. Mean 10
+// / 79. With 19 pixels rank ceil(0.95 * 20) = 19 of 20 is still 0; with 18, ceil(18.05) = 19 of 19 is 10. The
+// directed percentiles aren't pooled: in the 37 pooled values 10 would be the last, and rank ceil(35.15) = 36
+// is 0.
 TEST(ContourDistance, Hausdorff_IsLargerDirectedPercentile) {
     for (const auto& [count, expected] : {std::pair(39, 0.0), {19, 0.0}, {18, 10.0}}) {
         Frame reference = emptyFrame(45, 14);
@@ -103,8 +105,8 @@ TEST(ContourDistance, Hausdorff_IsLargerDirectedPercentile) {
     }
 }
 
-// Columns 0 … 2 against 0 … 4 of a picture 8 x 6, all rows: the border has no contour, so each has one column
-// of 6 pixels, two apart.
+// Columns 0 … 2 and 0 … 4 of an 8 x 6 image, all rows: the image border has no contour, so each contour is a
+// column of 6 pixels, at a distance of 2.
 TEST(ContourDistance, ImageBorder_IsNoContour) {
     Frame reference = emptyFrame(8, 6), test = emptyFrame(8, 6);
     paintRectangle(reference, 0, 0, 3, 6);
@@ -116,7 +118,7 @@ TEST(ContourDistance, ImageBorder_IsNoContour) {
     EXPECT_EQ(*result.hausdorff95Px, 2);
 }
 
-// Neighbors across a corner are none: of a 3 x 3 square with a corner missing the middle is inside.
+// Diagonal neighbors don't count: in a 3 x 3 square without one corner the center is inside.
 TEST(ContourDistance, DiagonalNeighbors_MakeNoContour) {
     Frame frame = emptyFrame(5, 5);
     paintRectangle(frame, 1, 1, 4, 4);
@@ -135,15 +137,15 @@ TEST(ContourDistance, NoContour_IsAbsentWithReason) {
         EXPECT_EQ(result.meanPx, result.hausdorff95Px);
         return result.meanPx.reason();
     };
-    EXPECT_THAT(reason(some, nothing), HasSubstr("the test frame shows no outline"));
-    EXPECT_THAT(reason(nothing, some), HasSubstr("the reference frame shows no outline"));
+    EXPECT_THAT(reason(some, nothing), HasSubstr("the test frame shows no contour"));
+    EXPECT_THAT(reason(nothing, some), HasSubstr("the reference frame shows no contour"));
     EXPECT_THAT(reason(nothing, nothing), HasSubstr("neither frame shows"));
-    EXPECT_THAT(reason(full, full), HasSubstr("nothing beside it"));
+    EXPECT_THAT(reason(full, full), HasSubstr("or all of them"));
     EXPECT_THAT(reason(full, some), HasSubstr("the reference frame"));
     EXPECT_EQ(pooled(some, nothing).referencePx, 1u);
 }
 
-// Two squares side by side that change places: as one mask nothing moved, each by itself moved by its width.
+// Two adjacent squares that change places: their union is unchanged, but each has moved by its width.
 TEST(ContourDistance, SeveralObjects_PoolTheUnion) {
     Frame reference = emptyFrame(8, 4), test = emptyFrame(8, 4);
     paintRectangle(reference, 2, 1, 4, 3, 1);
@@ -165,7 +167,7 @@ struct Point {
     int x, y;
 };
 
-/// The definition taken literally.
+/// Brute force from the definition.
 std::vector<Point> slowContour(const Frame& frame, const std::vector<int>& ids) {
     const auto shown = [&](int x, int y) {
         const float id = frame.channel("id")[static_cast<size_t>(y * frame.width() + x)];
@@ -222,7 +224,7 @@ RC_GTEST_PROP(ContourDistanceProperty, DenseMasks_EqualAllPairs, ()) {
     expectSlowVersions(reference, test, computeContourDistance(pair, std::span(&second, 1)), {2});
 }
 
-/// A few rectangles far apart: distances are long and most columns empty.
+/// A few distant rectangles, so that distances are long and most columns empty.
 Frame sparseFrame() {
     Frame frame = emptyFrame(48, 37);
     const int count = *rc::gen::inRange(0, 5);

@@ -78,7 +78,7 @@ TEST(DepthError, DifferentObjects_AreNotCompared) {
     EXPECT_THAT(result.world.max.reason(), HasSubstr("same object"));
 }
 
-TEST(DepthError, NonFiniteDepths_AreCountedApart) {
+TEST(DepthError, NonFiniteDepths_AreCountedSeparately) {
     Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
     paintRectangle(reference, 0, 0, 4, 1);
     paintRectangle(test, 0, 0, 4, 1);
@@ -136,7 +136,7 @@ TEST(DepthError, NoDepthChannel_IsAbsentWithReason) {
     EXPECT_EQ(result.domainPx, 0u);
 }
 
-/// Plain and slow: the percentile by counting, sums in long double.
+/// Brute force: the percentile by counting, sums in long double.
 double percentileByCounting(const std::vector<double>& values, double percent) {
     double best = kInfinity;
     for (const double candidate : values) {

@@ -1,4 +1,4 @@
-// Figures of the picture against those of OpenImageIO's ImageBufAlgo::compare.
+// Compares image figures with those of OpenImageIO's ImageBufAlgo::compare.
 #include "tests/validate/metrics/painted_frames.h"
 #include "validate/metrics/image_error.h"
 #include "validate/report/pictures.h"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// Colors of all kinds: smooth, noisy, beyond white.
+/// Various colors: smooth, noisy, brighter than white.
 Frame picture(unsigned seed, float noise) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<float> uniform(-noise, noise);
@@ -28,7 +28,7 @@ Frame picture(unsigned seed, float noise) {
     return frame;
 }
 
-/// The report's picture as 8-bit codes.
+/// The image of the report as 8-bit codes.
 OIIO::ImageBuf codesOf(const Frame& frame) {
     const Picture shown = colorPicture(frame);
     OIIO::ImageBuf buffer(OIIO::ImageSpec(frame.width(), frame.height(), 3, OIIO::TypeDesc::UINT8));
@@ -41,8 +41,8 @@ TEST(ImageErrorCrossCheck, RmseAndPsnr_EqualOpenImageIO) {
         const Frame reference = picture(1, 0), test = picture(seed, noise);
         const ImageError ours = computeImageError(FramePair(reference, test, {}));
         const auto theirs = OIIO::ImageBufAlgo::compare(codesOf(reference), codesOf(test), 0.5f, 0.5f);
-        // It converts codes to float and sums squares of differences: relative errors of 2^-24 a code of
-        // about 1, against differences of 1/255 and more.
+        // It converts codes to float and sums squared differences: codes of about 1 have a relative error of
+        // 2^-24, differences are at least 1/255.
         EXPECT_NEAR(*ours.rmse, theirs.rms_error, 1e-4 * theirs.rms_error) << noise;
         EXPECT_NEAR(*ours.psnrDb, theirs.PSNR, 1e-3) << noise;
         EXPECT_GT(*ours.rmse, 0);

@@ -38,7 +38,7 @@ TEST(ImageError, EqualImages_HaveNoPsnr) {
     EXPECT_EQ(*result.rmse, 0);
     EXPECT_EQ(*result.badpix2Codes, 0);
     EXPECT_FALSE(result.psnrDb);
-    EXPECT_EQ(result.psnrDb.reason(), "the pictures are equal");
+    EXPECT_EQ(result.psnrDb.reason(), "the images are equal");
 }
 
 // Four pixels, twelve codes: one pixel differs by 3, 4 and 0, another by 0, 0 and 12. Squares: 9 + 16 + 144 =
@@ -57,7 +57,7 @@ TEST(ImageError, KnownCodes_EqualHandComputed) {
     EXPECT_EQ(*result.badpix2Codes, 0.5);
 }
 
-// Every code off by 255: RMSE 1, which is 0 dB. One pixel of 100 off by 255: RMSE sqrt(1 / 100) = 0.1, which
+// Every code differs by 255: RMSE 1, 0 dB. One pixel of 100 differs by 255: RMSE sqrt(1 / 100) = 0.1, which
 // is 20 dB.
 TEST(ImageError, BlackAndWhite_IsZeroDecibels) {
     Frame black = emptyFrame(10, 10), white = emptyFrame(10, 10), dot = emptyFrame(10, 10);
@@ -67,13 +67,13 @@ TEST(ImageError, BlackAndWhite_IsZeroDecibels) {
     paintCodes(dot, 4, 7, 255, 255, 255);
     EXPECT_EQ(*errorOf(black, white).rmse, 1);
     EXPECT_EQ(*errorOf(black, white).psnrDb, 0);
-    EXPECT_FALSE(std::signbit(*errorOf(black, white).psnrDb)); // would be written as -0
+    EXPECT_FALSE(std::signbit(*errorOf(black, white).psnrDb)); // -0 would be written to files
     EXPECT_EQ(*errorOf(black, white).badpix2Codes, 1);
-    EXPECT_NEAR(*errorOf(black, dot).psnrDb, 20, 1e-12); // 0.1 isn't exact, nor is its logarithm
+    EXPECT_NEAR(*errorOf(black, dot).psnrDb, 20, 1e-12); // neither 0.1 nor its logarithm is exact
     EXPECT_EQ(*errorOf(black, dot).badpix2Codes, 0.01);
 }
 
-// A pixel counts once, however many of its channels differ, and not for two codes.
+// A pixel counts once for any number of different channels, and not for a difference of two codes.
 TEST(ImageError, TwoCodes_AreNotCounted) {
     Frame reference = emptyFrame(4, 1), test = emptyFrame(4, 1);
     for (int x = 0; x < 4; ++x)
@@ -85,17 +85,17 @@ TEST(ImageError, TwoCodes_AreNotCounted) {
     EXPECT_EQ(errorOf(reference, test).bad2CodesPx, 3u);
 }
 
-// 1 and 7 are both white, -1 and 0 both black: what a PNG can't show is no difference.
+// 1 and 7 are both white, -1 and 0 both black, because colors are clamped as in a PNG.
 TEST(ImageError, OutOfRangeColors_AreClamped) {
     Frame reference = emptyFrame(2, 1), test = emptyFrame(2, 1);
     set(reference, "R", 0, 0, 1);
     set(test, "R", 0, 0, 7);
     set(test, "G", 1, 0, -1);
     EXPECT_EQ(*errorOf(reference, test).rmse, 0);
-    EXPECT_EQ(errorOf(reference, test).psnrDb.reason(), "the pictures are equal");
+    EXPECT_EQ(errorOf(reference, test).psnrDb.reason(), "the images are equal");
 }
 
-TEST(ImageError, NanColors_AreCountedApart) {
+TEST(ImageError, NanColors_AreCountedSeparately) {
     Frame reference = emptyFrame(3, 1), test = emptyFrame(3, 1);
     set(reference, "R", 0, 0, kNanF);
     set(test, "B", 1, 0, kInfinityF);
@@ -120,7 +120,7 @@ TEST(ImageError, NoColor_IsAbsentWithReason) {
         EXPECT_THAT(figure.reason(), HasSubstr("the test frame has no channel B"));
 }
 
-/// Frames of colors of all kinds: dark, bright, beyond white.
+/// Frames of various colors: dark, bright, brighter than white.
 Frame randomPicture() {
     Frame frame = emptyFrame(5, 4);
     for (const char* color : {"R", "G", "B"})
@@ -135,7 +135,7 @@ RC_GTEST_PROP(ImageErrorProperty, RandomFrames_EqualReportsImages, ()) {
     double sum = 0;
     for (size_t i = 0; i < shownA.rgb.size(); ++i)
         sum += std::pow((shownA.rgb[i] - shownB.rgb[i]) / 255.0, 2);
-    // Sums of 60 terms in another order round in the 15th digit.
+    // Sums of 60 terms in another order have rounding errors in the 15th digit.
     RC_ASSERT(std::abs(*errorOf(a, b).rmse - std::sqrt(sum / static_cast<double>(shownA.rgb.size()))) <
               1e-12);
 }

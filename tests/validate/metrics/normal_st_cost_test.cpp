@@ -38,7 +38,8 @@ void setNormal(Frame& frame, int x, float nx, float ny, float nz) {
     set(frame, "N.Z", x, 0, nz);
 }
 
-// Against +z: the same direction twice as long 0, +x 90, -z 180, and (0, 1, 1) 45 degrees. Mean 315/4.
+// Angles to +z: 0 for the same direction with twice the length, 90 for +x, 180 for -z, 45 for (0, 1, 1). Mean
+// 315/4.
 TEST(NormalAngle, FourDirections_EqualHandComputed) {
     const Frame reference = covered(4);
     Frame test = covered(4);
@@ -52,7 +53,7 @@ TEST(NormalAngle, FourDirections_EqualHandComputed) {
     EXPECT_NEAR(*result.p95Degrees, 180, 1e-13);
 }
 
-// acos(1 - 5e-13) would have lost all digits here; the tangent of the angle is 1e-6.
+// The tangent of the angle is 1e-6; acos(1 - 5e-13) would have no correct digits.
 TEST(NormalAngle, SmallAngles_KeepDigits) {
     const Frame reference = covered(1);
     Frame test = covered(1);
@@ -60,7 +61,7 @@ TEST(NormalAngle, SmallAngles_KeepDigits) {
     EXPECT_NEAR(*normals(reference, test).meanDegrees, degrees(static_cast<double>(1e-6f)), 1e-15);
 }
 
-TEST(NormalAngle, UnusableNormals_AreCountedApart) {
+TEST(NormalAngle, UnusableNormals_AreCountedSeparately) {
     const Frame reference = covered(3);
     Frame test = covered(3);
     setNormal(test, 0, 0, 0, 0);
@@ -90,7 +91,7 @@ TEST(StError, ThreeFourFive_IsFiveTexels) {
     set(test, "st.T", 0, 0, 0.42f);
     const StError result = coordinates(reference, test);
     EXPECT_EQ(result.domainPx, 1u);
-    EXPECT_NEAR(*result.meanTexels, 5, 5e-6); // 0.53f and 0.42f are off by up to 3e-8, times 100 texels
+    EXPECT_NEAR(*result.meanTexels, 5, 5e-6); // 0.53f and 0.42f have errors of up to 3e-8, times 100 texels
 }
 
 TEST(StError, RepeatSeam_IsNoError) {
@@ -128,7 +129,7 @@ RC_GTEST_PROP(StErrorProperty, Repeating_IsSymmetricAndBounded, ()) {
     if (result.p95Texels) RC_ASSERT(*result.p95Texels <= std::hypot(50.0, 25.0));
 }
 
-// Costs 10 … 10, 20 on ten covered pixels; a missed pixel's look-ups are not a covered pixel's cost.
+// Costs 10 … 10, 20 on ten covered pixels. The lookups of a missed pixel don't count.
 TEST(FetchCost, CoveredPixels_GiveMeanAndPercentile) {
     const Frame reference = emptyFrame(11, 1);
     Frame test = emptyFrame(11, 1);
@@ -144,7 +145,7 @@ TEST(FetchCost, CoveredPixels_GiveMeanAndPercentile) {
     EXPECT_EQ(*result.p99, 20);
 }
 
-// Ten covered pixels spend 3 of the height map and 2 of a baked one, the last 13 and 12.
+// Ten covered pixels have 3 lookups in the height map and 2 in a baked one; the last has 13 and 12.
 TEST(FetchCost, MapKinds_AreSeparate) {
     const Frame reference = emptyFrame(11, 1);
     Frame test = emptyFrame(11, 1);
@@ -160,21 +161,21 @@ TEST(FetchCost, MapKinds_AreSeparate) {
     EXPECT_THAT(result.mean.reason(), HasSubstr("no channel cost.fetches"));
 }
 
-// Rounds 0 1 1 4 on four covered pixels; 99 on a missed one.
+// Iterations 0 1 1 4 on four covered pixels, 99 on a missed one.
 TEST(SearchIterations, CoveredPixels_GiveMeanAndHistogram) {
     const Frame reference = emptyFrame(5, 1);
     Frame test = emptyFrame(5, 1);
     paintRectangle(test, 0, 0, 4, 1);
-    const auto rounds = test.add("cost.iterations");
-    rounds[1] = rounds[2] = 1;
-    rounds[3] = 4;
-    rounds[4] = 99;
+    const auto iterations = test.add("cost.iterations");
+    iterations[1] = iterations[2] = 1;
+    iterations[3] = 4;
+    iterations[4] = 99;
     const FramePair pair(reference, test, {});
     const SearchIterations result = computeSearchIterations(pair, allOf(pair));
     EXPECT_EQ(result.domainPx, 4u);
     EXPECT_DOUBLE_EQ(*result.mean, 1.5);
     EXPECT_EQ(*result.p99, 4);
-    EXPECT_EQ(*result.most, 4);
+    EXPECT_EQ(*result.max, 4);
     EXPECT_EQ(result.histogram, (std::vector<uint64_t>{1, 2, 0, 0, 1}));
 }
 
@@ -182,14 +183,14 @@ TEST(SearchIterations, LastBin_IsOpen) {
     const Frame reference = emptyFrame(3, 1);
     Frame test = emptyFrame(3, 1);
     paintRectangle(test, 0, 0, 3, 1);
-    const auto rounds = test.add("cost.iterations");
-    rounds[0] = 63, rounds[1] = 64, rounds[2] = 4000;
+    const auto iterations = test.add("cost.iterations");
+    iterations[0] = 63, iterations[1] = 64, iterations[2] = 4000;
     const FramePair pair(reference, test, {});
     const SearchIterations result = computeSearchIterations(pair, allOf(pair));
     ASSERT_EQ(result.histogram.size(), SearchIterations::kHistogramEnd + 1);
     EXPECT_EQ(result.histogram[63], 1u);
     EXPECT_EQ(result.histogram[64], 2u);
-    EXPECT_EQ(*result.most, 4000);
+    EXPECT_EQ(*result.max, 4000);
 }
 
 TEST(SearchIterations, NoChannel_IsAbsentWithReason) {
@@ -201,7 +202,7 @@ TEST(SearchIterations, NoChannel_IsAbsentWithReason) {
     Frame nothing = emptyFrame(2, 1);
     nothing.add("cost.iterations");
     const FramePair missed(frame, nothing, {});
-    EXPECT_THAT(computeSearchIterations(missed, allOf(missed)).most.reason(), HasSubstr("covers no pixel"));
+    EXPECT_THAT(computeSearchIterations(missed, allOf(missed)).max.reason(), HasSubstr("covers no pixel"));
 }
 
 TEST(FetchCost, NoChannel_IsAbsentWithReason) {

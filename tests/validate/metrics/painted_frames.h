@@ -1,4 +1,4 @@
-// Frames painted by hand: small enough that every pixel of a test can be counted on paper.
+// Frames painted by hand, small enough to verify every count of a test on paper.
 #pragma once
 
 #include "scenes/frame/frame.h"
@@ -12,7 +12,7 @@ namespace plumbline::test {
 
 inline const std::vector<std::string> kLights{"sun"};
 
-/// Nothing in sight: every channel of the table that metrics read, at its miss value.
+/// A frame without surfaces: every channel that metrics read, at its miss value.
 inline Frame emptyFrame(int width, int height) {
     Frame frame(width, height);
     for (const char* name :
@@ -29,7 +29,7 @@ inline void set(Frame& frame, const char* channel, int x, int y, float value) {
         value;
 }
 
-/// One covered pixel, lit, facing +z, st at the middle of the first tile.
+/// Paints one covered pixel: lit, facing +z, st at the center of the first tile.
 inline void paintPixel(Frame& frame, int x, int y, int id, float depth) {
     set(frame, "id", x, y, static_cast<float>(id));
     set(frame, "A", x, y, 1);
@@ -44,14 +44,14 @@ inline void paintPixel(Frame& frame, int x, int y, int id, float depth) {
         set(frame, shadowChannel(light).c_str(), x, y, 0);
 }
 
-/// The channels in which a reference says what it isn't sure of, sure of everything.
+/// Adds the channels of uncertainty, with no pixel uncertain.
 inline void addUncertainty(Frame& frame) {
     frame.add("uncertain");
     for (const std::string& light : kLights)
         frame.add(uncertainShadowChannel(light));
 }
 
-/// Covers columns [x0, x1) of rows [y0, y1).
+/// Paints columns [x0, x1) of rows [y0, y1).
 inline void paintRectangle(Frame& frame, int x0, int y0, int x1, int y1, int id = 1, float depth = 2) {
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; ++x)
@@ -67,7 +67,7 @@ inline ObjectInfo objectWithRelief(int id, double reliefDepth) {
     return object;
 }
 
-/// Every object of a pair.
+/// Selects every object of a pair.
 inline std::vector<size_t> allOf(const FramePair& pair) {
     std::vector<size_t> all(pair.objects().size());
     std::iota(all.begin(), all.end(), size_t(0));
@@ -98,7 +98,7 @@ inline Frame flippedVertically(const Frame& frame) {
     return flipped;
 }
 
-/// The frame moved right by one pixel; the column it leaves shows nothing, the one it pushes out is lost.
+/// The frame moved right by one pixel. The first column becomes empty, the last one is lost.
 inline Frame shiftedRight(const Frame& frame) {
     Frame shifted(frame.width(), frame.height());
     const auto width = static_cast<size_t>(frame.width());

@@ -1,4 +1,4 @@
-// Random small frames for properties: up to three objects, some pixels empty, some values not finite.
+// Random small frames for property tests: up to three objects, some pixels empty, some values not finite.
 #pragma once
 
 #include "tests/validate/metrics/painted_frames.h"

@@ -112,7 +112,7 @@ RC_GTEST_PROP(ShadowAgreementProperty, RandomFrames_EqualPlainVersion, ()) {
     RC_ASSERT(result.falseLitPx == counts[1][0]);
     RC_ASSERT(result.bothShadowPx == counts[1][1]);
     RC_ASSERT(result.domainPx == counts[0][0] + counts[0][1] + counts[1][0] + counts[1][1]);
-    if (result.iou && *result.iou > 0) { // F1 = 2 IoU / (1 + IoU), whatever the counts
+    if (result.iou && *result.iou > 0) { // F1 = 2 IoU / (1 + IoU) for all counts
         RC_ASSERT(std::abs(*result.f1 - 2 * *result.iou / (1 + *result.iou)) < 1e-15);
     }
 }

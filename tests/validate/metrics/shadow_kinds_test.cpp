@@ -36,15 +36,16 @@ ShadowKinds kindsOf(const Frame& reference, const Frame& test, const Light& ligh
 }
 
 struct Facet {
-    float normalX; // and N.Z = 1: by the light along +x it is lit from the front where this is above 0
+    float normalX; // with N.Z = 1: the light along +x lights its front side if this is positive
     float shadow, testShadow;
 };
 
 // The light comes along +x. Reference normals (n, 0, 1): N.L has the sign of n.
 //     n = -1 -1 -1 0    attached: 4 pixels; the test is lit in one of them: agreement 3/4
-//     n = 1 1 1 1 1     toward the light: 2 of them dark; the test agrees on 3: one false shadow, one false
-//     lit: 3/5
-// The test's normals say the opposite and don't count.
+//     n = 1 1 1 1 1     facing the light: 2 of them dark; the test agrees on 3, with one false shadow and one
+//     false
+//                       lit pixel: 3/5
+// The test's normals are opposite and must not be used.
 TEST(ShadowKinds, NinePixels_EqualHandComputed) {
     const std::vector<Facet> facets{{-1, 1, 1}, {-1, 1, 1}, {-1, 1, 0}, {0, 1, 1}, {1, 1, 1},
                                     {1, 1, 0},  {1, 0, 1},  {1, 0, 0},  {1, 0, 0}};
@@ -70,8 +71,8 @@ TEST(ShadowKinds, NinePixels_EqualHandComputed) {
     EXPECT_EQ(*result.noNormalPx, 0);
 }
 
-// A normal that points away from the camera stands for the other side: (1, 0, -1) is seen as (-1, 0, 1), dark
-// by a light along +x.
+// A normal that points away from the camera is flipped: (1, 0, -1) becomes (-1, 0, 1), which faces away from
+// a light along +x.
 TEST(ShadowKinds, BackSide_UsesNormalTowardCamera) {
     Frame frame = emptyFrame(1, 1);
     paintPixel(frame, 0, 0, 1, 2);
@@ -81,8 +82,8 @@ TEST(ShadowKinds, BackSide_UsesNormalTowardCamera) {
     EXPECT_EQ(*kindsOf(frame, frame, distantLight({-1, 0, 0})).cast.domainPx, 1);
 }
 
-// Points at x = -2 and 2 of a plane with the normal (1, 0, 1), a light at the origin: toward it (1, 0, 0)
-// and (-1, 0, 0).
+// Points at x = -2 and 2 of a plane with the normal (1, 0, 1); a light at the origin is in the directions (1,
+// 0, 0) and (-1, 0, 0).
 TEST(ShadowKinds, PointLight_IsSeenFromPoint) {
     Frame frame = emptyFrame(2, 1);
     paintRectangle(frame, 0, 0, 2, 1);
@@ -102,7 +103,7 @@ TEST(ShadowKinds, PointLight_IsSeenFromPoint) {
     EXPECT_EQ(*kindsOf(far, frame, light).cast.domainPx, 2);
 }
 
-TEST(ShadowKinds, PixelsWithoutNormal_AreCountedApart) {
+TEST(ShadowKinds, PixelsWithoutNormal_AreCountedSeparately) {
     Frame frame = emptyFrame(3, 1);
     paintRectangle(frame, 0, 0, 3, 1);
     set(frame, "N.X", 0, 0, kNanF);
@@ -111,7 +112,7 @@ TEST(ShadowKinds, PixelsWithoutNormal_AreCountedApart) {
     EXPECT_EQ(*result.noNormalPx, 2);
     EXPECT_EQ(*result.cast.domainPx, 1);
     EXPECT_EQ(*result.attached.domainPx, 0);
-    EXPECT_THAT(result.attached.agreement.reason(), HasSubstr("turned away from the light"));
+    EXPECT_THAT(result.attached.agreement.reason(), HasSubstr("faces away from the light"));
 }
 
 TEST(ShadowKinds, NoLights_IsAbsentWithReason) {
@@ -126,7 +127,7 @@ TEST(ShadowKinds, NoLights_IsAbsentWithReason) {
         EXPECT_FALSE(result.attached.domainPx);
         return result.cast.agreement.reason();
     };
-    EXPECT_THAT(reason(pair, "sun", std::nullopt, camera), HasSubstr("where the light is (light.sun)"));
+    EXPECT_THAT(reason(pair, "sun", std::nullopt, camera), HasSubstr("position of the light (light.sun)"));
     EXPECT_THAT(reason(pair, "sun", light, std::nullopt), HasSubstr("camera is not known"));
     EXPECT_THAT(reason(pair, "moon", light, camera), HasSubstr("neither frame has a channel shadow.moon"));
     Frame bare(1, 1);
@@ -151,8 +152,8 @@ RC_GTEST_PROP(ShadowKindsProperty, Parts_SumToDomain, ()) {
     RC_ASSERT(*parts.attached.domainPx + *parts.cast.domainPx + *parts.noNormalPx ==
               static_cast<double>(whole.domainPx));
     RC_ASSERT(*parts.attached.falseLitPx + *parts.cast.falseLitPx <= static_cast<double>(whole.falseLitPx));
-    // The plain version: N.Z is 1 or no number, the camera looks along -z. The light's direction isn't unit,
-    // so that sums are exact.
+    // Brute force: N.Z is 1 or NaN, the camera looks along -z. The light direction isn't normalized, so that
+    // sums are exact.
     uint64_t attached = 0;
     for (size_t i = 0; i < a.pixelCount(); ++i) {
         const float id = a.channel("id")[i];

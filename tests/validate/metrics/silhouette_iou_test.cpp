@@ -32,8 +32,8 @@ TEST(SilhouetteIou, IdenticalSquares_AreOne) {
     EXPECT_EQ(result.extraPx, 0u);
 }
 
-// A 4 x 4 square moved by one pixel: 3 columns of 4 stay shared, one column is missing, one extra: 12 /
-// (12+4+4).
+// A 4 x 4 square moved by one pixel: 3 columns of 4 are shared, one column is missing, one is extra: 12 / (12
+// + 4 + 4).
 TEST(SilhouetteIou, SquareShiftedByOne_EqualsHandComputed) {
     Frame frame = emptyFrame(10, 10);
     paintRectangle(frame, 3, 2, 7, 6);
@@ -48,7 +48,7 @@ TEST(SilhouetteIou, NeighboringPixels_AreZero) {
     paintPixel(left, 0, 0, 1, 2);
     paintPixel(right, 1, 0, 1, 2);
     const SilhouetteIou result = pooled(left, right);
-    EXPECT_EQ(*result.iou, 0.0); // 0 of 2, a real zero
+    EXPECT_EQ(*result.iou, 0.0); // 0 of 2: zero, not absent
     EXPECT_EQ(result.unionPx, 2u);
 }
 
@@ -67,8 +67,7 @@ TEST(SilhouetteIou, EmptyInBoth_IsAbsentNotZero) {
     EXPECT_EQ(result.unionPx, 0u);
 }
 
-// Two squares side by side that change places: nothing of either is where it should be, though coverage is
-// equal.
+// Two adjacent squares that change places: every pixel shows the wrong object, although coverage is equal.
 TEST(SilhouetteIou, OtherObject_IsMissingAndExtra) {
     Frame reference = emptyFrame(4, 2), test = emptyFrame(4, 2);
     paintRectangle(reference, 0, 0, 2, 2, 1);
@@ -87,11 +86,11 @@ TEST(SilhouetteIou, NoId_UsesCoverage) {
     Frame test(4, 1);
     const auto coverage = test.add("A");
     coverage[0] = 1;
-    coverage[1] = 0.5f;  // the limit counts as covered
-    coverage[2] = 0.49f; // and just below it not
+    coverage[1] = 0.5f;  // the threshold counts as covered
+    coverage[2] = 0.49f; // just below it doesn't
     coverage[3] = kNanF;
     const FramePair pair(reference, test, {});
-    EXPECT_FALSE(pair.objectsToldApart());
+    EXPECT_FALSE(pair.hasObjectIds());
     const SilhouetteIou result = computeSilhouetteIou(pair, allOf(pair));
     EXPECT_EQ(*result.iou, 1.0);
     EXPECT_EQ(result.unionPx, 2u);
@@ -135,7 +134,7 @@ TEST(FramePair, UnknownObjects_AreNamedByNumber) {
     EXPECT_FALSE(pair.objects()[1].reliefDepth);
 }
 
-TEST(FramePair, Pool_HoldsReliefObjects) {
+TEST(FramePair, Pool_ContainsReliefObjects) {
     const Frame frame = emptyFrame(1, 1);
     EXPECT_EQ(FramePair(frame, frame, {objectWithRelief(1, 0), objectWithRelief(2, 0.1)}).reliefObjects(),
               std::vector<size_t>{1});
@@ -143,7 +142,7 @@ TEST(FramePair, Pool_HoldsReliefObjects) {
               (std::vector<size_t>{0, 1}));
 }
 
-/// Pixels of an object as coordinates: the definition, taken literally.
+/// Pixels of an object as coordinates, for a brute-force computation from the definition.
 std::set<std::pair<int, int>> pixelsShowing(const Frame& frame, int id) {
     std::set<std::pair<int, int>> pixels;
     for (int y = 0; y < frame.height(); ++y)

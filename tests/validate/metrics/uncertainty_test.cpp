@@ -1,5 +1,5 @@
-// Intervals held against their definition: every true image that the reference leaves open is painted, and
-// its plain metric computed.
+// Compares intervals with their definition: the metric is computed for every true image that the reference's
+// uncertain pixels allow.
 #include "tests/validate/metrics/random_frames.h"
 #include "validate/metrics/depth_error.h"
 #include "validate/metrics/shadow_agreement.h"
@@ -19,23 +19,24 @@ using ::testing::HasSubstr;
 
 constexpr int kObjects = 3;
 
-/// What the true image may show at a pixel.
+/// What a true image may show at a pixel.
 struct Truth {
     int id = 0;
     float shadow = 0;
 };
 
-/// The definition in validate/README.md, pixel by pixel; `objects` of the scene have the ids 1 … kObjects.
+/// The definition of validate/README.md at a pixel; the objects of the scene have the ids 1 … kObjects.
 std::vector<Truth> truthsAt(const Frame& reference, size_t pixel) {
     const int id = static_cast<int>(reference.channel("id")[pixel]);
     const float shadow = reference.channel("shadow.sun")[pixel];
-    const bool shadowOpen = reference.channel("uncertain.shadow.sun")[pixel] > 0 && std::isfinite(shadow);
+    const bool shadowUncertain =
+        reference.channel("uncertain.shadow.sun")[pixel] > 0 && std::isfinite(shadow);
     std::vector<Truth> truths{{id, shadow}};
-    if (id > 0 && shadowOpen) truths.push_back({id, 1 - shadow});
+    if (id > 0 && shadowUncertain) truths.push_back({id, 1 - shadow});
     if (reference.channel("uncertain")[pixel] == 0) return truths;
     for (int other = 0; other <= kObjects; ++other) {
         if (other == id && (other == 0 || std::isfinite(shadow)))
-            continue; // as the reference shows it: above
+            continue; // as in the reference, added above
         if (other == 0)
             truths.push_back({0, kNanF});
         else
@@ -45,7 +46,7 @@ std::vector<Truth> truthsAt(const Frame& reference, size_t pixel) {
     return truths;
 }
 
-/// Calls visit(image) for each true image: the product of the pixels' choices.
+/// Calls visit(image) for each true image, that is, for each combination of truths.
 void forEachTruth(Frame& image, size_t pixel, const std::function<void(const Frame&)>& visit) {
     if (pixel == image.pixelCount()) {
         visit(image);
@@ -57,12 +58,12 @@ void forEachTruth(Frame& image, size_t pixel, const std::function<void(const Fra
         chosen.channel("id")[pixel] = static_cast<float>(truth.id);
         chosen.channel("shadow.sun")[pixel] = truth.shadow;
         forEachTruth(chosen, pixel + 1, visit);
-        chosen.channel("id")[pixel] = id; // truthsAt reads the reference's own values
+        chosen.channel("id")[pixel] = id; // truthsAt needs the reference's own values
         chosen.channel("shadow.sun")[pixel] = shadow;
     }
 }
 
-/// Least and greatest value seen.
+/// Smallest and largest value so far.
 struct Extremes {
     std::optional<double> low, high;
     void add(const Figure& figure) {
@@ -72,8 +73,8 @@ struct Extremes {
     }
 };
 
-/// Equal bit for bit: numerator and denominator are the same whole numbers, or such whose quotients are equal
-/// exactly.
+/// Equal bit for bit, because numerators and denominators are the same integers or have exactly equal
+/// quotients.
 void requireEqual(const Interval& interval, const Figure& figure, const Extremes& extremes) {
     RC_ASSERT(static_cast<bool>(interval.low) == static_cast<bool>(figure));
     RC_ASSERT(static_cast<bool>(interval.high) == static_cast<bool>(figure));
@@ -98,7 +99,8 @@ Frame randomRow() {
     return frame;
 }
 
-/// At most three pixels of unknown object, up to 7 truths each, and some of unknown shadow.
+/// At most three pixels with an uncertain object, with up to 7 truths each, and some with an uncertain
+/// shadow.
 Frame randomReference() {
     Frame frame = randomRow();
     addUncertainty(frame);
@@ -168,7 +170,8 @@ RC_GTEST_PROP(UncertaintyProperty, CertainFrames_HaveZeroWidth, ()) {
 }
 
 // Reference 1 1 1 . . .    IoU 2/4: shared 1 2, missing 0, extra 3. Uncertain: 2 (shared), 3 (extra), 5
-// (nothing). Test      . 1 1 1 . .    low: 2 and 3 aren't it, 5 is: 1/5.  high: 2 and 3 are it, 5 isn't: 3/4.
+// (neither). Test      . 1 1 1 . .    low: 5 shows the object, 2 and 3 don't: 1/5. high: 2 and 3 show it, 5
+// doesn't: 3/4.
 TEST(Uncertainty, Silhouette_EqualsHandComputed) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
     paintRectangle(reference, 0, 0, 3, 1);
@@ -186,8 +189,9 @@ TEST(Uncertainty, Silhouette_EqualsHandComputed) {
               1);
 }
 
-// With two objects in the pool an uncertain pixel may show the other one: missing from it and extra in the
-// one drawn. Three pixels of object 1 in both frames, one uncertain: at worst 2/4; of object 1 alone 2/3.
+// If two objects are pooled, an uncertain pixel may show the other one, from which it is missing, while it is
+// extra in the one drawn. Three pixels of object 1 in both frames, one uncertain: at least 2/4; for object 1
+// alone 2/3.
 TEST(Uncertainty, OtherPooledObject_CountsTwice) {
     Frame reference = emptyFrame(3, 1), test = emptyFrame(3, 1);
     paintRectangle(reference, 0, 0, 3, 1);
@@ -200,10 +204,10 @@ TEST(Uncertainty, OtherPooledObject_CountsTwice) {
     EXPECT_EQ(*computeSilhouetteIou(pair, std::vector<size_t>{0}).iouRange.high, 1.0);
 }
 
-// Four lit pixels, all right. Pixel 0: shadow uncertain; pixel 1: may leave; pixel 4: only the test covers
-// it, may enter.
-//   agreement: high 4/4; low: 0 wrong, 1 out, 4 in and wrong: 2/4.
-//   IoU is absent: no shadow in either frame; so is its interval, for that reason.
+// Four lit pixels that agree. The shadow of pixel 0 is uncertain, pixel 1 may leave the domain, and pixel 4,
+// which only the test covers, may enter it.
+//   agreement: high 4/4; low: 0 is wrong, 1 is outside, 4 is inside and wrong: 2/4.
+//   IoU and its interval are absent, because neither frame has a shadow.
 TEST(Uncertainty, Shadow_EqualsHandComputed) {
     Frame reference = emptyFrame(5, 1), test = emptyFrame(5, 1);
     paintRectangle(reference, 0, 0, 4, 1);
@@ -239,9 +243,9 @@ TEST(Uncertainty, NoChannels_HaveNoInterval) {
         return computeShadowAgreement(pair, allOf(pair), "sun");
     };
     const std::string noUncertain = "the reference frame has no channel uncertain";
-    Frame sureInTest = frame; // the test's own channels say nothing about the reference
-    addUncertainty(sureInTest);
-    const FramePair without(frame, sureInTest, {});
+    Frame certainInTest = frame; // the test's channels don't describe the reference
+    addUncertainty(certainInTest);
+    const FramePair without(frame, certainInTest, {});
     EXPECT_EQ(silhouette(without).iouRange.low.reason(), noUncertain);
     EXPECT_EQ(silhouette(without).uncertainPx.reason(), noUncertain);
     EXPECT_EQ(shadow(without).agreementRange.high.reason(), noUncertain);

@@ -1,4 +1,4 @@
-// The data of the interactive page: packed planes, curves, failing pixels, JSON inside a page.
+// The data of the interactive page: packed planes, curves, failing pixels, JSON in the page.
 #include "tests/validate/results/sample_results.h"
 #include "validate/report/error_curves.h"
 #include "validate/report/failing_pixels.h"
@@ -41,7 +41,7 @@ TEST(Base64, Rfc4648Vectors_Encode) {
     EXPECT_EQ(base64(std::vector<uint8_t>{255, 255, 254}), "///+");
 }
 
-/// As the page does, but simpler.
+/// Unpacks like the page, but simpler.
 std::vector<uint8_t> unpack(const std::string& text, size_t size) {
     const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::vector<uint8_t> packed;
@@ -92,7 +92,7 @@ TEST(FrameData, Plane_TakesSmallestLosslessType) {
     frame.add("cost.fetches");
     frame.add("cost.iterations");
     set(frame, "cost.fetches", 1, 0, 300);
-    set(frame, "cost.iterations", 1, 0, 1.5f); // no count: nothing is rounded
+    set(frame, "cost.iterations", 1, 0, 1.5f); // not an integer, so it must not be rounded
     const report::FrameData data = report::packTest(FramePair(frame, frame, {}), frame.channel("Z"));
     const json layers = json::parse(data.json);
     EXPECT_EQ(layers.size(), data.layers.size());
@@ -102,7 +102,7 @@ TEST(FrameData, Plane_TakesSmallestLosslessType) {
     EXPECT_EQ(layers.at("iterations").at("type"), "f32");
     EXPECT_THAT(unpack(layers.at("id").at("data"), 3), ElementsAre(1, 1, 0));
     EXPECT_THAT(unpack(layers.at("shadow.sun").at("data"), 3),
-                ElementsAre(0, 0, 255)); // none where nothing is
+                ElementsAre(0, 0, 255)); // "none" where nothing is covered
     EXPECT_THAT(unpackFloatBits(layers.at("depth").at("data"), 3),
                 ElementsAre(std::bit_cast<uint32_t>(2.5f), std::bit_cast<uint32_t>(2.5f),
                             std::bit_cast<uint32_t>(kInfinityF)));
@@ -114,16 +114,16 @@ TEST(FrameData, NormalAngle_IsIn256thsOfDegree) {
     Frame test = reference;
     for (const char* axis : {"N.X", "N.Y", "N.Z"}) {
         set(reference, axis, 0, 0, axis[2] == 'Z' ? 1 : 0);
-        set(test, axis, 0, 0, axis[2] == 'X' ? 3 : 0); // a right angle, whatever the length
+        set(test, axis, 0, 0, axis[2] == 'X' ? 3 : 0); // a right angle for any length
         set(test, axis, 1, 0, kNanF);
     }
     const json layer =
         json::parse(report::packTest(FramePair(reference, test, {}), {}).json).at("normal_angle");
     EXPECT_EQ(layer.at("scale"), 1.0 / 256);
-    EXPECT_THAT(unpack(layer.at("data"), 4), ElementsAre(90, 255, 0, 255)); // 90 * 256, none
+    EXPECT_THAT(unpack(layer.at("data"), 4), ElementsAre(90, 255, 0, 255)); // 90 * 256, then "none"
 }
 
-// Relief 0.5: e = 0, +0.005, -0.05, +0.15, +0.5 are 0, 0.01, -0.1, 0.3 and 1 reliefs, up to float
+// Relief depth 0.5: e = 0, +0.005, -0.05, +0.15, +0.5 are 0, 0.01, -0.1, 0.3 and 1 relief depths, up to float
 // rounding.
 TEST(ErrorCurves, FiveErrors_GiveSharesAndCounts) {
     Frame reference = emptyFrame(6, 1), test = emptyFrame(6, 1);
@@ -141,11 +141,11 @@ TEST(ErrorCurves, FiveErrors_GiveSharesAndCounts) {
     for (size_t i = 0; i < thresholds.size(); ++i) {
         const double t = thresholds[i];
         if (std::abs(t - 0.01) < 1e-6 || std::abs(t - 0.1) < 1e-6 || std::abs(t - 1) < 1e-6)
-            continue; // rounding decides
+            continue; // depends on rounding
         const double expected = (t < 0.01) + (t < 0.1) + (t < 0.3) + (t < 1);
         EXPECT_EQ(curves->badpix[i], expected / 5) << t;
     }
-    // Equal to the metrics at their three thresholds.
+    // Equal to the metrics at the three named thresholds.
     const auto at = [&](double t) {
         return curves->badpix[static_cast<size_t>(std::find(thresholds.begin(), thresholds.end(), t) -
                                                   thresholds.begin())];
@@ -160,7 +160,7 @@ TEST(ErrorCurves, FiveErrors_GiveSharesAndCounts) {
     for (const uint64_t count : curves->counts)
         inside += count;
     EXPECT_EQ(inside, 3u);
-    EXPECT_EQ(curves->counts[25], 1u); // 0 opens the bin right of the middle
+    EXPECT_EQ(curves->counts[25], 1u); // 0 is in the first bin right of the middle
 }
 
 TEST(ErrorCurves, NoReliefOrDepth_IsAbsent) {
@@ -181,7 +181,7 @@ TEST(FailingPixels, EachReason_CountsOnceWithoutUncertain) {
     set(test, "Z", 1, 0, 2.06f);      // by 6 % of the relief
     set(test, "Z", 2, 0, 2.04f);      // by 4 %
     set(test, "Z", 3, 0, kNanF);      // no depth
-    set(test, "shadow.sun", 4, 0, 1); // dark, where it should be lit
+    set(test, "shadow.sun", 4, 0, 1); // falsely dark
     set(test, "id", 5, 0, 2);         // another object
     set(test, "id", 6, 0, 0);         // missing, but the reference is uncertain
     set(reference, "uncertain", 6, 0, 1);
@@ -205,7 +205,7 @@ TEST(FailingPixels, Shadow_CountsWhereReferenceIsCertain) {
         set(test, "shadow.sun", x, 0, 1);
     set(reference, "uncertain.shadow.sun", 1, 0, 1);
     set(reference, "shadow.sun", 2, 0, kNanF);
-    set(test, "shadow.sun", 3, 0, kNanF); // says nothing where it should say lit
+    set(test, "shadow.sun", 3, 0, kNanF); // no value where the reference is lit
     const FramePair pair(reference, test, {objectWithRelief(1, 1)});
     report::FailingPixels failing;
     failing.add(pair, compareFrames(reference, test, pair.objects(), std::nullopt));

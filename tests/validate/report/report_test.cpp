@@ -80,9 +80,9 @@ TEST(Pictures, DepthError_IsSymmetricAndSaturates) {
     const Picture picture =
         depthErrorPicture(FramePair(reference, test, {}), reference.channel("Z"), test.channel("Z"), 0.5);
     EXPECT_EQ(pixelOf(picture, 0, 0), colorAt(colormap::kDiverging, 0));
-    EXPECT_EQ(pixelOf(picture, 1, 0), colorAt(colormap::kDiverging, -1)); // nearer by the range
+    EXPECT_EQ(pixelOf(picture, 1, 0), colorAt(colormap::kDiverging, -1)); // nearer by the full range
     EXPECT_EQ(pixelOf(picture, 2, 0), colorAt(colormap::kDiverging, 1));
-    EXPECT_EQ(pixelOf(picture, 3, 0), colorAt(colormap::kDiverging, 1)); // beyond it
+    EXPECT_EQ(pixelOf(picture, 3, 0), colorAt(colormap::kDiverging, 1)); // beyond the range
     EXPECT_EQ(pixelOf(picture, 4, 0), palette::kInvalid);
     EXPECT_GT(colorAt(colormap::kDiverging, -1)[2], colorAt(colormap::kDiverging, -1)[0]); // too near is blue
     EXPECT_GT(colorAt(colormap::kDiverging, 1)[0], colorAt(colormap::kDiverging, 1)[2]); // too far is orange
@@ -126,7 +126,7 @@ TEST(Pictures, Curvature_IsRedConvexBlueConcaveGreenFlat) {
     EXPECT_EQ(strongest(colorAt(colormap::kCurvature, 1)), 0);
     EXPECT_EQ(strongest(colorAt(colormap::kCurvature, 0)), 1);
     EXPECT_EQ(strongest(colorAt(colormap::kCurvature, -1)), 2);
-    // Ten finite values; nine of them within 0.5, whatever the tenth.
+    // Nine of ten finite values are within 0.5; the tenth doesn't matter.
     EXPECT_EQ(curvatureRange(test, "curvature.a"), 0.5);
     EXPECT_EQ(curvatureRange(empty, "curvature.a"), 0);
 }
@@ -139,7 +139,7 @@ TEST(ReportFiles, LongNames_HaveOwnFiles) {
     technique.comparison = compareFrames(reference, test, {}, std::nullopt);
     Report report(folder.path(), {.interactive = false, .singleFile = false});
     report.addTechnique(technique, reference, test);
-    const std::string stem = "1_" + std::string(98, 'x'); // a hundred letters of the name are kept
+    const std::string stem = "1_" + std::string(98, 'x'); // 100 letters of the name are kept
     for (const char* what : {"_color", "_silhouette", "_depth"})
         EXPECT_TRUE(std::filesystem::exists(folder / (stem + what + ".png"))) << what;
 }
@@ -175,7 +175,7 @@ TEST(ReportPage, Page_ShowsFiguresLimitsAndReasons) {
     EXPECT_THAT(page, HasSubstr("broken.glsl:3"));
     EXPECT_THAT(page, HasSubstr(">0.50000<small>0.47059–0.50000</small>"));
     EXPECT_THAT(page, HasSubstr(">0.7500<small>0.7500–0.8750</small>"));
-    EXPECT_THAT(page, HasSubstr("outline off<small>mean, px"));
+    EXPECT_THAT(page, HasSubstr("contour distance<small>mean, px"));
     // 4 missing, 4 extra, 12 px in 20.
     EXPECT_THAT(page, HasSubstr("<td data-value=\"4\">4</td><td data-value=\"4\">4</td>"));
     EXPECT_THAT(page, HasSubstr("<td data-value=\"0.6\">0.60</td><td data-value=\"1\">1.00</td>"));
@@ -213,7 +213,7 @@ TEST(ReportPage, BestFiguresAndMissedRequirements_AreMarked) {
     EXPECT_THAT(reportPage(results, {}, {}),
                 HasSubstr(">Required shadow.agreement &gt;= 0.9, found 0.5 in shadow.sun.agreement.<"));
 
-    results.techniques.back().control = true; // leaves one to rank
+    results.techniques.back().control = true; // only one technique is left to rank
     EXPECT_THAT(reportPage(results, {}, {}), Not(HasSubstr("class=\"best\" data-value")));
 }
 

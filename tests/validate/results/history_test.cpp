@@ -1,4 +1,4 @@
-// The history of a shader: records there and back, and what counts as worse.
+// The history of a shader: records are written and read, and regressions are found.
 #include "tests/errors.h"
 #include "tests/validate/results/sample_results.h"
 #include "validate/results/history_moves.h"
@@ -37,7 +37,7 @@ SceneMoves movesOf(const std::vector<HistoryRecord>& records,
     return scenes.at(0);
 }
 
-/// Of the one figure, from `before` to `after`.
+/// The verdict on one figure that changes from `before` to `after`.
 Verdict verdictOf(const std::string& figure, double before, double after,
                   const std::vector<std::string>& tolerances = {}) {
     const SceneMoves scene =
@@ -56,7 +56,7 @@ TEST(HistoryFile, PooledFigures_AreKept) {
     ASSERT_EQ(kept.techniques.size(), 2u);
     const auto& figures = kept.techniques[0].figures;
     EXPECT_EQ(figures.at("silhouette.missing_px"),
-              4); // the column the shifted square leaves: painted_frames.h
+              4); // the column that the shifted square leaves (painted_frames.h)
     EXPECT_TRUE(figures.contains("shadow.sun.agreement"));
     EXPECT_EQ(figures.at("cost.ms_median"), 12.5);
     EXPECT_FALSE(figures.contains("relief_depth"));
@@ -67,7 +67,7 @@ TEST(HistoryFile, PooledFigures_AreKept) {
                     .figures.contains("against_proxy.shadow.sun.iou"));
 }
 
-// A light may be called as a part of the results that holds no figures.
+// A light may have the name of a part of the results that contains no figures.
 TEST(HistoryFile, AnyLightName_IsKept) {
     Results results = sampleResults();
     for (const char* name : {"notes", "objects", "absent"})
@@ -95,7 +95,7 @@ TEST(HistoryFile, DamagedLine_IsNamed) {
     };
     EXPECT_THAT(errorOf("<<<<<<< HEAD\n"), HasSubstr("h.jsonl:2: is not valid JSON; expected a line that"));
     EXPECT_THAT(errorOf(good.substr(0, good.size() / 2)), HasSubstr("h.jsonl:2: is not valid JSON"));
-    EXPECT_THAT(errorOf("[]\n"), HasSubstr("is no JSON object"));
+    EXPECT_THAT(errorOf("[]\n"), HasSubstr("is not a JSON object"));
     EXPECT_THAT(errorOf("{}\n"), HasSubstr("has no schema"));
     const auto changed = [&](const std::string& from, const std::string& to) {
         const size_t at = good.find(from);
@@ -108,9 +108,9 @@ TEST(HistoryFile, DamagedLine_IsNamed) {
                 HasSubstr("schema is array; expected 1"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":NaN")), HasSubstr("is not valid JSON"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":1e999")), HasSubstr("is not valid JSON"));
-    EXPECT_THAT(errorOf(changed("iou\":1", "iou\":\"1\"")), HasSubstr("silhouette.iou is no number"));
+    EXPECT_THAT(errorOf(changed("iou\":1", "iou\":\"1\"")), HasSubstr("silhouette.iou is not a number"));
     EXPECT_THAT(errorOf(changed("\"techniques\":[", "\"other\":[")), HasSubstr("has no techniques"));
-    EXPECT_THAT(errorOf(changed("\"torus\"", "3")), HasSubstr("scene.name is no text"));
+    EXPECT_THAT(errorOf(changed("\"torus\"", "3")), HasSubstr("scene.name is not a text"));
     EXPECT_THAT(errorOf(std::string(200000, '[')), HasSubstr("is not valid JSON"));
 }
 
@@ -123,10 +123,10 @@ TEST(HistoryFile, NoResults_AreRefused) {
     EXPECT_THAT(errorOf(good.substr(0, 300)), HasSubstr("r.json: is not valid JSON"));
     Results none = sampleResults();
     none.techniques.clear();
-    EXPECT_THAT(errorOf(toJson(none)), HasSubstr("holds no technique"));
+    EXPECT_THAT(errorOf(toJson(none)), HasSubstr("contains no technique"));
     Results twice = sampleResults();
     twice.techniques[1] = twice.techniques[0];
-    EXPECT_THAT(errorOf(toJson(twice)), HasSubstr("names 'linear_binary' twice"));
+    EXPECT_THAT(errorOf(toJson(twice)), HasSubstr("contains 'linear_binary' twice"));
 }
 
 TEST(HistoryMoves, FartherFromBest_IsWorse) {
@@ -139,10 +139,10 @@ TEST(HistoryMoves, FartherFromBest_IsWorse) {
     EXPECT_EQ(verdictOf("against_proxy.shadow.sun.ber", 0.1, 0.2), Verdict::Regression);
     EXPECT_EQ(verdictOf("depth.domain_px", 900, 100), Verdict::Neutral);
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2),
-              Verdict::Neutral); // the IoU is judged, in its interval
+              Verdict::Neutral); // its IoU is evaluated, with an interval
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"all=1%"}), Verdict::Neutral);
     EXPECT_EQ(verdictOf("silhouette.missing_px", 1, 2, {"silhouette.missing_px=0.5"}), Verdict::Regression);
-    EXPECT_EQ(verdictOf("silhouette.hausdorff95_px", 1, 2), Verdict::Regression); // no count
+    EXPECT_EQ(verdictOf("silhouette.hausdorff95_px", 1, 2), Verdict::Regression); // a distance, not a count
     EXPECT_EQ(verdictOf("of.another.version", 1, 2), Verdict::Neutral);
 }
 
@@ -154,7 +154,7 @@ TEST(HistoryMoves, ChangeWithinInterval_IsTolerated) {
              record("b",
                     {{"silhouette.iou", after}, {"silhouette.iou_low", 0.5}, {"silhouette.iou_high", 1}})});
     };
-    ASSERT_EQ(scene(0.885).moves.size(), 1u); // the interval's own ends aren't judged
+    ASSERT_EQ(scene(0.885).moves.size(), 1u); // the ends of the interval aren't evaluated
     EXPECT_EQ(scene(0.885).moves[0].verdict, Verdict::Tolerated);
     EXPECT_EQ(scene(0.875).moves[0].verdict, Verdict::Regression);
     EXPECT_EQ(scene(0.92).moves[0].verdict, Verdict::Better);
@@ -173,7 +173,7 @@ TEST(HistoryMoves, Tolerance_CoversFigureAndItsCounts) {
               Verdict::Regression);
 }
 
-TEST(HistoryMoves, Cost_IsJudgedOnlyIfNamed) {
+TEST(HistoryMoves, Cost_IsEvaluatedOnlyIfNamed) {
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100), Verdict::Neutral);
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100, {"all=0"}), Verdict::Neutral);
     EXPECT_EQ(verdictOf("cost.ms_median", 1, 100, {"cost.ms_median=50%"}), Verdict::Regression);
@@ -191,7 +191,7 @@ TEST(HistoryMoves, MalformedTolerance_IsRefused) {
     EXPECT_THAT(inputErrorOf([] { Tolerances::parse({"all=1", "all=2"}); }), HasSubstr("given twice"));
 }
 
-TEST(HistoryMoves, VanishedFigure_IsRegressionIfJudged) {
+TEST(HistoryMoves, VanishedFigure_IsRegressionIfEvaluated) {
     const SceneMoves scene =
         movesOf({record("a", {{"depth.rmse", 1}, {"depth.domain_px", 5}, {"cost.ms_median", 3}}),
                  record("b", {{"st.mean_texels", 1}})});
@@ -211,10 +211,10 @@ TEST(HistoryMoves, Failure_IsRegressionOnce) {
                 ElementsAre("mine fails: mine.glsl:3: undeclared 'x'"));
     EXPECT_TRUE(movesOf({good, failing("b")}).hasRegression());
     EXPECT_FALSE(movesOf({good, failing("b"), failing("c")}).hasRegression());
-    const SceneMoves mended = movesOf({good, failing("b"), worse});
-    EXPECT_TRUE(mended.hasRegression()); // against "a"
-    EXPECT_THAT(mended.notes,
-                ElementsAre("mine works again", "mine is held against 'a', where it worked last"));
+    const SceneMoves fixed = movesOf({good, failing("b"), worse});
+    EXPECT_TRUE(fixed.hasRegression()); // compared with "a"
+    EXPECT_THAT(fixed.notes,
+                ElementsAre("mine works again", "mine is compared with 'a', where it last worked"));
     EXPECT_FALSE(movesOf({failing("a"), worse}).hasRegression());
 }
 
@@ -225,16 +225,15 @@ TEST(HistoryMoves, OtherScenes_AreNotCompared) {
     proxy.base = "proxy";
     other.scene = "plane";
     EXPECT_THAT(movesOf({first, changed}).notes,
-                ElementsAre("not comparable with 'a': the scene's files or fields are others now"));
-    EXPECT_THAT(movesOf({first, proxy}).notes,
-                ElementsAre("not comparable with 'a': another base was displaced"));
+                ElementsAre("not comparable with 'a': files or fields of the scene have changed"));
+    EXPECT_THAT(movesOf({first, proxy}).notes, ElementsAre("not comparable with 'a': its base is different"));
     EXPECT_FALSE(movesOf({first, changed}).hasRegression());
     EXPECT_THAT(movesOf({first}).notes, ElementsAre("the first record of this scene"));
-    // Back to the scene as it was: that record is the one to compare with.
+    // The original scene again: it is compared with the record of that scene.
     EXPECT_EQ(movesOf({first, changed, record("c", {{"silhouette.iou", 0.9}})}).before, "a");
     const auto both = latestMoves({first, other, first}, {}, {});
     ASSERT_EQ(both.size(), 2u);
-    EXPECT_EQ(latestMoves({first, other, first}, {first.scene}, {}).size(), 1u); // of that scene alone
+    EXPECT_EQ(latestMoves({first, other, first}, {first.scene}, {}).size(), 1u); // of that scene only
 }
 
 TEST(HistoryMoves, AddedAndRemovedTechniques_AreNotes) {
@@ -244,7 +243,7 @@ TEST(HistoryMoves, AddedAndRemovedTechniques_AreNotes) {
     const SceneMoves scene = movesOf({two, one});
     EXPECT_FALSE(scene.hasRegression());
     ASSERT_EQ(scene.notes.size(), 2u);
-    EXPECT_EQ(scene.notes[0], "yours isn't in the latest record");
+    EXPECT_EQ(scene.notes[0], "yours is not in the latest record");
     EXPECT_THAT(scene.notes[1], HasSubstr("the reference's own error"));
     EXPECT_THAT(scene.moves, IsEmpty());
     EXPECT_EQ(scene.unmoved.at(0).second, 1u);

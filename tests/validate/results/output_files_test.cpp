@@ -20,7 +20,7 @@ class OutputFiles : public ::testing::Test {
 TEST_F(OutputFiles, NewFolder_IsCreatedWithParents) {
     requireWritableFolder(folder_ / "a" / "b");
     EXPECT_TRUE(fs::is_directory(folder_ / "a" / "b"));
-    EXPECT_TRUE(fs::is_empty(folder_ / "a" / "b")); // the probe is gone
+    EXPECT_TRUE(fs::is_empty(folder_ / "a" / "b")); // the probe was removed
     requireWritableFile(folder_ / "c" / "frame.exr", {});
     EXPECT_FALSE(fs::exists(folder_ / "c" / "frame.exr"));
 }
@@ -34,7 +34,7 @@ TEST_F(OutputFiles, InputFiles_AreNotReplaced) {
     EXPECT_NO_THROW(requireWritableFile(folder_ / "mesh.ply", inputs));
 }
 
-TEST_F(OutputFiles, OldResults_AreRemovedAlone) {
+TEST_F(OutputFiles, OnlyOldResults_AreRemoved) {
     fs::create_directories(folder_ / "report");
     for (const char* name :
          {"results.json", "results.csv", "notes.txt", "report/index.html", "report/mine.html"})
@@ -44,7 +44,7 @@ TEST_F(OutputFiles, OldResults_AreRemovedAlone) {
         EXPECT_FALSE(fs::exists(folder_ / name)) << name;
     for (const char* name : {"notes.txt", "report/mine.html"})
         EXPECT_TRUE(fs::exists(folder_ / name)) << name;
-    removeOldResults(folder_ / "nowhere"); // nothing to remove is fine
+    removeOldResults(folder_ / "nowhere"); // a missing folder is no error
 }
 
 TEST_F(OutputFiles, PathBelowFile_IsRefused) {
@@ -52,7 +52,7 @@ TEST_F(OutputFiles, PathBelowFile_IsRefused) {
     EXPECT_THROW(requireWritableFolder(folder_ / "file"), InputError);
     EXPECT_THROW(requireWritableFolder(folder_ / "file" / "below"), InputError);
     EXPECT_THROW(requireWritableFile(folder_ / "file" / "below.exr", {}), InputError);
-    EXPECT_THROW(requireWritableFile(folder_, {}), InputError); // a folder where a file should be
+    EXPECT_THROW(requireWritableFile(folder_, {}), InputError); // a folder instead of a file
 }
 
 TEST(SafeFileName, OddNames_StayReadableAndInside) {

@@ -69,11 +69,12 @@ TEST(ResultsJson, FullResults_HaveEveryKey) {
     EXPECT_EQ(technique["pooled_objects"], json::array({"object 1"})); // object 2 has no relief
 }
 
-// sampleReference: object 1 covers columns 1 2 3 of rows 1 … 4. Shifted right by one, two columns of four
-// stay. One pixel of nothing may be the object: 8/17 at worst. The one shadow of the reference, at (2, 2), is
-// uncertain; the test's is at (3, 2), lit in the reference: agreement 6/8, at best 7/8. Its contour is all
-// but the two pixels inside; to the moved one it is 1 from column 1 and from the two pixels of column 3 off
-// the corners, 0 from the rest: 6 of 10, and as many back.
+// sampleReference: object 1 covers columns 1 2 3 of rows 1 … 4. Shifted right by one, two of four columns are
+// shared. One empty pixel may show the object: IoU at least 8/17. The only shadow of the reference, at (2,
+// 2), is uncertain; that of the test is at (3, 2), lit in the reference: agreement 6/8, at most 7/8. The
+// contour is the object without the two inner pixels. Its distance to the moved one is 1 for column 1 and for
+// the two pixels of column 3 that aren't corners, 0 for the others: 6 of 10, and the same in the other
+// direction.
 TEST(ResultsJson, Comparison_NumbersAreKept) {
     const json technique = json::parse(toJson(sampleResults())).at("techniques").at(0);
     EXPECT_EQ(technique["silhouette"]["iou"], 8.0 / 16.0);
@@ -86,7 +87,7 @@ TEST(ResultsJson, Comparison_NumbersAreKept) {
     EXPECT_EQ(technique["depth"]["uncertain_px"], 0);
     EXPECT_EQ(technique["image"]["domain_px"], 48);
     EXPECT_EQ(technique["image"]["badpix_2codes_px"],
-              2); // the white pixel of the reference, and where it went
+              2); // the white pixel of the reference, and its new position
     EXPECT_EQ(technique["silhouette"]["missing_px"], 4);
     EXPECT_EQ(technique["silhouette"]["contour_mean_px"], 12.0 / 20.0);
     EXPECT_EQ(technique["silhouette"]["hausdorff95_px"], 1.0);
@@ -132,9 +133,9 @@ TEST(ResultsJson, AbsentFigures_HaveReason) {
     EXPECT_THAT(plain["depth"]["absent"]["rmse_relief"].get<std::string>(), HasSubstr("no relief"));
 }
 
-// Object 1 covers columns 1 2 3 in the limit reference, 2 3 in the proxy's and in the shifted test: of four
-// rows, 8/12 and 8/8; test against proxy with column 4 (object 2 in the proxy's frame): 8 of columns 2 3 and
-// 4 of column 4 are extra: 8/12.
+// Object 1 covers columns 1 2 3 of four rows in the limit reference, 2 3 in the proxy's and in the shifted
+// test: 8/12 and 8/8. Test compared with proxy: 8 pixels of columns 2 3 are shared and the 4 of column 4
+// (object 2 in the proxy's frame) are extra: 8/12.
 TEST(ResultsJson, BothBases_AreKept) {
     const json results = json::parse(toJson(sampleResultsOnBothBases()));
     EXPECT_EQ(results["base"], "both");
@@ -228,9 +229,9 @@ TEST(ResultsCsv, EachTechniqueObjectLight_HasRow) {
     const auto picture =
         static_cast<size_t>(std::find(rows[0].begin(), rows[0].end(), "image.domain_px") - rows[0].begin());
     EXPECT_EQ(rows[1].at(picture), "48");
-    EXPECT_EQ(rows[2].at(picture), ""); // no figure of an object
+    EXPECT_EQ(rows[2].at(picture), ""); // not computed per object
     EXPECT_EQ(rows[4].at(column), "");
-    EXPECT_EQ(rows[4].at(column + 1), ""); // counts of a failed technique are no zeros
+    EXPECT_EQ(rows[4].at(column + 1), ""); // counts of a failed technique are absent, not 0
 }
 
 TEST(ResultsCsv, BothBases_HaveOwnRows) {
@@ -266,7 +267,7 @@ TEST(MetricTable, Rows_EqualCsvColumns) {
     EXPECT_EQ(documented, written);
 }
 
-/// Keys of the numbers and of the reasons in a group of results.json, with the group's name in front.
+/// Keys of the numbers and of the reasons in a group of results.json, prefixed by the group's name.
 void collectKeys(const json& group, const std::string& prefix, std::set<std::string>& keys) {
     for (const auto& [key, value] : group.items())
         if (key == "absent")
@@ -312,7 +313,7 @@ TEST(MetricTable, Description_FitsTerminal) {
     }
 }
 
-TEST(MetricTable, Json_HoldsEveryField) {
+TEST(MetricTable, Json_ContainsEveryField) {
     const json table = json::parse(metricTableJson());
     ASSERT_EQ(table.size(), metricTable().size());
     EXPECT_EQ(table[0]["key"], "silhouette.iou");
@@ -362,7 +363,7 @@ TEST(ResultsTable, MissingFiguresAndFailures_AreShown) {
     EXPECT_THAT(table, HasSubstr("0.50000  0.02942"));
     EXPECT_THAT(table, HasSubstr("0.7500  0.1250"));
     EXPECT_THAT(table, HasSubstr("broken: failed: broken.glsl:3"));
-    EXPECT_THAT(table, HasSubstr("  -  ")); // no look-ups were counted
+    EXPECT_THAT(table, HasSubstr("  -  ")); // no lookups were counted
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// A small run's results, made without rendering.
+// Results of a small run, created without rendering.
 #pragma once
 
 #include "tests/validate/metrics/painted_frames.h"
@@ -15,7 +15,7 @@ inline Frame sampleReference() {
     for (const char* color : {"R", "G", "B"})
         set(frame, color, 5, 2, 1);
     addUncertainty(frame);
-    set(frame, "uncertain", 0, 0, 1); // nothing in either frame: may be one more pixel that is missing
+    set(frame, "uncertain", 0, 0, 1); // empty in both frames; may be a missing pixel
     set(frame, "uncertain.shadow.sun", 2, 2, 1);
     return frame;
 }
@@ -40,7 +40,7 @@ inline void setFigure(MetricSet& metrics, const char* key, double value, const s
     metrics.set(*findMetric(key), light, value);
 }
 
-/// The figures of a light for another one, too.
+/// Copies the figures of one light to another.
 inline void copyLight(MetricSet& metrics, const std::string& from, const std::string& to) {
     for (const MetricInfo& metric : metricTable())
         if (metric.scope == Scope::ObjectsByLight) metrics.set(metric, to, metrics.figure(metric, from));
@@ -75,7 +75,7 @@ inline Results sampleResults(const std::string& techniqueName = "linear_binary")
     return results;
 }
 
-/// The same with a second reference, on the proxy: two columns instead of three of object 1.
+/// The same with a second reference on the proxy, in which object 1 has two columns instead of three.
 inline Results sampleResultsOnBothBases() {
     Results results = sampleResults();
     const Frame reference = sampleReference(), test = shiftedRight(reference);

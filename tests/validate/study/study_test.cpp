@@ -1,4 +1,4 @@
-// Studies: the file, the cases it stands for, the rows they become.
+// Studies: the file, its cases, and the rows of results.
 #include "scenes/core/data_folder.h"
 #include "tests/errors.h"
 #include "tests/files.h"
@@ -67,7 +67,7 @@ class StudyFile : public testing::Test {
         writeFile(folder_ / "mine.toml", text);
         return readStudy(folder_ / "mine.toml");
     }
-    /// The message without the file's folder.
+    /// The message without the folder of the file.
     std::string messageFor(const std::string& from, const std::string& to) {
         std::string text = kStudy;
         const size_t at = text.find(from);
@@ -91,7 +91,7 @@ TEST_F(StudyFile, ValidStudy_IsRead) {
     const StudyGrid& grid = study.grids[0];
     EXPECT_EQ(grid.sceneFiles[0], dataFolder() / "scenes" / "library" / "small_torus.toml");
     EXPECT_THAT(grid.axes[0].values, ElementsAre("0.02", "0.5"));
-    EXPECT_THAT(grid.axes[1].values, ElementsAre("10", "100", "1000")); // even steps of the logarithm
+    EXPECT_THAT(grid.axes[1].values, ElementsAre("10", "100", "1000")); // equidistant logarithms
     EXPECT_THAT(grid.axes[1].fields, ElementsAre("camera.height", "camera.width"));
     EXPECT_EQ(study.tables[0].data.grid, "main");
     EXPECT_EQ(study.plots[0].lines, "technique");
@@ -105,7 +105,7 @@ TEST_F(StudyFile, Mistakes_NameTheirLine) {
     EXPECT_EQ(messageFor("[0.02, 0.5]", "[]"),
               "mine.toml:12: grid.axis.values: is empty; expected at least one value");
     EXPECT_EQ(messageFor("[0.02, 0.5]", "[0.5, 0.5]"),
-              "mine.toml:12: grid.axis.values: 0.5 is there twice; expected each once");
+              "mine.toml:12: grid.axis.values: 0.5 occurs twice; expected each once");
     EXPECT_EQ(messageFor("[10, 1000]", "[10, 10]"),
               "mine.toml:16: grid.axis.range: [10, 10] is empty; expected [lowest, highest]");
     EXPECT_EQ(messageFor("[10, 1000]", "[0, 10]"),
@@ -119,22 +119,23 @@ TEST_F(StudyFile, Mistakes_NameTheirLine) {
     EXPECT_EQ(messageFor("name = \"size\"", "name = \"scene\""),
               "mine.toml:14: grid.axis.name: \"scene\" is taken already; expected another one");
     EXPECT_EQ(messageFor("label = \"B\"", "label = \"A\""),
-              "mine.toml:23: grid.technique.label: is \"A\"; expected a text of its own");
+              "mine.toml:23: grid.technique.label: is \"A\"; expected a unique text");
     EXPECT_EQ(messageFor("first = \"A\"", "first = \"C\""),
               "mine.toml:26: grid.pair.first: is the string \"C\"; expected A or B");
     EXPECT_EQ(
         messageFor("columns = \"depth\"", "columns = \"deep\""),
         "mine.toml:32: table.columns: is the string \"deep\"; expected scene, technique, depth or size");
     EXPECT_EQ(messageFor("size = [10, 100]", "size = 11"),
-              "mine.toml:41: plot.where.size: 11 is none of its values; expected 10, 100 or 1000; did you "
+              "mine.toml:41: plot.where.size: 11 is not one of its values; expected 10, 100 or 1000; did you "
               "mean '10'?");
-    EXPECT_EQ(messageFor("size = [10, 100]", "sise = 10"),
-              "mine.toml:41: plot.where.sise: is no axis of the grid; expected scene, technique, depth or "
-              "size; did you mean 'size'?");
+    EXPECT_EQ(
+        messageFor("size = [10, 100]", "sise = 10"),
+        "mine.toml:41: plot.where.sise: is not an axis of the grid; expected scene, technique, depth or "
+        "size; did you mean 'size'?");
     EXPECT_THAT(messageFor("small_torus", "small_tours"), HasSubstr("did you mean 'small_torus'?"));
 }
 
-/// Of a case: IoU `a` for A, `b` for B, PSNR 30 between them.
+/// The outcome of a case: IoU `a` for A, `b` for B, PSNR 30 between them.
 json outcome(double a, double b) {
     const auto result = [](double iou) {
         return json{{"name", "x"},
@@ -163,20 +164,20 @@ std::vector<StudyRow> sampleRows(const std::vector<StudyCase>& cases) {
 
 TEST_F(StudyFile, MisleadingStudy_IsRefused) {
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"reference\""),
-              "mine.toml:20: grid.technique.label: is \"reference\"; expected a text of its own");
+              "mine.toml:20: grid.technique.label: is \"reference\"; expected a unique text");
     EXPECT_EQ(messageFor("label = \"A\"", "label = \"A\\n\""),
               "mine.toml:20: grid.technique.label: has a control character; expected a single-line string");
     EXPECT_EQ(messageFor("second = \"B\"", "second = \"A\""),
-              "mine.toml:27: grid.pair.second: is the first; expected another technique");
+              "mine.toml:27: grid.pair.second: is the same as first; expected another technique");
     EXPECT_EQ(messageFor("rows = \"technique\"", "rows = \"depth\""),
-              "mine.toml:32: table.columns: is what the rows are; expected another grouping");
+              "mine.toml:32: table.columns: is the same as rows; expected another grouping");
     EXPECT_EQ(
         messageFor("\"camera.height\", \"camera.width\"", "\"camera.height\", \"object.torus.relief.depth\""),
-        "mine.toml:15: grid.axis.fields: \"object.torus.relief.depth\" is changed twice; expected each field "
-        "on one axis, once");
+        "mine.toml:15: grid.axis.fields: \"object.torus.relief.depth\" is set by two axes; expected each "
+        "field on one axis only");
     EXPECT_EQ(messageFor("\"camera.height\"", "\"camera.height=5 #\""),
-              "mine.toml:15: grid.axis.fields: has \"camera.height=5 #\"; expected keys of the scene with "
-              "dots between them, as camera.width");
+              "mine.toml:15: grid.axis.fields: has \"camera.height=5 #\"; expected keys of the scene "
+              "separated by dots, for example camera.width");
 }
 
 TEST_F(StudyFile, PlotTexts_AreEscaped) {
@@ -198,7 +199,7 @@ TEST_F(StudyFile, CaseKey_FollowsInputs) {
     EXPECT_EQ(all[1].values, (std::map<std::string, std::string>{{"depth", "0.02"}, {"size", "100"}}));
     EXPECT_THAT(all[1].changes, ElementsAre("camera.width=64", "object.torus.relief.depth=0.02",
                                             "camera.height=100", "camera.width=100"));
-    // A study that grows knows its old cases again; other techniques or another scene make other cases.
+    // An extended study reuses its cases; other techniques or another scene give other cases.
     std::string grown = kStudy;
     grown.replace(grown.find("[0.02, 0.5]"), 11, "[0.02, 0.1, 0.5]");
     const Study larger = read(grown);
@@ -247,7 +248,7 @@ TEST_F(StudyFile, OverflowingCaseCount_Saturates) {
     EXPECT_EQ(caseCount(study), std::numeric_limits<uint64_t>::max());
 }
 
-TEST_F(StudyFile, Rows_HoldEveryFigure) {
+TEST_F(StudyFile, Rows_ContainEveryFigure) {
     const Study study = read(kStudy);
     const std::vector<StudyRow> rows = rowsOf(cases(study)[0], outcome(0.9, 0.8));
     ASSERT_EQ(rows.size(), 3u);
@@ -281,15 +282,15 @@ TEST_F(StudyFile, Cells_AreStatisticsOfGroup) {
     const auto cell = [&](const std::string& technique, const std::string& depth) {
         return cellsOf(rows, choice, "technique", "depth").values.at({technique, depth});
     };
-    EXPECT_EQ(cell("A", "0.02"), 0.25);  // of 1/8 2/8 3/8
-    EXPECT_EQ(cell("B", "0.5"), 0.6875); // of 4/8 5/8 6/8 and 1/16
+    EXPECT_EQ(cell("A", "0.02"), 0.25);  // median of 1/8 2/8 3/8
+    EXPECT_EQ(cell("B", "0.5"), 0.6875); // median of 4/8 5/8 6/8, plus 1/16
     choice.statistic = "max";
     EXPECT_EQ(cell("A", "0.02"), 0.375);
     choice.statistic = "mean";
     EXPECT_EQ(cell("A", "0.5"), 0.625);
     choice.statistic = "median";
     choice.where["size"] = {"10", "100"};
-    EXPECT_EQ(cell("A", "0.02"), 0.1875); // an even number of them: the mean of the middle two
+    EXPECT_EQ(cell("A", "0.02"), 0.1875); // an even number of values: the mean of the middle two
     choice.against = "A";
     EXPECT_EQ(cell("B", "0.5"), 0.5);
     choice.figure = "silhouette.ion";
@@ -304,7 +305,7 @@ TEST_F(StudyFile, Plots_HavePanelAndLinePerGroup) {
     EXPECT_THAT(script, HasSubstr("$p0l0 << EOD\n0.02 0.125\n0.5 0.5\nEOD\n"));     // size 10, A
     EXPECT_THAT(script, HasSubstr("$p1l1 << EOD\n0.02 0.3125\n0.5 0.6875\nEOD\n")); // size 100, B
     EXPECT_THAT(script, HasSubstr("set title 'size 100'"));
-    EXPECT_EQ(script.find("p2l"), std::string::npos); // size 1000 isn't chosen
+    EXPECT_EQ(script.find("p2l"), std::string::npos); // size 1000 isn't selected
     EXPECT_EQ(gnuplotScript(study, study.plots[0], {}), "");
 }
 
@@ -341,7 +342,7 @@ TEST_F(StudyFile, ReportText_IsEscaped) {
     EXPECT_THAT(readFile(folder_ / "report/p.svg"), HasSubstr("</svg>"));
 }
 
-TEST_F(StudyFile, ForeignFolder_IsRefused) {
+TEST_F(StudyFile, FolderOfOtherStudy_IsRefused) {
     const Study study = read(kStudy);
     const std::vector<StudyCase> all = cases(study);
     const StudyFolder folder(folder_ / "out", study);
@@ -349,7 +350,7 @@ TEST_F(StudyFile, ForeignFolder_IsRefused) {
     folder.store(all[0], outcome(0.5, 0.5));
     folder.store(all[1], {{"error", "gone soon"}, {"again", true}});
     folder.store(all[2], {{"error", "wrong"}});
-    writeFile(folder_ / "out" / "cases" / (all[3].id + ".json"), "{\"error\": nul"); // half a file
+    writeFile(folder_ / "out" / "cases" / (all[3].id + ".json"), "{\"error\": nul"); // a truncated file
     EXPECT_TRUE(folder.outcomeOf(all[0]));
     EXPECT_FALSE(folder.outcomeOf(all[1]));
     EXPECT_TRUE(folder.outcomeOf(all[2]));
@@ -365,13 +366,14 @@ TEST_F(StudyFile, ForeignFolder_IsRefused) {
     other.name = "another";
     const std::string where = (folder_ / "out").string();
     EXPECT_EQ(inputErrorOf([&] { StudyFolder(folder_ / "out", other); }),
-              where + ": holds the results of study 'mine'; expected those of 'another', or an empty folder; "
-                      "-o names another");
+              where +
+                  ": contains the results of study 'mine'; expected those of 'another', or an empty folder; "
+                  "choose another with -o");
     EXPECT_EQ(inputErrorOf([&] { StudyFolder(folder_.path(), study); }),
               folder_.path().string() +
-                  ": holds files that are no study's; expected an empty folder, or a new one");
+                  ": contains files that don't belong to a study; expected an empty folder, or a new one");
     EXPECT_THAT(inputErrorOf([&] { StudyFolder::open(folder_ / "none", study); }),
-                HasSubstr("holds no results of a study"));
+                HasSubstr("contains no results of a study"));
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// A technique drawn in a process of its own is the technique drawn here: frames, results, errors.
+// A technique drawn in a separate process gives the same frames, results and errors as in this process.
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
 #include "tests/files.h"
@@ -52,7 +52,7 @@ void expectEqualFrames(const Frame& here, const Frame& there) {
 
 TEST_F(TechniqueWorkerTest, Results_EqualDrawingInProcess) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    TechniqueWorker worker(options()); // one process for all of them
+    TechniqueWorker worker(options()); // one process for all techniques
     RealtimeRenderer renderer(scene_, options().gl);
     const Settings settings{{"linear_steps", "7"}};
     for (const char* text : {"linear_binary", "linear_binary@quadric:binary_steps=2", "normal_mapping"}) {
@@ -84,7 +84,7 @@ TEST_F(TechniqueWorkerTest, Errors_EqualDrawingInProcess) {
         EXPECT_EQ(messageOf([&] { worker.render(technique); }), here);
     }
     EXPECT_GT(coveredPixels(worker.render(resolveTechnique("linear_binary")).frame),
-              1000u); // it still draws
+              1000u); // the process still draws
 }
 
 TEST_F(TechniqueWorkerTest, MissingDevice_IsMachineError) {
@@ -93,7 +93,8 @@ TEST_F(TechniqueWorkerTest, MissingDevice_IsMachineError) {
     const std::string here = messageOf([&] { RealtimeRenderer(scene_, gl); });
     EXPECT_THAT(here, HasSubstr("99"));
     EXPECT_EQ(messageOf([&] { worker.waitUntilReady(); }), here);
-    EXPECT_EQ(messageOf([&] { worker.render(resolveTechnique("linear_binary")); }), here); // started anew
+    EXPECT_EQ(messageOf([&] { worker.render(resolveTechnique("linear_binary")); }),
+              here); // a new process was started
 }
 
 TEST_F(TechniqueWorkerTest, ExitBetweenTechniques_IsReplacedSilently) {
@@ -127,8 +128,8 @@ TEST_F(TechniqueWorkerTest, MissingProgram_IsMachineError) {
     EXPECT_THAT(messageOf([&] { worker.waitUntilReady(); }), HasSubstr("(exit code 1)"));
 }
 
-// Scripts in the program's place, so that it ends where it never should. What they print are messages: the
-// length in eight bytes, then MessagePack.
+// Uses scripts instead of the program to simulate unexpected ends. They print messages: the length in eight
+// bytes, then MessagePack.
 const char* const kReady = R"(printf '\015\0\0\0\0\0\0\0\201\245phase\245ready' >&3)";
 const char* const kDrawing = R"(printf '\017\0\0\0\0\0\0\0\201\245phase\247drawing' >&3)";
 const char* const kMachineError =
@@ -136,7 +137,7 @@ const char* const kMachineError =
 
 class ScriptedWorkerTest : public TechniqueWorkerTest {
   protected:
-    /// What drawing twice comes to.
+    /// The result of drawing twice.
     std::vector<std::string> drawTwice(const std::vector<std::string>& script) const {
         std::string text = "#!/bin/sh\n";
         for (const std::string& line : script)
@@ -173,17 +174,17 @@ TEST_F(ScriptedWorkerTest, ExitBeforeAndWhileDrawing_IsReported) {
 TEST_F(ScriptedWorkerTest, TimeLimit_HoldsPerTechnique) {
     const std::string stopped =
         asMessage(InputError("linear_binary", "not finished after 1 s and stopped",
-                             "a search whose loops end", "--time-limit SECONDS gives it more"));
+                             "a search whose loops terminate", "--time-limit SECONDS raises the limit"));
     EXPECT_THAT(drawTwice({kReady, kDrawing, "exec sleep 60"}), ElementsAre(stopped, stopped));
 }
 
-// Maps that are made before a technique draws may take minutes.
+// Baking maps before a technique draws may take minutes.
 TEST_F(ScriptedWorkerTest, TimeBeforeDrawing_DoesNotCount) {
     const std::string error = asMessage(MachineError("", "lost"));
     EXPECT_THAT(drawTwice({kReady, "sleep 1.5", kMachineError}), ElementsAre(error, error));
 }
 
-// A context that was lost stays lost: the next technique gets another process, even while this one lingers.
+// A lost context can't be recovered, so the next technique gets a new process, even if this one hasn't ended.
 TEST_F(ScriptedWorkerTest, MachineError_StartsNewProcess) {
     const std::string error = asMessage(MachineError("", "lost"));
     EXPECT_THAT(drawTwice({kReady, kMachineError, "exec sleep 60"}), ElementsAre(error, error));

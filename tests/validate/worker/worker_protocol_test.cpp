@@ -1,4 +1,4 @@
-// What crosses from process to process arrives as it was, or not at all.
+// Messages between processes arrive unchanged or not at all.
 #include "scenes/core/error.h"
 #include "validate/worker/worker_protocol.h"
 
@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 using std::chrono::milliseconds;
 
-const std::string kLatin1 = "caf\xe9 \xff\x01"; // not UTF-8: file names and compiler logs may be like that
+const std::string kLatin1 = "caf\xe9 \xff\x01"; // not UTF-8, as file names and compiler logs may be
 
 json passOn(const json& value) {
     const auto [from, to] = MessageSocket::makePair();
@@ -36,7 +36,7 @@ TechniqueResult sampleResult() {
         result.frame.add(name);
     result.frame.channel("A")[7] = 1;
     result.frame.channel("Z")[14] = -0.0f;
-    result.frame.channel("shadow.sun")[2] = std::bit_cast<float>(0x7fc12345u); // a NaN of its own
+    result.frame.channel("shadow.sun")[2] = std::bit_cast<float>(0x7fc12345u); // a NaN with a payload
     result.frame.metadata = {{"technique", "mine"}, {"scene", kLatin1}};
     result.backend = "egl";
     result.renderer = "llvmpipe";
@@ -133,7 +133,7 @@ TEST(WorkerProtocol, Phases_RoundTrip) {
     EXPECT_FALSE(second.error);
 }
 
-/// The bytes by which a result travels.
+/// The bytes of a result in the protocol.
 std::string bytesOf(const TechniqueResult& result) {
     auto [from, to] = MessageSocket::makePair();
     sendResult(from, result);
@@ -145,7 +145,7 @@ std::string bytesOf(const TechniqueResult& result) {
     return bytes.substr(0, size);
 }
 
-/// Received from an end that sends `bytes` and closes.
+/// Receives from an end that sends `bytes` and closes.
 WorkerReply receiveBytes(const std::string& bytes) {
     auto [from, to] = MessageSocket::makePair();
     EXPECT_EQ(::send(from.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL),
@@ -167,9 +167,9 @@ TEST(WorkerProtocol, RandomBytes_AreRefused) {
         return std::string(reinterpret_cast<const char*>(&size), sizeof size) + rest;
     };
     EXPECT_THROW(receiveBytes(message(uint64_t(1) << 60, "")),
-                 std::runtime_error);                               // and nothing is allocated
-    EXPECT_THROW(receiveBytes(message(1, "\xc1")), std::exception); // no MessagePack begins so
-    EXPECT_THROW(receiveBytes(message(1, "\x80")), std::exception); // an empty object: no reply
+                 std::runtime_error);                               // without allocating memory
+    EXPECT_THROW(receiveBytes(message(1, "\xc1")), std::exception); // not valid MessagePack
+    EXPECT_THROW(receiveBytes(message(1, "\x80")), std::exception); // an empty object isn't a reply
 }
 
 TEST(WorkerProtocol, SendingToClosedEnd_RaisesNoSignal) {
@@ -191,7 +191,7 @@ TEST(WorkerProtocol, Wait_EndsByMessageCloseOrTimeout) {
     EXPECT_TRUE(to.waitFor(milliseconds(10000)));
 }
 
-// A child finds its end under a number below these; a parent's closed stdout must not become one.
+// The descriptor of a child's end is below these; sockets must not reuse a closed stdout of the parent.
 TEST(WorkerProtocol, Sockets_AvoidStandardStreams) {
     const auto [from, to] = MessageSocket::makePair();
     EXPECT_GE(std::min(from.descriptor(), to.descriptor()), 10);

@@ -1,4 +1,5 @@
-// Shared by the page's tests: a browser, pages that record what they did, and the values of frames.
+// Shared by the tests of the page: a browser, pages that record errors and requests, and the values of
+// frames.
 import { execFileSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { after } from "node:test";
@@ -6,7 +7,7 @@ import { dirname } from "node:path";
 import { pathToFileURL } from "node:url";
 import { chromium } from "playwright-core";
 
-/** Folders and programs; run_page_test.sh sets them. */
+/** Folders and programs, set by run_page_test.sh. */
 const { REPORTS_DIR, CHROMIUM, FRAME_PIXEL } = process.env;
 
 export const reportsFolder = REPORTS_DIR;
@@ -14,7 +15,7 @@ export const reportFile = (name) => `${REPORTS_DIR}/${name}/report/index.html`;
 
 let browser;
 async function startedBrowser() {
-  // No sandbox: tests run as root in containers; the pages are our own.
+  // No sandbox, because tests run as root in containers; all pages are trusted.
   browser ??= await chromium.launch({
     executablePath: CHROMIUM,
     args: ["--no-sandbox", "--disable-gpu", "--disable-background-networking"],
@@ -24,8 +25,8 @@ async function startedBrowser() {
 after(() => browser?.close());
 
 /**
- * A page with `file` open and loaded. `account` lists what a report must not do: errors, dialogs, requests
- * outside its folder. Closes with the test `t`.
+ * A page with `file` loaded. `account` records what a report must not do: errors, dialogs, requests outside
+ * its folder. It is closed after the test `t`. /
  */
 export async function openReport(
   t,
@@ -55,7 +56,7 @@ export async function openReport(
   return { page, account };
 }
 
-/** Until every pane in sight shows its picture, or a text why not. */
+/** Waits until every visible pane shows its picture, or the reason why there is none. */
 export async function panesLoaded(page) {
   await page.waitForFunction(() => {
     const panes = [...document.querySelectorAll(".pane:not([hidden])")];
@@ -64,16 +65,16 @@ export async function panesLoaded(page) {
       panes.every((pane) => pane.dataset.state === "ready" || pane.dataset.state === "error")
     );
   });
-  // The picture is drawn in the next frame.
+  // The picture is drawn in the next animation frame.
   await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
 }
 
-/** The page writes its state to the address with a delay. */
+/** Waits, because the page writes its state to the address with a delay. */
 export async function addressHolds(page, text) {
   await page.waitForFunction((wanted) => decodeURIComponent(location.hash).includes(wanted), text);
 }
 
-/** Floats of a frame's channel at pixels [[x, y], …], read by Plumbline's own reader. */
+/** Floats of a frame's channel at pixels [[x, y], …], read by Plumbline's reader. */
 export function framePixels(frameFile, channel, pixels) {
   const out = execFileSync(FRAME_PIXEL, [frameFile, channel, ...pixels.flat().map(String)], {
     encoding: "utf8",
@@ -84,14 +85,14 @@ export function framePixels(frameFile, channel, pixels) {
     .map((text) => (text === "inf" ? Infinity : Math.fround(Number(text))));
 }
 
-/** The data that the program hands to the page (page/src/data.ts). */
+/** The data that the program passes to the page (page/src/data.ts). */
 export function reportDataOf(report) {
   const page = readFileSync(reportFile(report), "utf8");
   const [, json] = page.match(/<script type="application\/json" id="report-data">([^]*?)<\/script>/);
   return JSON.parse(json);
 }
 
-/** Of a technique's frame, as panes and the address name it. */
+/** Id of a technique's frame in panes and in the address. */
 export function frameId(report, technique) {
   return reportDataOf(report).frames.find(({ kind, name }) => kind === "technique" && name === technique).id;
 }

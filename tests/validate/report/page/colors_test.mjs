@@ -1,4 +1,4 @@
-// The page's canvases and the program's PNG pictures show the same frames in the same codes.
+// The page's canvases and the program's PNG images have equal sRGB codes for the same frames.
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -13,7 +13,7 @@ const { palette } = colors;
 const [technique] = frames.filter(({ kind }) => kind === "technique");
 const { iterations_p99: kMostIterations } = resultsOf(kReport).techniques[0].cost; // where the PNG's map ends
 
-/** The PNG picture whose name ends so, decoded by the browser. */
+/** The PNG image whose name has this ending, decoded by the browser. */
 async function pngPixels(page, ending) {
   const folder = dirname(reportFile("exact_plain"));
   const found = readdirSync(folder).filter((name) => name.endsWith(`_${ending}.png`));
@@ -34,17 +34,17 @@ async function pngPixels(page, ending) {
   }, data);
 }
 
-/** What the PNG may show where the page sets pixels apart because the reference is uncertain there. */
-const kApart = {
+/** Colors that the PNG may have where the page marks pixels because the reference is uncertain. */
+const kMarked = {
   [palette.uncertain_agrees]: [palette.nothing, palette.agree, palette.dark],
   [palette.uncertain_differs]: [palette.missing, palette.extra, palette.other],
 };
 
-for (const { layer, ending, leastColors, leastApart = 0 } of [
+for (const { layer, ending, leastColors, minMarked = 0 } of [
   { layer: "color", ending: "color", leastColors: 50 },
-  { layer: "silhouette", ending: "silhouette", leastColors: 3, leastApart: 1 },
+  { layer: "silhouette", ending: "silhouette", leastColors: 3, minMarked: 1 },
   { layer: "depth_error", ending: "depth", leastColors: 50 },
-  { layer: "shadow.sun", ending: "shadow_sun", leastColors: 4, leastApart: 10 },
+  { layer: "shadow.sun", ending: "shadow_sun", leastColors: 4, minMarked: 10 },
   { layer: "iterations", ending: "iterations", leastColors: 10 },
 ])
   test(`${layer}: the canvas agrees with the PNG picture, code for code`, async (t) => {
@@ -54,11 +54,11 @@ for (const { layer, ending, leastColors, leastApart = 0 } of [
     });
     await panesLoaded(page);
     const [canvas, png] = [await shownPixels(page), await pngPixels(page, ending)];
-    const apart = canvas.filter((color) => kApart[color]).length;
+    const marked = canvas.filter((color) => kMarked[color]).length;
     assert.ok(new Set(canvas).size >= leastColors, `${new Set(canvas).size} colors`);
-    assert.ok(apart >= leastApart && apart < 0.25 * canvas.length, `${apart} pixels apart`);
+    assert.ok(marked >= minMarked && marked < 0.25 * canvas.length, `${marked} marked pixels`);
     const wrong = canvas.flatMap((color, at) =>
-      (kApart[color] ?? [color]).includes(png[at]) ? [] : [`${at}: ${color}, PNG ${png[at]}`],
+      (kMarked[color] ?? [color]).includes(png[at]) ? [] : [`${at}: ${color}, PNG ${png[at]}`],
     );
     assert.deepEqual(wrong, []);
     assert.equal(png.length, canvas.length);

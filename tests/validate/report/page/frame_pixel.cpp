@@ -1,5 +1,5 @@
-// Prints values of a frame for comparison with those the page shows: frame_pixel FILE CHANNEL X Y [X Y …],
-// a line each, in the shortest decimal that reads back as the same float. X from the left, Y from the top.
+// Prints values of a frame for comparison with those in the page: frame_pixel FILE CHANNEL X Y [X Y …]. One
+// line per pixel, in the shortest decimal that reads back as the same float. X from the left, Y from the top.
 #include "scenes/core/error.h"
 #include "tests/read_frame.h"
 

@@ -1,5 +1,5 @@
-// The report opens from disk without errors and without requests outside its folder, and runs nothing that
-// came as text.
+// The report opens from disk without errors and without requests outside its folder, and doesn't execute
+// texts.
 import assert from "node:assert/strict";
 import { copyFileSync, cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";

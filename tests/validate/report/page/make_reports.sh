@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The reports under test, made by the program: make_reports.sh PROGRAM SOURCE_DIR FOLDER
+# Makes the reports for the tests with the program: make_reports.sh PROGRAM SOURCE_DIR FOLDER
 set -euo pipefail
 program=$1 source=$2 folder=$3
 here=$source/tests/validate/report/page
@@ -12,7 +12,7 @@ small=(small_torus --scene-set camera.width=200 --scene-set camera.height=150 --
 "$program" validate small_torus --scene-set camera.width=96 --scene-set camera.height=72 --rate 32 \
     --technique linear_binary --technique parallax_slope --single-file -o "$folder/single"
 
-# The same frames with every picture as PNG.
+# The same frames with every image as PNG.
 "$program" validate small_torus --scene-set camera.width=96 --scene-set camera.height=72 --rate 64 \
     --technique exact_cells@quadric -o "$folder/exact"
 "$program" compare "$folder"/exact/frames/{reference,exact_cells-on-quadric}.exr --plain-report -o "$folder/exact_plain"

@@ -14,7 +14,7 @@ import {
 } from "./painted_frames.mjs";
 import { colors } from "./painted_report.mjs";
 
-test("frames of equal names: are told apart", async (t) => {
+test("frames of equal names: are distinguished", async (t) => {
   const namesakes = ["reference", "all techniques"].map((name, i) => ({
     ...kTechnique,
     id: `t${i + 1}`,
@@ -68,7 +68,7 @@ for (const { what, frames, text, panes } of [
     }));
     const metrics = [
       { key: "silhouette.iou", label: "IoU", unit: "", meaning: "", better: "high" },
-      { key: "cost.fetches_mean", label: "look-ups", unit: "1", meaning: "", better: "low" },
+      { key: "cost.fetches_mean", label: "lookups", unit: "1", meaning: "", better: "low" },
     ];
     const change = (data) => (data.metrics = metrics);
     const { page, account } = await openReport(t, painted(t, { frames, techniques, change }));

@@ -1,4 +1,4 @@
-// A report of a few hand-painted pixels, written by the tests in the page's own format.
+// Writes a report of a few hand-painted pixels in the format of the page.
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
@@ -8,8 +8,8 @@ import { reportFile } from "./browser.mjs";
 const kSizes = { u8: 1, u16: 2, f32: 4 };
 
 /**
- * Bytes of equal weight side by side, the most significant first, each the difference to the one before;
- * zlib; base64.
+ * Bytes of equal significance stored together, the most significant first, each as the difference from the
+ * one before; zlib; base64. /
  */
 function packed(type, values) {
   const size = kSizes[type];
@@ -37,7 +37,7 @@ export const words = (values, more = {}) => ({
   ...more,
 });
 export const floats = (values) => ({ type: "f32", components: 1, data: packed("f32", values) });
-/** Of [r, g, b] each. */
+/** Packs colors [r, g, b]. */
 export const colors = (pixels) => ({
   type: "u8",
   components: 3,
@@ -59,7 +59,7 @@ export const palette = {
   uncertain_agrees: "#818283",
   uncertain_differs: "#919293",
 };
-/** Blue where too near, white, orange where too far; of none of the program's own shades. */
+/** Blue for too near, white, orange for too far; all differ from the program's colors. */
 export const diverging = ["#000080", "#4040ff", "#ffffff", "#ffc040", "#804000"];
 export const sequential = ["#f0f0e0", "#808040", "#202000"];
 export const gray = ["#e0e0e0", "#404040"];

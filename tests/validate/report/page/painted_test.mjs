@@ -1,4 +1,4 @@
-// Every layer of the viewer compared with pixels painted by hand: picture, legend and read-out, pixel by
+// Compares every layer of the viewer with pixels painted by hand: picture, legend and readout, pixel by
 // pixel.
 import assert from "node:assert/strict";
 import { test } from "node:test";
@@ -10,7 +10,7 @@ const [kNear, kNearMiddle, kZero, kFarMiddle, kFar] = diverging;
 const [kPale, kMedium, kDark] = sequential;
 const [kLightest, kDarkest] = gray;
 
-/** Sixteen times `otherwise`, but for the pixels listed by color. */
+/** Sixteen times `otherwise`, except for the pixels listed by color. */
 function picture(otherwise, ...exceptions) {
   const pixels = Array(16).fill(otherwise);
   for (const [color, ...at] of exceptions) for (const pixel of at) pixels[pixel] = color;
@@ -29,7 +29,7 @@ const {
   uncertain_differs,
 } = palette;
 
-/** Pixels that no two frames' comparison reaches: nothing in both, then those where the objects differ. */
+/** Pixels outside every comparison: nothing in both frames, then those with different objects. */
 const kUncompared = [
   [nothing, 0],
   [unshared, 2, 3, 4, 6],
@@ -90,7 +90,7 @@ const kLayers = [
     pixels: picture(
       kZero,
       ...kUncompared,
-      [hex(160, 160, 255), 1], // a quarter of the way: halfway from white to the middle blue
+      [hex(160, 160, 255), 1], // a quarter of the range: halfway from white to the middle blue
       [kFar, 5],
       [kNear, 7],
       [kFarMiddle, 8],
@@ -109,7 +109,7 @@ const kLayers = [
     },
   },
   {
-    what: "depth error in relief depths", // full color at 0.5 world units of the deepest relief
+    what: "depth error in relief depths", // full color at 0.5 world units, relative to the deepest relief
     frame: "t1",
     layer: "depth_error",
     unit: "relief",
@@ -167,7 +167,7 @@ const kLayers = [
     },
   },
   {
-    what: "normal angle", // of ten angles the 99th percentile is 45
+    what: "normal angle", // the 99th percentile of ten angles is 45
     frame: "t1",
     layer: "normal_angle",
     pixels: picture(kMedium, ...kUncompared, [kPale, 1, 11], [kDark, 8, 9], [invalid, 10]),
@@ -176,13 +176,13 @@ const kLayers = [
     read: { 1: "0.00°", 5: "22.50°", 9: "90.00°", 10: "no normal", 2: "not the same object in both" },
   },
   {
-    what: "look-ups",
+    what: "lookups",
     frame: "t1",
     layer: "fetches",
     pixels: picture(kDark, [nothing, 0, 2, 6], [kPale, 1], [kMedium, 3], [invalid, 9]),
     legend: ["nothing there 3", "not a finite number 1"],
-    ends: ["0", "10 look-ups", "20"],
-    read: { 3: "10 look-ups", 8: "40 look-ups", 6: "nothing there" },
+    ends: ["0", "10 lookups", "20"],
+    read: { 3: "10 lookups", 8: "40 lookups", 6: "nothing there" },
   },
   {
     what: "iterations",
@@ -194,7 +194,7 @@ const kLayers = [
     read: { 3: "300 iterations", 8: "600 iterations" },
   },
   {
-    what: "depth of the reference", // light is near
+    what: "depth of the reference", // near is light
     frame: "r",
     layer: "depth",
     pixels: picture(kLightest, [nothing, 0, 3], [kDarkest, 2], ["#909090", 4]),
@@ -206,7 +206,7 @@ const kLayers = [
     what: "share of failing techniques",
     frame: "s",
     layer: "failing",
-    pixels: picture(nothing, [hex(165, 165, 117), 1], [hex(96, 96, 43), 2], [kDark, 3]), // a third, two thirds, all
+    pixels: picture(nothing, [hex(165, 165, 117), 1], [hex(96, 96, 43), 2], [kDark, 3]), // 1/3, 2/3, all
     legend: ["none fails 13"],
     ends: ["0", "1.5 of 3 techniques", "3"],
     read: { 0: "none fails", 2: "fails in 2 of 3 techniques" },

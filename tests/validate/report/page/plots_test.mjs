@@ -1,5 +1,5 @@
-// The plots: the front equals its definition, curves pass through the results, choices are in the address,
-// saved files are self-contained.
+// The plots: the Pareto front equals its definition, curves pass through the results, choices are kept in the
+// address, saved files are self-contained.
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
@@ -11,7 +11,7 @@ const frontShown = (page) => page.locator("#plots .front button").allInnerTexts(
 const notOnFront = async (page) =>
   (await page.locator("#plots .left-out").count()) ? page.locator("#plots .left-out").innerText() : "";
 
-/** By the definition: no other is at least as good in both and better in one. */
+/** The definition: no other point is at least as good in both dimensions and better in one. */
 function frontByDefinition(points) {
   const asGood = (a, b) => a.cost <= b.cost && a.merit >= b.merit;
   const better = (a, b) => a.cost < b.cost || a.merit > b.merit;
@@ -21,7 +21,7 @@ function frontByDefinition(points) {
     .sort();
 }
 
-/** A copy of the torus's report with its data changed. */
+/** A copy of the report of the torus with changed data. */
 function changedReport(t, change) {
   const folder = mkdtempSync(join(tmpdir(), "plumbline-report-"));
   t.after(() => rmSync(folder, { recursive: true }));
@@ -39,7 +39,7 @@ function changedReport(t, change) {
   return file;
 }
 
-/** As many techniques as points, each with an IoU, a depth RMSE, a bias and look-ups. */
+/** As many techniques as points, each with an IoU, a depth RMSE, a bias and lookups. */
 function techniquesAt(data, points) {
   const [model] = data.results.techniques;
   data.results.techniques = points.map(({ name, quality, bias, cost }) => {
@@ -93,7 +93,7 @@ test("front with ties: keeps them all; a bias counts by its magnitude", async (t
   assert.deepEqual((await frontShown(page)).sort(), wanted);
   await page.getByLabel("Quality", { exact: true }).selectOption("depth.bias_relief");
   assert.deepEqual((await frontShown(page)).sort(), wanted);
-  await page.getByLabel("Quality", { exact: true }).selectOption("depth.rmse_relief"); // low is good, of the same values
+  await page.getByLabel("Quality", { exact: true }).selectOption("depth.rmse_relief"); // low is better
   assert.deepEqual(await frontShown(page), ["cheapest, worst"]);
 });
 
@@ -117,7 +117,7 @@ test("front of random points: equals the definition", async (t) => {
   }
 });
 
-test("technique without look-ups: listed as left out, with the reason", async (t) => {
+test("technique without lookups: listed as left out, with the reason", async (t) => {
   const file = changedReport(t, (data) => {
     const [first, second] = data.results.techniques;
     delete first.cost.fetches_mean;
@@ -170,7 +170,7 @@ test("names in the plot: inside of it, none covers another", async (t) => {
         return { boxes: [...svg.querySelectorAll("text[paint-order]")].map(box), frame: box(svg) };
       });
     assert.ok(boxes.length >= 6, `${boxes.length} names at ${width} pixels`);
-    const slack = 1; // glyphs may hang over their line by a pixel
+    const slack = 1; // glyphs may extend beyond their line by a pixel
     for (const [i, a] of boxes.entries()) {
       assert.ok(
         a.left >= frame.left - slack &&

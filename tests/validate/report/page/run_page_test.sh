@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs a test of the report's page: run_page_test.sh SOURCE_DIR BUILD_DIR TEST.mjs. 77: skipped, the reason is printed.
+# Runs a test of the report's page: run_page_test.sh SOURCE_DIR BUILD_DIR TEST.mjs. Exit code 77: skipped; it
+# prints why.
 set -euo pipefail
 source=$1 build=$2 test=$3
 
@@ -11,7 +12,7 @@ CHROMIUM=${CHROMIUM:-$(command -v chromium || command -v chromium-browser || com
 [ -n "$CHROMIUM" ] || skip "chromium is missing (apt install chromium)"
 grep -q 'id="report-data"' "$REPORTS_DIR/torus/report/index.html" || skip "the program was built without the interactive page"
 
-# Packages go into the build folder, once for each lock file; the tests see them through a link beside them.
+# Packages are installed in the build folder once for each lock file; the tests use them through a link.
 mkdir -p "$build"
 exec 9>"$build/lock"
 flock 9

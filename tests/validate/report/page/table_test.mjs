@@ -15,7 +15,7 @@ const valuesOf = (page, key) =>
   }, key);
 const head = (page, key) => table(page).locator(`th[data-key="${key}"]`);
 
-/** Numbers in the order of `compare`, then nothing but nulls. */
+/** Whether numbers are in the order of `compare`, followed by nulls only. */
 function expectSorted(values, compare) {
   const first = values.indexOf(null);
   const present = first < 0 ? values : values.slice(0, first);
@@ -79,7 +79,7 @@ test("absent figures: last in either direction", async (t) => {
 
 test("equal figures: keep the program's order", async (t) => {
   const { page } = await openReport(t, reportFile("torus"));
-  const key = "silhouette.missing_px"; // linear_binary and parallax_slope draw one silhouette
+  const key = "silhouette.missing_px"; // linear_binary and parallax_slope have equal silhouettes
   await head(page, key).getByRole("button").click();
   for (let press = 0; press < 2; ++press) {
     const order = await names(page);

@@ -1,4 +1,4 @@
-// The viewer: shared zoom, wipe, flicker, blend, and a read-out with the floats of the frames.
+// The viewer: shared zoom, wipe, flicker, blend, and a readout with the floats of the frames.
 import assert from "node:assert/strict";
 import { createHash } from "node:crypto";
 import { test } from "node:test";
@@ -27,8 +27,8 @@ async function openPanes(t, hash = "") {
 }
 
 /**
- * The screen within the first pane, from one share of its width to another, once it has come to rest; as a
- * hash. Off the frame's edges, which smoothing lets shine through what lies above, and off the focus's ring.
+ * A hash of a screenshot of the first pane, between two fractions of its width, once it no longer changes.
+ * Leaves out the frame's edges, where smoothing blends with what lies below, and the focus ring. /
  */
 async function seen(page, from = 0.2, to = 0.8) {
   const { x, y, width, height } = await page.locator(".pane-view:visible").first().boundingBox();
@@ -148,14 +148,14 @@ test("key held down: flickers once", async (t) => {
   const shown = () => page.locator(".toolbar output").first().innerText();
   await page.keyboard.down("f");
   assert.equal(await shown(), "B");
-  await page.keyboard.down("f"); // down already: a repetition
+  await page.keyboard.down("f"); // already down, so this is a key repeat
   assert.equal(await shown(), "B");
   await page.keyboard.up("f");
   await page.keyboard.press("f");
   assert.equal(await shown(), "A");
 });
 
-test("read-out: equals the frames' values, float by float", async (t) => {
+test("readout: equals the frames' values, float by float", async (t) => {
   const technique = "linear_binary";
   const { page } = await openPanes(t, `#n=2&f1=r&l1=depth&f2=${frameId("torus", technique)}&l2=depth_error`);
   const pixels = [];
@@ -237,7 +237,7 @@ test("reload: shows the same", async (t) => {
   assert.deepEqual(await shown(), before);
 });
 
-test("pan of four panes at 1920 x 1080: frames a second (reported only)", async (t) => {
+test("pan of four panes at 1920 x 1080: frames per second (reported only)", async (t) => {
   const { page } = await openPanes(t);
   const box = await panes(page).first().locator(".pane-view").boundingBox();
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
@@ -260,6 +260,6 @@ test("pan of four panes at 1920 x 1080: frames a second (reported only)", async 
     );
   await page.mouse.up();
   const frames = await page.evaluate(() => window.framesDrawn);
-  t.diagnostic(`${((1000 * frames) / (Date.now() - begin)).toFixed(0)} frames a second`);
+  t.diagnostic(`${((1000 * frames) / (Date.now() - begin)).toFixed(0)} frames per second`);
   assert.equal(new Set((await cameras(page)).map((camera) => JSON.stringify(camera))).size, 1);
 });

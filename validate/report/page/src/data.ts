@@ -1,8 +1,8 @@
-// The data that the program hands to the page: JSON in the page, written by validate/report/report_data.cpp.
+// The data that the program passes to the page: JSON in the page, written by validate/report/report_data.cpp.
 
 /**
- * The part of results.json that the page reads; groups hold numbers, and in `absent` the reasons of missing
- * ones.
+ * The part of results.json that the page reads. Groups contain numbers and, in `absent`, the reasons why
+ * others are missing. /
  */
 export interface Results {
   schema: number;
@@ -17,7 +17,7 @@ export interface TechniqueResult {
   parameters: { [key: string]: string };
   gl: { backend: string; renderer: string };
   error: string | null;
-  /** A control shows how much of an error has other causes than the technique; it isn't ranked. */
+  /** A control shows how much of an error isn't caused by a technique; it isn't ranked. */
   control?: boolean;
   silhouette?: Group;
   depth?: Group;
@@ -30,43 +30,43 @@ export interface TechniqueResult {
 
 /** A row of the program's table of metrics (`plumbline list metrics`). */
 export interface MetricInfo {
-  /** As "depth.rmse_relief"; of shadows as "shadow.agreement", one for each light in the results. */
+  /** "depth.rmse_relief"; a shadow key such as "shadow.agreement" stands for those of every light. */
   key: string;
   label: string;
   unit: string;
   meaning: string;
-  /** Which end is better; "" where neither is. */
+  /** Whether high or low values are better; "" if neither. */
   better: "high" | "low" | "";
 }
 
 /** Planes a frame may have. */
 export type LayerName =
   | "color" // sRGB codes, three planes: r, g, b
-  | "id" // object shown, 0 for none
-  | "depth" // planar camera depth, world units; NaN or infinite where nothing is seen
-  | "normal_angle" // angle to the reference's normal; `scale` makes degrees of it
-  | "fetches" // texture look-ups
+  | "id" // visible object, 0 for none
+  | "depth" // planar camera depth, world units; NaN or infinite where there is no surface
+  | "normal_angle" // angle to the reference's normal, in degrees after multiplication by `scale`
+  | "fetches" // texture lookups
   | "iterations" // of the search
-  | "uncertain" // 1: which object is seen is uncertain (reference only)
-  | "failing" // how many techniques fail at the pixel (of the summary only)
+  | "uncertain" // 1: the visible object is uncertain (reference only)
+  | "failing" // number of techniques that fail at the pixel (summary only)
   | `shadow.${string}` // 1 in shadow of that light, 0 lit
-  | `uncertain.shadow.${string}`; // 1: lit or dark is uncertain (reference only)
+  | `uncertain.shadow.${string}`; // 1: the shadow is uncertain (reference only)
 
-/** A frame the page can show. */
+/** A frame that the page can show. */
 export interface FrameEntry {
   /** Unique. */
   id: string;
   /** Of a technique: its name in the results, unique among techniques. */
   name: string;
   kind: "reference" | "proxy" | "technique" | "summary";
-  /** Beside the page; absent in a report of a single file. */
+  /** Relative to the page; absent if the report is a single file. */
   file: string;
   layers: LayerName[];
   /** Share of the domain with a depth error above curves.thresholds[i]; absent without depth or relief. */
   badpix?: number[];
   /**
-   * Pixels by signed depth error: counts[i] in edges[i] <= e < edges[i+1] of curves.edges; below and above
-   * count those outside.
+   * Number of pixels by signed depth error: counts[i] with edges[i] <= e < edges[i+1] of curves.edges; below
+   * and above: those beyond the ends. /
    */
   histogram?: { counts: number[]; below: number; above: number };
 }
@@ -83,11 +83,11 @@ export interface ReportData {
   objects: { id: number; name: string; relief_depth: number | null }[];
   /** Default range of signed depth errors, world units, and how it was chosen. */
   depth_range: { world: number; note: string };
-  /** How many techniques the layer "failing" counts, and what counts as failing, in words. */
+  /** The number of techniques that the layer "failing" counts, and the definition of failing. */
   failing: { of: number; meaning: string };
   /** In relief depths. `named`: the thresholds of the metrics badpix_…pct. */
   curves: { thresholds: number[]; named: number[]; edges: number[] };
-  /** The tables of validate/report/colors.h, "#rrggbb": what a pixel is, and the stops of color maps. */
+  /** The tables of validate/report/colors.h as "#rrggbb": classes of pixels, and the stops of color maps. */
   colors: {
     palette: { [color in PaletteColor]: string };
     maps: { [map in MapName]: { low: number; stops: string[] } };
@@ -108,7 +108,7 @@ export type PaletteColor =
   | "uncertain_differs";
 export type MapName = "diverging" | "sequential" | "gray";
 
-/** Of a value of an uncertainty plane, as validate/metrics/frame_pair.h defines it; NaN is uncertain. */
+/** Whether a value of an uncertainty plane is uncertain, as in validate/metrics/frame_pair.h; NaN is. */
 export function saysUncertain(value: number): boolean {
   return !(value < 0.5);
 }

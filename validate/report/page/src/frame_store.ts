@@ -1,13 +1,13 @@
-// A frame's planes, loaded and unpacked when they are asked for. A page opened from disk may load scripts but
-// not read files: so planes come as base64 in a script that calls plumblineFrame(), or, in a report of a
-// single file, in an element of the page. validate/report/frame_data.cpp writes them.
+// Loads and unpacks the planes of frames on demand. A page opened from disk may load scripts but not read
+// files, so planes are base64 in a script that calls plumblineFrame() or, if the report is a single file, in
+// an element of the page. validate/report/frame_data.cpp writes them.
 import type { FrameEntry, LayerName, ReportData } from "./data";
 import { frameById, frameLabel } from "./frames";
 import { unpackLayer, type Layer, type StoredLayer } from "./layer_unpacking";
 
 type StoredFrame = { [layer: string]: StoredLayer };
 
-/** A frame's layers that are unpacked so far. */
+/** The layers of a frame that have been unpacked. */
 export class FrameData {
   readonly layers = new Map<LayerName, Layer>();
   constructor(readonly label: string) {}
@@ -29,27 +29,28 @@ window.plumblineFrame = (file, frame) => {
 
 interface LoadedFrame {
   data: FrameData;
-  /** Without the layers that are unpacked. */
+  /** Without the layers that have been unpacked. */
   stored: StoredFrame;
   unpacked: Map<LayerName, Promise<void>>;
 }
 
-/** Most frames kept unpacked; those that panes show are kept even beyond it. */
+/** Maximum number of frames kept unpacked; frames shown in panes are kept in any case. */
 const kMostKept = 8;
 
 /**
- * Frames by id: each is loaded once while it is kept, each of its layers unpacked once, when it is asked for.
+ * Caches frames by id. While a frame is cached it is loaded only once, and each layer is unpacked only once,
+ * when it is first used. /
  */
 export class FrameStore {
-  /** In the order of their last use. */
+  /** Ordered by last use. */
   private readonly loaded = new Map<string, Promise<LoadedFrame>>();
   private readonly loading = new Set<string>();
 
   constructor(private readonly report: ReportData) {}
 
   /**
-   * The frame with at least those of these layers that it has. Rejects with a sentence if its file is missing
-   * or damaged.
+   * The frame with (at least) those of the given layers that exist. Rejects with a sentence if its file is
+   * missing or damaged. /
    */
   async load(id: string, layers: readonly LayerName[]): Promise<FrameData> {
     const entry = frameById(this.report, id);
@@ -61,7 +62,7 @@ export class FrameStore {
     return frame.data;
   }
 
-  /** Forgets the least recently used frames, never those of these ids. */
+  /** Removes the least recently used frames, except those with the given ids. */
   forgetOthers(inUse: ReadonlySet<string>): void {
     for (const id of [...this.loaded.keys()]) {
       if (this.loaded.size <= kMostKept) return;

@@ -1,4 +1,4 @@
-// Frames of a report, by what they are. Ids are unique; a technique may have any name, even "reference".
+// Selects the frames of a report by kind. Ids are unique; a technique may have any name, even "reference".
 import type { FrameEntry, ReportData } from "./data";
 
 export function frameById(report: ReportData, id: string): FrameEntry | undefined {
@@ -14,7 +14,7 @@ export function techniqueFrames(report: ReportData): FrameEntry[] {
   return report.frames.filter(({ kind }) => kind === "technique");
 }
 
-/** `name`: in the results; undefined of a technique that drew no frame. */
+/** `name`: in the results. Returns undefined for a technique that drew no frame. */
 export function frameOfTechnique(report: ReportData, name: string): FrameEntry | undefined {
   return techniqueFrames(report).find((frame) => frame.name === name);
 }
@@ -32,7 +32,7 @@ export function frameLabel(frame: FrameEntry): string {
   }
 }
 
-/** What is shown by default: the first technique that isn't a control, if there is one. */
+/** The technique shown by default: the first that isn't a control, if there is one. */
 export function defaultTechnique(report: ReportData): FrameEntry | undefined {
   const controls = new Set(
     report.results.techniques.filter(({ control }) => control).map(({ name }) => name),

@@ -1,24 +1,24 @@
-// Planes of numbers as validate/report/layer_packing.cpp packs them: bytes of equal weight side by side, the
-// most significant first, each the difference to the one before; zlib; base64.
+// Unpacks planes of numbers that validate/report/layer_packing.cpp packed: bytes of equal significance are
+// stored together, the most significant first, each as the difference from the one before; zlib; base64.
 
-/** One plane or three as stored. */
+/** One or three planes, packed. */
 export interface StoredLayer {
   type: "u8" | "u16" | "f32";
   components: number;
   /** value = stored * scale; absent: 1. Only u8 and u16 have one. */
   scale?: number;
-  /** The largest value of u8 and u16 stands for "none" (NaN in the page) if true. */
+  /** If true, the largest value of u8 and u16 means "none" (NaN in the page). */
   has_none?: boolean;
   /** base64 of zlib of bytes. */
   data: string;
 }
 
-/** Planes of a layer, row 0 = top, a component after another; width * height values each. */
+/** Planes of a layer, one component after another; each has width * height values, row 0 = top. */
 export class Layer {
   constructor(
     private readonly stored: Uint8Array | Uint16Array | Float32Array,
     private readonly scale = 1,
-    /** Stands for "none"; undefined where every value is one. */
+    /** The stored value that means "none"; undefined if there is no such value. */
     private readonly none?: number,
   ) {}
 

@@ -1,4 +1,4 @@
-// The interactive part of the report: viewer, plots and the sorting of the table. Everything else works
+// The interactive part of the report: viewer, plots and sorting of the table. The rest of the page works
 // without it.
 import "./page.css";
 import { readReportData, type FrameEntry } from "./data";
@@ -20,7 +20,7 @@ function section(id: string): HTMLElement {
   return element;
 }
 
-/** In the standard panes, whatever they showed before, and highlighted in the plots. */
+/** Shows a technique in the standard panes, replacing what they showed, and highlights it in the plots. */
 function showTechnique({ id }: FrameEntry): void {
   const chosen = ["view", "n", "vs", "f1", "f2", "f3", "f4", "l1", "l2", "l3", "l4"];
   updateState({ ...Object.fromEntries(chosen.map((key) => [key, undefined])), t: id, [kStateA]: id });

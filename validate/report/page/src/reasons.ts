@@ -1,8 +1,9 @@
-// Why figures are absent, readable without hovering: numbered beside the dash, listed below the table.
+// Makes the reasons of absent figures readable without hovering: numbers next to the dashes, a list below the
+// table.
 import "./reasons.css";
 import { make } from "./viewer/dom";
 
-/** For every table with cells whose title is a reason. */
+/** Applies to every table with cells whose title is a reason. */
 export function listReasons(): void {
   for (const [index, table] of [...document.querySelectorAll(".wide > table")].entries()) {
     const cells = [...table.querySelectorAll<HTMLTableCellElement>("td[title]")];
@@ -10,7 +11,7 @@ export function listReasons(): void {
   }
 }
 
-/** An entry for each reason; its cells get its number. */
+/** Adds a list entry for each reason, and its number to the cells. */
 function reasonList(cells: HTMLTableCellElement[], id: string): HTMLElement {
   const reasons = [...new Set(cells.map((cell) => cell.title))];
   for (const cell of cells) {

@@ -1,6 +1,6 @@
-// The page's state: a flat map of strings, kept in the address after '#' in the form of URLSearchParams, so
-// that a reload or a copied address shows the same. A '#' without '=' is an anchor of the page and leaves the
-// state alone.
+// The state of the page: a flat map of strings, kept in the fragment of the address in the form of
+// URLSearchParams, so that a reload or a copied address shows the same. A fragment without '=' is an anchor
+// of the page and doesn't change the state.
 
 export type StateListener = (changed: ReadonlySet<string>) => void;
 
@@ -35,12 +35,12 @@ export function onStateChange(listener: StateListener): void {
   listeners.push(listener);
 }
 
-/** undefined for an anchor. */
+/** Returns undefined for an anchor. */
 function parse(hash: string): Map<string, string> | undefined {
   return hash.includes("=") ? new Map(new URLSearchParams(hash.slice(1))) : undefined;
 }
 
-/** Whether anything changed. */
+/** Returns whether anything changed. */
 function replaceValues(next: Map<string, string>): boolean {
   const keys = new Set([...values.keys(), ...next.keys()]);
   const changed = new Set([...keys].filter((key) => values.get(key) !== next.get(key)));

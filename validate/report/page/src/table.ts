@@ -1,6 +1,6 @@
-// Makes the table of metrics sortable: heads become buttons, the choice is kept in the address. The first
-// press puts better figures first, the second worse ones, the third restores the program's order. Absent
-// figures are last in either direction.
+// Makes the table of metrics sortable: heads become buttons, and the choice is kept in the address. The first
+// press puts the best figures first, the second the worst, the third restores the program's order. Absent
+// figures are always last.
 import "./table.css";
 import { getState, onStateChange, setState } from "./state";
 
@@ -12,13 +12,13 @@ interface Sorting {
 interface Column {
   key: string;
   head: HTMLTableCellElement;
-  /** What a row is sorted by; undefined where the figure is absent. */
+  /** The value by which a row is sorted; undefined if the figure is absent. */
   valueOf(row: HTMLTableRowElement): number | string | undefined;
-  /** Direction that puts the better figures first. */
+  /** The direction that puts the best figures first. */
   first: Direction;
 }
 
-/** `showing`: returns what shows a technique in the viewer; undefined for one that drew nothing. */
+/** `showing`: returns a function that shows a technique in the viewer; undefined if it drew no frame. */
 export function enhanceTable(
   root: HTMLElement,
   showing: (technique: string) => (() => void) | undefined,

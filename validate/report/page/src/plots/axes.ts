@@ -1,14 +1,14 @@
-// Scales, ticks and figures as all plots show them.
+// Scales, ticks and number formats of all plots.
 import type { ScaleOptions } from "@observablehq/plot";
 
-/** Largest / smallest value from which on a scale is logarithmic. */
+/** A scale is logarithmic from this ratio of largest to smallest value on. */
 const kSpansDecades = 10;
-/** Decades from which on only powers of ten have ticks. */
+/** From this number of decades on, only powers of ten have ticks. */
 const kManyDecades = 2.5;
 
 export const kPlotStyle = "font-size: 12px; overflow: visible";
 
-/** For every mark: screen readers read the label of the whole plot, not its parts. */
+/** For every mark, because screen readers should read the label of the whole plot, not of its parts. */
 export const kUnspoken = { ariaHidden: "true" };
 
 export function formatFigure(value: number): string {
@@ -24,7 +24,7 @@ export function withUnit(label: string, unit: string): string {
   return unit === "" || unit === "1" ? label : `${label} (${unit})`;
 }
 
-/** Logarithmic where the values are positive and span a decade or more. */
+/** Logarithmic if the values are positive and span a decade or more. */
 export function scaleFor(values: number[]): ScaleOptions {
   const [low, high] = [Math.min(...values), Math.max(...values)];
   if (!(low > 0 && high / low >= kSpansDecades))
@@ -36,7 +36,7 @@ export function logScale(low: number, high: number): ScaleOptions {
   return { type: "log", domain: [low, high], ticks: logTicks(low, high), tickFormat: formatFigure };
 }
 
-/** 1, 2, 5 of each decade, or only the decades where there are many. */
+/** 1, 2, 5 in each decade, or only powers of ten if there are many decades. */
 function logTicks(low: number, high: number): number[] {
   const steps = Math.log10(high / low) > kManyDecades ? [1] : [1, 2, 5];
   const ticks: number[] = [];

@@ -1,5 +1,5 @@
-// The share of pixels whose depth error exceeds a threshold, over thresholds: a curve for each technique. At
-// one threshold it is the metric of Scharstein and Szeliski (2002), "A taxonomy and evaluation of dense
+// The share of pixels whose depth error exceeds a threshold, as a curve over thresholds for each technique.
+// At one threshold it is the metric of Scharstein and Szeliski (2002), "A taxonomy and evaluation of dense
 // two-frame stereo correspondence algorithms".
 import * as Plot from "@observablehq/plot";
 import { selectAll } from "d3-selection";
@@ -91,7 +91,7 @@ function draw(report: ReportData, samples: Sample[], highlight: Highlight, width
     marginLeft: 58,
     marginBottom: 40,
     style: kPlotStyle,
-    ariaLabel: `${kTitle}: share of pixels over thresholds of depth error, ${highlightedLabels(report, highlight).join(" and ")} highlighted.`,
+    ariaLabel: `${kTitle}: share of pixels by threshold of the depth error, ${highlightedLabels(report, highlight).join(" and ")} highlighted.`,
     x: {
       ...logScale(thresholds[0], thresholds[thresholds.length - 1]),
       label: "threshold of |depth error| (relief depths)",

@@ -1,4 +1,4 @@
-// Controls of the plots, each bound to a key of the page's state.
+// Controls of the plots; each is bound to a key of the page's state.
 import { getState, onStateChange, setState } from "../state";
 
 export interface Option {
@@ -8,7 +8,7 @@ export interface Option {
   group?: string;
 }
 
-/** `fallback`: the choice while the state has none, or none of the options. */
+/** `fallback`: the choice if the state has none, or one that isn't among the options. */
 export function chooser(label: string, key: string, options: Option[], fallback: () => string): HTMLElement {
   const select = document.createElement("select");
   const groups = new Map<string, HTMLOptGroupElement>();
@@ -41,7 +41,7 @@ export function chosen(key: string, options: Option[], fallback: () => string): 
   return value !== undefined && options.some((option) => option.value === value) ? value : fallback();
 }
 
-/** In the state "1" when on. */
+/** The state is "1" if it is on. */
 export function toggle(label: string, key: string): HTMLElement {
   const box = document.createElement("input");
   box.type = "checkbox";

@@ -1,5 +1,5 @@
-// Quality over cost: every technique a point, the Pareto front as a staircase, its members named. Controls
-// are drawn but can't be on the front.
+// Quality over cost: a point for each technique, and the Pareto front as a staircase with labeled points.
+// Controls are drawn, but they can't be on the front.
 import * as Plot from "@observablehq/plot";
 import type { ReportData } from "../data";
 import { setState } from "../state";
@@ -18,7 +18,7 @@ const kCostKey = "plot.cost";
 const kFirstQuality = "silhouette.iou";
 const kFirstCost = "cost.fetches_mean";
 
-/** Returns what redraws it. */
+/** Returns a function that redraws it. */
 export function addCostPlot(report: ReportData, root: HTMLElement): () => void {
   const metrics = metricsWithValues(withoutIntervals(pooledMetrics(report)), report);
   const qualities = metrics.filter(({ key, better }) => better !== "" && !key.startsWith("cost."));

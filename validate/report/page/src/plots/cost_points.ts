@@ -1,4 +1,4 @@
-// Techniques as points of quality over cost.
+// The points of the plot of quality over cost.
 import type { ReportData } from "../data";
 import { frameOfTechnique } from "../frames";
 import { paretoFront } from "./pareto";
@@ -6,11 +6,11 @@ import { merit, type PooledMetric } from "./pooled_metrics";
 
 export interface Point {
   name: string;
-  /** Of its frame; undefined if it drew none. */
+  /** Id of its frame; undefined if it drew none. */
   id: string | undefined;
   cost: number;
   quality: number;
-  /** The quality as it is drawn: its magnitude where values near 0 are better. */
+  /** The quality as drawn: its magnitude, if values near 0 are better. */
   drawn: number;
   merit: number;
   control: boolean;
@@ -40,7 +40,7 @@ export function frontOf(points: Point[]): Point[] {
   return paretoFront(points.filter(({ control }) => !control));
 }
 
-/** Whether the plot shows magnitudes of signed values: a bias is equally bad in either direction. */
+/** Whether the plot shows magnitudes of signed values, because both signs of a bias are equally bad. */
 export function isDrawnBySize(points: Point[]): boolean {
   return points.some(({ quality, drawn }) => quality !== drawn);
 }

@@ -1,4 +1,4 @@
-// What is written below the plot of quality over cost: the Pareto front, and the techniques left out with the
+// The text below the plot of quality over cost: the Pareto front, and the techniques left out with their
 // reasons.
 import type { ReportData, TechniqueResult } from "../data";
 import { setState } from "../state";
@@ -15,7 +15,7 @@ export function frontNotes(report: ReportData, quality: PooledMetric, cost: Pool
   const notes: HTMLElement[] = [make("p", {}, title), make("ol", { class: "front" }, ...entries)];
   if (isDrawnBySize(points))
     notes.push(
-      make("p", { class: "by-size" }, `${quality.label} is drawn as its magnitude, without its sign.`),
+      make("p", { class: "by-size" }, `${quality.label} is drawn as its magnitude.`),
     );
   const reasons = leftOut(report.results.techniques, quality, cost);
   if (reasons.length > 0) notes.push(make("p", { class: "left-out" }, `Left out: ${reasons.join("; ")}.`));

@@ -1,4 +1,4 @@
-// The techniques highlighted in every plot: A, and B to compare it with; all others are gray.
+// The techniques highlighted in every plot: A, and B for comparison; all others are gray.
 import type { FrameEntry, ReportData } from "../data";
 import { frameById, frameLabel, frameOfTechnique } from "../frames";
 import { chosen, type Option } from "./controls";
@@ -18,7 +18,7 @@ export function highlightOptions(report: ReportData): Option[] {
     .map((frame) => ({ value: frame.id, text: curveLabel(frame) }));
 }
 
-/** What a curve or a bar of the frame is called. */
+/** The label of the frame's curve or bar. */
 export function curveLabel(frame: FrameEntry): string {
   return frame.kind === "proxy" ? `${frameLabel(frame)} (base gap)` : frameLabel(frame);
 }
@@ -49,7 +49,7 @@ export function defaultA(report: ReportData, options: Option[]): string {
 
 export type Role = "a" | "b" | "other";
 
-/** `id`: undefined of a technique that drew no frame. */
+/** `id`: undefined for a technique that drew no frame. */
 export function roleOf(id: string | undefined, highlight: Highlight): Role {
   return id === undefined ? "other" : id === highlight.a ? "a" : id === highlight.b ? "b" : "other";
 }

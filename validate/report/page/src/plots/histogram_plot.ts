@@ -1,4 +1,4 @@
-// Histogram of the signed depth errors of one technique, or of two to compare, in relief depths.
+// Histogram of the signed depth errors of one or two techniques, in relief depths.
 import * as Plot from "@observablehq/plot";
 import type { FrameEntry, ReportData } from "../data";
 import { frameById } from "../frames";
@@ -11,7 +11,7 @@ import { plotFigure } from "./plot_figure";
 interface Outline {
   role: "a" | "b";
   frame: FrameEntry;
-  /** Corners of a staircase: from edge to edge at a share of the pixels. */
+  /** Corners of the staircase: bin edges with the share of pixels. */
   steps: { error: number; share: number }[];
 }
 
@@ -39,7 +39,7 @@ function outlinesOf(report: ReportData): Outline[] {
   });
 }
 
-/** Scaled to the width of the narrowest bin, so that bins of different widths compare. */
+/** Shares are scaled to the width of the narrowest bin, so that bins of different widths are comparable. */
 function stepsOf(report: ReportData, histogram: NonNullable<FrameEntry["histogram"]>): Outline["steps"] {
   const { edges } = report.curves;
   const all = pixelsOf(histogram);
@@ -67,7 +67,7 @@ function draw(report: ReportData, outlines: Outline[], width: number): SVGSVGEle
     .flatMap(({ steps }) => steps.map(({ share }) => share))
     .filter((share) => share > 0);
   const logarithmic = getState(kLogKey) === "1" && shares.length > 0;
-  // A logarithmic axis has no zero: empty bins are drawn at its lower end, half the smallest share.
+  // A logarithmic axis has no zero, so empty bins are drawn at its lower end, half the smallest share.
   const foot = logarithmic ? Math.min(...shares) / 2 : 0;
   const raised = (steps: Outline["steps"]) =>
     steps.map(({ error, share }) => ({ error, share: Math.max(share, foot) }));

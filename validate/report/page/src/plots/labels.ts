@@ -1,4 +1,4 @@
-// Names beside points, moved apart so that none covers another, a point or the plot's edge.
+// Places labels next to points so that none overlaps another label, a point or the edge of the plot.
 
 export interface Box {
   left: number;
@@ -10,35 +10,38 @@ export interface LabelPlace {
   /** Middle of the left edge, pixels. */
   x: number;
   y: number;
-  /** Far enough from its point to need a line to it. */
-  apart: boolean;
+  /** Whether it is so far from its point that it needs a leader line. */
+  needsLine: boolean;
 }
 
 const kLineHeightPx = 14;
 const kGapPx = 7;
-/** From a point up or down to the nearest label: clear of a horizontal line through the point. */
+/**
+ * Vertical distance from a point to the nearest label, which stays clear of a horizontal line through the
+ * point.
+ */
 const kFirstRisePx = 10;
-/** Rings of places to try around a point, a line height apart. */
+/** Number of rings of candidate places around a point, at a spacing of one line height. */
 const kRings = 9;
 
-/** A place inside of `inside` for each label, clear of `points`; undefined for one that fits nowhere. */
+/** A place within `inside` for each label, clear of `points`; undefined if there is no space for it. */
 export function placeLabels(
   labels: { x: number; y: number; widthPx: number }[],
   points: { x: number; y: number }[],
   inside: Box,
 ): (LabelPlace | undefined)[] {
-  const taken: Box[] = points.map(({ x, y }) => ({ left: x - 4, top: y - 4, right: x + 4, bottom: y + 4 }));
+  const used: Box[] = points.map(({ x, y }) => ({ left: x - 4, top: y - 4, right: x + 4, bottom: y + 4 }));
   return labels.map((label) => {
-    for (const { x, y, apart } of placesAround(label)) {
+    for (const { x, y, needsLine } of placesAround(label)) {
       const box = {
         left: x,
         top: y - kLineHeightPx / 2,
         right: x + label.widthPx,
         bottom: y + kLineHeightPx / 2,
       };
-      if (!within(box, inside) || taken.some((other) => overlap(box, other))) continue;
-      taken.push(box);
-      return { x, y, apart };
+      if (!within(box, inside) || used.some((other) => overlap(box, other))) continue;
+      used.push(box);
+      return { x, y, needsLine };
     }
     return undefined;
   });
@@ -49,7 +52,7 @@ function* placesAround(label: { x: number; y: number; widthPx: number }): Genera
   for (let ring = 0; ring < kRings; ++ring)
     for (const side of [-1, 1])
       for (const x of lefts)
-        yield { x, y: label.y + side * (kFirstRisePx + ring * kLineHeightPx), apart: ring > 0 };
+        yield { x, y: label.y + side * (kFirstRisePx + ring * kLineHeightPx), needsLine: ring > 0 };
 }
 
 function within(box: Box, frame: Box): boolean {

@@ -1,5 +1,5 @@
-// The Pareto front in two dimensions: sorted by one, swept over the other. Kung, Luccio, Preparata (1975),
-// "On finding the maxima of a set of vectors".
+// The Pareto front in two dimensions, by sorting along one and a sweep over the other. Kung, Luccio,
+// Preparata (1975), "On finding the maxima of a set of vectors".
 
 export interface Rated {
   cost: number;
@@ -8,8 +8,8 @@ export interface Rated {
 }
 
 /**
- * The points for which no other is at least as good in both and better in one; with all of equal points. By
- * ascending cost.
+ * The Pareto-optimal points: no other point is at least as good in both dimensions and better in one. Equal
+ * points are all included. Sorted by ascending cost. /
  */
 export function paretoFront<T extends Rated>(points: readonly T[]): T[] {
   const front: T[] = [];

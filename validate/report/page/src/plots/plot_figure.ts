@@ -1,17 +1,17 @@
-// The frame of a plot: heading, a button that saves it, controls, drawing as wide as the page allows, notes.
+// The figure of a plot: heading, save button, controls, a drawing as wide as the page allows, notes.
 import { saveSvg } from "./svg_file";
 
 export interface PlotFigure {
   controls: HTMLElement;
-  /** Below the drawing; filled by the owner. */
+  /** Below the drawing; filled by the caller. */
   notes: HTMLElement;
   redraw(): void;
 }
 
-/** Width of a saved plot, pixels, at any width of the page. */
+/** Width of a saved plot in pixels, independent of the width of the page. */
 const kSavedWidthPx = 720;
 
-/** `draw` makes the SVG for a width in pixels, undefined where there is nothing to show. */
+/** `draw` returns the SVG for a width in pixels, or undefined if there is nothing to show. */
 export function plotFigure(
   root: HTMLElement,
   title: string,

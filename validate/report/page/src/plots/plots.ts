@@ -1,4 +1,4 @@
-// The section of plots: the choice of the techniques to highlight in all of them, then a figure for each
+// The section of plots: the controls of the techniques to highlight in all plots, then a figure for each
 // plot.
 import "./plots.css";
 import type { ReportData } from "../data";
@@ -9,11 +9,11 @@ import { addCostPlot } from "./cost_plot";
 import { defaultA, highlightOptions, kStateA, kStateB } from "./highlight";
 import { addHistogramPlot } from "./histogram_plot";
 
-/** Keys of the state that change a plot. */
+/** Keys of the state that affect a plot. */
 const kKeys = [kStateA, kStateB, "plot.quality", "plot.cost", "plot.badpix", "plot.histogram"];
 
 /**
- * `showFailing`: shows in the viewer how many techniques fail at each pixel; undefined where that is unknown.
+ * `showFailing`: shows the number of failing techniques per pixel in the viewer; undefined if it is unknown.
  */
 export function drawPlots(report: ReportData, root: HTMLElement, showFailing?: () => void): void {
   const heading = document.createElement("h2");

@@ -1,4 +1,4 @@
-// A mark for Observable Plot: names beside points, with lines to those that have to be placed further away.
+// A mark for Observable Plot: labels next to points, with lines to those that are placed farther away.
 import type { Markish } from "@observablehq/plot";
 import { placeLabels } from "./labels";
 
@@ -14,13 +14,13 @@ interface PointLabel extends At {
 
 const kFontPx = 11;
 /**
- * Letters shown of a name, in a plot narrower than kNarrowPx and in others; the list below the plot has the
- * whole name.
+ * Maximum number of letters of a name, in a plot narrower than kNarrowPx and in wider ones. The list below
+ * the plot contains the full name. /
  */
 const kNarrowPx = 500;
 const kMostLetters = { narrow: 26, wide: 44 };
 
-/** `points`: all points of the plot, which labels don't cover. */
+/** `points`: all points of the plot, which labels must not overlap. */
 export function pointLabels(labels: PointLabel[], points: At[]): Markish {
   return (_index, scales, _values, { width, height, marginLeft, marginTop, marginBottom }) => {
     const toPixels = ({ x, y }: At) => ({ x: scales.x?.(x) as number, y: scales.y?.(y) as number });
@@ -41,7 +41,7 @@ export function pointLabels(labels: PointLabel[], points: At[]): Markish {
     labels.forEach((label, index) => {
       const place = places[index];
       if (!place) return;
-      if (place.apart) {
+      if (place.needsLine) {
         const { x, y } = toPixels(label);
         const x2 = Math.min(Math.max(x, place.x), place.x + widths[index]);
         group.append(

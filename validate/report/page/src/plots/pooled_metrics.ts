@@ -1,14 +1,14 @@
-// The metrics that plots can show: pooled over objects, shadow metrics once for each light.
+// The metrics that plots can show: pooled over objects, and shadow metrics for each light.
 import type { Group, MetricInfo, ReportData, TechniqueResult } from "../data";
 
 export interface PooledMetric {
-  /** As "depth.rmse_relief" or "shadow.sun.agreement". */
+  /** For example "depth.rmse_relief" or "shadow.sun.agreement". */
   key: string;
   label: string;
   unit: string;
   better: MetricInfo["better"];
   valueOf(technique: TechniqueResult): number | undefined;
-  /** Why there is no value, in words. */
+  /** The reason why there is no value. */
   reasonOf(technique: TechniqueResult): string;
 }
 
@@ -30,20 +30,23 @@ export function pooledMetrics(report: ReportData): PooledMetric[] {
   });
 }
 
-/** Those that at least one technique has a value of. */
+/** The metrics that have a value for at least one technique. */
 export function metricsWithValues(metrics: PooledMetric[], report: ReportData): PooledMetric[] {
   return metrics.filter((metric) =>
     report.results.techniques.some((technique) => metric.valueOf(technique) !== undefined),
   );
 }
 
-/** Without the ends of intervals of other metrics. */
+/** Leaves out the ends of intervals. */
 export function withoutIntervals(metrics: PooledMetric[]): PooledMetric[] {
   const keys = new Set(metrics.map(({ key }) => key));
   return metrics.filter(({ key }) => !/_(low|high)$/.test(key) || !keys.has(key.replace(/_(low|high)$/, "")));
 }
 
-/** Higher is better: of metrics where lower is better, the negative magnitude, as a bias has either sign. */
+/**
+ * A value whose higher values are better. If low is better: the negative magnitude, as a bias may be
+ * negative.
+ */
 export function merit(metric: PooledMetric, value: number): number {
   return metric.better === "high" ? value : -Math.abs(value);
 }

@@ -1,5 +1,5 @@
-// A plot as a self-contained file: colors for white paper, generic fonts, a title, nothing from the page's
-// style sheets.
+// Saves a plot as a self-contained file: colors for white paper, generic fonts, a title, nothing from the
+// page's style sheets.
 
 const kSvg = "http://www.w3.org/2000/svg";
 
@@ -35,7 +35,7 @@ export function standaloneSvg(svg: SVGSVGElement, title: string): string {
   return `<?xml version="1.0" encoding="UTF-8"?>\n${onPaper(new XMLSerializer().serializeToString(copy))}\n`;
 }
 
-/** Replaces custom properties, which only browsers know, by their values in the light scheme. */
+/** Replaces custom properties, which only browsers support, by their values in the light scheme. */
 function onPaper(source: string): string {
   const paper = document.createElement("div");
   paper.className = "on-paper";

@@ -1,12 +1,12 @@
-// The program's colors (validate/report/colors.h, which says what they mean), in the page's own form. A
-// color is packed as a canvas holds it on a little-endian machine: 0xAABBGGRR, opaque.
+// The program's colors, which validate/report/colors.h defines. A color is packed as in a canvas on a
+// little-endian machine: 0xAABBGGRR, opaque.
 import type { MapName, PaletteColor, ReportData } from "../data";
 
 export type Packed = number;
 
-/** Stops equally far apart, straight lines in sRGB codes between them. */
+/** Equidistant stops with linear interpolation of sRGB codes between them. */
 export interface ColorMap {
-  /** x of the first stop: 0, or -1 where the map diverges from its middle stop. x of the last one is 1. */
+  /** x of the first stop: 0, or -1 for a map that diverges from its middle stop. x of the last one is 1. */
   low: number;
   stops: readonly Packed[];
 }
@@ -26,8 +26,8 @@ export function colorsOf({ colors }: ReportData): Colors {
 }
 
 /**
- * `x` is clamped to the map's ends. The same steps as colorAt() of validate/report/colors.cpp, so that codes
- * agree.
+ * `x` is clamped to the ends of the map. The operations are those of colorAt() in validate/report/colors.cpp,
+ * so that the codes are equal. /
  */
 export function colorAt({ low, stops }: ColorMap, x: number): Packed {
   const inside = Math.min(Math.max(x, low), 1);
@@ -59,7 +59,7 @@ export function cssColor(color: Packed): string {
     .join("")}`;
 }
 
-/** Of "#e69f00". */
+/** Parses "#e69f00". */
 function packCssColor(text: string): Packed {
   const code = Number.parseInt(text.slice(1), 16);
   return packColor(code >> 16, (code >> 8) & 255, code & 255);

@@ -1,4 +1,4 @@
-// Marks the pixel that is read.
+// Marks the pixel whose values are shown.
 import { make } from "./dom";
 import type { Pixel, Placement } from "./zoom";
 

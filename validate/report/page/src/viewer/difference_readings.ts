@@ -37,13 +37,13 @@ export function readSilhouette(palette: Palette, frame: FrameData, reference: Fr
     return expected === 0 ? 3 : 4;
   };
   const note = countsNote(
-    ...uncertainNote(uncertain, "missing or extra like all others"),
-    "The table counts another object as missing of the one and extra of the other.",
+    ...uncertainNote(uncertain, "missing or extra like all other pixels"),
+    "The table counts another object as missing from the one and extra in the other.",
   );
   return { layer: "silhouette", map: "none", unit: "", note, categories, categoryAt, valueAt: () => NaN };
 }
 
-/** The error's divisor by object number; NaN where the relief's depth is unknown. */
+/** Divisor of the error by object id; NaN if the relief depth is unknown. */
 function errorUnits(report: ReportData, unit: DepthUnit): number[] {
   const units: number[] = [];
   for (const object of report.objects) units[object.id] = unit === "world" ? 1 : (object.relief_depth ?? NaN);
@@ -118,7 +118,7 @@ export function readShadow(
     if (agrees) return dark ? 4 : 3;
     return dark ? 6 : 5;
   };
-  const note = countsNote(...uncertainNote(uncertain, "right or wrong like all others"));
+  const note = countsNote(...uncertainNote(uncertain, "right or wrong like all other pixels"));
   return { layer, map: "none", unit: "", note, categories, categoryAt, valueAt: () => NaN };
 }
 
@@ -140,7 +140,9 @@ export function readNormalAngle(palette: Palette, frame: FrameData, reference: F
   };
 }
 
-/** Index into [nothing, unshared] of pixels that don't show the same object in both; -1 of those that do. */
+/**
+ * Index into [nothing, unshared] for a pixel that doesn't show the same object in both frames; otherwise -1.
+ */
 function unsharedAt(ids: Layer, referenceIds: Layer, pixel: number): number {
   const expected = referenceIds.at(pixel);
   if (ids.at(pixel) !== expected) return 1;
@@ -148,7 +150,8 @@ function unsharedAt(ids: Layer, referenceIds: Layer, pixel: number): number {
 }
 
 /**
- * Why the legend's counts differ from the table's. `inTable`: what the table does otherwise, a sentence each.
+ * Why the legend's counts differ from the table's. `inTable`: how the table counts differently, a sentence
+ * each. /
  */
 function countsNote(...inTable: string[]): string {
   return ["These counts cover all objects, the table only those with a relief.", ...inTable].join(" ");
@@ -158,7 +161,7 @@ function countsNote(...inTable: string[]): string {
 function uncertainNote(uncertain: readonly Layer[], asWhat: string): string[] {
   if (uncertain.length === 0) return [];
   return [
-    `Pixels where the reference is uncertain are counted apart here; the table counts them as ${asWhat}.`,
+    `Pixels where the reference is uncertain are counted separately; the table counts them as ${asWhat}.`,
   ];
 }
 

@@ -1,10 +1,11 @@
-// Elements in one expression. Texts are set as text, never as markup: names in a report come from outside.
+// Creates elements in one expression. Texts are set as text, never as markup, because names in a report are
+// untrusted.
 
 type Attributes = { [name: string]: string | number | boolean | ((event: Event) => void) };
 
 /**
- * Attributes by name: true sets an empty one, false leaves it out, a function listens to the event of that
- * name.
+ * Attributes by name: true sets an empty one, false leaves it out, a function is a listener of the event of
+ * that name. /
  */
 export function make<Tag extends keyof HTMLElementTagNameMap>(
   tag: Tag,
@@ -20,7 +21,7 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 }
 
-/** Writes only a text that differs, so that an equal one doesn't cost a new layout. */
+/** Sets the text only if it differs, so that an equal one doesn't cause a new layout. */
 export function setText(element: Element, text: string): void {
   if (element.textContent !== text) element.textContent = text;
 }
@@ -28,11 +29,11 @@ export function setText(element: Element, text: string): void {
 export interface Choice {
   value: string;
   label: string;
-  /** Why it can't be chosen; it is listed, disabled. */
+  /** Why it can't be chosen; it is listed as disabled. */
   reason?: string;
 }
 
-/** Replaces a select's options and its choice. */
+/** Replaces the options and the choice of a select. */
 export function setOptions(select: HTMLSelectElement, choices: readonly Choice[], chosen: string): void {
   const signature = JSON.stringify(choices);
   if (select.dataset.choices !== signature) {

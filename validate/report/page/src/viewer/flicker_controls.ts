@@ -1,7 +1,7 @@
-// The controls of the flicker arrangement: a button that swaps A and B, and a clock that does so.
+// The controls of the flicker arrangement: a button that swaps A and B, and automatic swapping.
 import { make, setOptions, setText } from "./dom";
 
-/** Automatic swaps a second; more than three flashes may cause seizures (WCAG 2.3.1). */
+/** Automatic swaps per second; more than three flashes may cause seizures (WCAG 2.3.1). */
 const kFlickerRates = [0.5, 1, 2, 3];
 
 export class FlickerControls {

@@ -30,8 +30,8 @@ export function makeKeyHelp(): HTMLElement {
 }
 
 /**
- * While the focus is in the viewer, or on nothing and the pointer is over the viewer. Keys typed into fields
- * are left to them.
+ * Keys are handled while the focus is in the viewer, or on nothing while the pointer is over the viewer. Keys
+ * typed into fields aren't handled. /
  */
 export function listenToKeys(root: HTMLElement, actions: KeyActions): void {
   const arrows: { [key: string]: [dx: number, dy: number] } = {
@@ -63,12 +63,12 @@ export function listenToKeys(root: HTMLElement, actions: KeyActions): void {
       : others[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();
-    if (event.repeat && action === others.f) return; // a key held down would flash faster than is safe
+    if (event.repeat && action === others.f) return; // key repeat would flash faster than is safe
     action();
   });
 }
 
-/** Letters choose entries of menus. */
+/** Menus use letters to choose entries. */
 function takesLetters(target: HTMLElement): boolean {
   return target.matches("select, textarea, input:not([type=range], [type=checkbox]), [contenteditable]");
 }

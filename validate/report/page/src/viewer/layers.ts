@@ -1,4 +1,4 @@
-// The layers a pane can show of a frame, and the reasons against those it can't.
+// The layers that a pane can show of a frame, and the reasons why others can't be shown.
 import type { FrameEntry, LayerName, ReportData } from "../data";
 import { referenceOf } from "../frames";
 
@@ -16,14 +16,14 @@ export type LayerKey =
 export interface LayerInfo {
   key: LayerKey;
   label: string;
-  /** Planes of the frame and of the reference that it needs. */
+  /** Planes of the frame and of the reference that it requires. */
   ofFrame: LayerName[];
   ofReference: LayerName[];
   /** Planes of the reference that it uses if they exist. */
   uncertain?: LayerName[];
 }
 
-/** In the order of the menus, with a shadow layer for each light of the reference. */
+/** In the order of the menu, with a shadow layer for each light of the reference. */
 export function layersOf(report: ReportData): LayerInfo[] {
   const lights = (referenceOf(report)?.layers ?? []).filter((layer): layer is `shadow.${string}` =>
     layer.startsWith("shadow."),
@@ -46,7 +46,7 @@ export function layersOf(report: ReportData): LayerInfo[] {
       uncertain: ["uncertain", `uncertain.${light}`],
     })),
     { key: "normal_angle", label: "Normal angle", ofFrame: ["id", "normal_angle"], ofReference: ["id"] },
-    { key: "fetches", label: "Look-ups", ofFrame: ["id", "fetches"], ofReference: [] },
+    { key: "fetches", label: "Lookups", ofFrame: ["id", "fetches"], ofReference: [] },
     { key: "iterations", label: "Iterations", ofFrame: ["id", "iterations"], ofReference: [] },
     { key: "depth", label: "Depth", ofFrame: ["id", "depth"], ofReference: [] },
     { key: "failing", label: "Share of failing techniques", ofFrame: ["failing"], ofReference: [] },
@@ -55,10 +55,10 @@ export function layersOf(report: ReportData): LayerInfo[] {
 
 const kPlaneWords: { [plane: string]: string } = {
   color: "no color",
-  id: "no object numbers",
+  id: "no object ids",
   depth: "no depth",
   normal_angle: "no normals",
-  fetches: "no count of look-ups",
+  fetches: "no count of lookups",
   iterations: "no count of iterations",
 };
 

@@ -1,5 +1,5 @@
-// Below a picture: a color bar with its ends, middle and unit and the controls of its range; categories with
-// their pixel counts.
+// The legend below a picture: a color bar with its ends, middle and unit, the controls of its range, and
+// categories with their pixel counts.
 import { cssColor, type Colors } from "./colors";
 import { make, setText } from "./dom";
 import { significant, wholeNumber } from "./numbers";

@@ -1,4 +1,4 @@
-// Numbers as text.
+// Formats numbers.
 
 /** The shortest decimal that reads back as the same 32-bit float. */
 export function shortestFloat(value: number): string {
@@ -9,20 +9,20 @@ export function shortestFloat(value: number): string {
   return String(value); // NaN, infinity
 }
 
-/** To so many significant digits, without trailing zeros. */
+/** With the given number of significant digits, without trailing zeros. */
 export function significant(value: number, digits: number): string {
   return String(Number(value.toPrecision(digits)));
 }
 
-/** A whole number with thin spaces between thousands. */
+/** An integer with thin spaces between thousands. */
 export function wholeNumber(value: number): string {
   return String(value).replace(/\B(?=(\d{3})+$)/g, "\u202f");
 }
 
-/** Up to the next number of two significant digits; 0 stays. */
+/** Rounded up to two significant digits; 0 stays 0. */
 export function roundedUp(value: number): number {
   if (!(value > 0)) return 0;
   const unit = 10 ** (Math.floor(Math.log10(value)) - 1);
-  // 1e-9: a quotient that is whole up to rounding stays.
+  // 1e-9: a quotient that is an integer up to rounding isn't increased.
   return Number((Math.ceil(value / unit - 1e-9) * unit).toPrecision(2));
 }

@@ -1,4 +1,4 @@
-// Layers as pixels of a canvas.
+// Converts layers to pixels of a canvas.
 import { colorAt, type Colors, type Packed } from "./colors";
 import type { Range } from "./ranges";
 import type { Reading } from "./reading";
@@ -6,7 +6,7 @@ import type { Reading } from "./reading";
 export interface Painting {
   /** Packed, row 0 = top. */
   pixels: Uint32Array<ArrayBuffer>;
-  /** Pixels in each of the reading's categories. */
+  /** Number of pixels in each category of the reading. */
   counts: number[];
 }
 

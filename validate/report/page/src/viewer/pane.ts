@@ -1,4 +1,4 @@
-// One pane: its head, the picture under the shared zoom with its crosshair, and a legend.
+// One pane: its head, the picture with the shared zoom and a crosshair, and a legend.
 import type { ReportData } from "../data";
 import type { FrameData, FrameStore } from "../frame_store";
 import { referenceOf } from "../frames";
@@ -21,16 +21,16 @@ export interface PaneEvents {
   setRange(layer: Reading["layer"], range: Range | undefined): void;
 }
 
-/** Planes that the read-out shows of any frame. */
+/** Planes that the readout shows for any frame. */
 const kReadPlanes = ["id", "depth"] as const;
 export class Pane {
   readonly element: HTMLElement;
-  /** What zooms and listens to pointers and keys. */
+  /** The element that is zoomed and receives pointer and key events. */
   readonly view: HTMLElement;
-  /** Holds the canvas, as large as the view. A wipe clips it, a blend makes it translucent. */
+  /** Contains the canvas and is as large as the view. A wipe clips it, a blend makes it translucent. */
   readonly picture: HTMLElement;
   private readonly canvas = make("canvas");
-  /** What is shown; while another one loads, the one before. */
+  /** The reading that is shown; while another loads, the previous one. */
   reading: Reading | null = null;
   frame: FrameData | null = null;
   private choice: PaneChoice = { frame: "", layer: "color" };
@@ -41,7 +41,7 @@ export class Pane {
   private readonly crosshair = new Crosshair();
   private readonly legend: Legend;
   private readonly colors: Colors;
-  /** Ids of the frames that `reading` was made from. */
+  /** Ids of the frames used by `reading`. */
   private shownFrames: string[] = [];
 
   constructor(
@@ -77,7 +77,9 @@ export class Pane {
     this.view.style.aspectRatio = `${report.width} / ${report.height}`;
   }
 
-  /** Loads and reads the choice; resolves when there is a reading or a text that says why not. */
+  /**
+   * Loads and reads the choice; resolves when there is a reading or a text with the reason why there is none.
+   */
   async show(choice: PaneChoice, unit: DepthUnit, name: string): Promise<void> {
     const changed =
       choice.frame !== this.choice.frame || choice.layer !== this.choice.layer || unit !== this.unit;
@@ -85,7 +87,7 @@ export class Pane {
     this.unit = unit;
     this.showChoice(name);
     if (!changed && this.element.dataset.state === "ready") return;
-    // Shown by the style sheet after a moment: most frames have loaded by then.
+    // The style sheet shows it after a delay, in which most frames load.
     this.setStatus("loading", "Loading…");
     const isCurrent = () => choice === this.choice && unit === this.unit;
     try {
@@ -104,12 +106,12 @@ export class Pane {
     }
   }
 
-  /** Ids of the frames that are shown and of those that are loading. */
+  /** Ids of the frames that are shown or loading. */
   framesInUse(): string[] {
     return [...this.shownFrames, ...this.framesFor(this.choice)];
   }
 
-  /** The frame, then the reference where the layer needs it. */
+  /** The frame, then the reference if the layer needs it. */
   private framesFor({ frame, layer }: PaneChoice): string[] {
     const info = layersOf(this.report).find(({ key }) => key === layer);
     const reference = info && info.ofReference.length > 0 ? referenceOf(this.report) : undefined;
@@ -121,7 +123,7 @@ export class Pane {
     if (!layer) throw new Error(`there is no layer '${choice.layer}'`);
     const [frameId, referenceId] = this.framesFor(choice);
     const frame = this.store.load(frameId, [...layer.ofFrame, ...kReadPlanes]);
-    // Neither waits for the reference nor fails with it.
+    // It doesn't wait for the reference and doesn't fail with it.
     if (referenceId === undefined) return [await frame, await frame];
     return Promise.all([
       frame,
@@ -129,7 +131,7 @@ export class Pane {
     ]);
   }
 
-  /** Only if the reading or the range has changed since. */
+  /** Paints only if the reading or the range has changed. */
   paint(range: Range, defaultRange: Range): void {
     const { reading } = this;
     if (!reading) {
@@ -163,12 +165,12 @@ export class Pane {
   }
 
   /**
-   * The canvas holds the frame pixel for pixel; only the compositor moves it, which keeps the frame rate up
-   * without a GPU.
+   * The canvas contains the frame at its own resolution. Only the compositor transforms it, which keeps the
+   * frame rate high without a GPU. /
    */
   private drawPicture({ scale, left, top }: Placement): void {
     this.canvas.style.transform = `translate(${left}px, ${top}px) scale(${scale})`;
-    // Single pixels must not vanish where it is shrunk.
+    // When the frame is minified, single pixels must not disappear.
     this.canvas.style.imageRendering = scale * window.devicePixelRatio < 1 ? "auto" : "pixelated";
   }
 

@@ -1,4 +1,4 @@
-// The panes in their grid: which are shown and what they show, side by side or two in one place.
+// The grid of panes: which panes are visible and what they show, side by side or two on top of each other.
 import type { ReportData } from "../data";
 import type { FrameStore } from "../frame_store";
 import { frameById, frameLabel } from "../frames";
@@ -15,10 +15,10 @@ export interface PaneGridEvents {
   choose(pane: number, choice: PaneChoice): void;
   setRange(layer: LayerKey, range: Range | undefined): void;
   setWipe(wipe: number): void;
-  /** The pointer is over the pixel; null: over none. */
+  /** The pixel under the pointer; null: none. */
   hover(pixel: Pixel | null): void;
   hold(pixel: Pixel | null): void;
-  /** Panes have changed: draw() is due. */
+  /** Panes have changed and draw() must be called. */
   painted(): void;
 }
 
@@ -55,7 +55,7 @@ export class PaneGrid {
     });
     this.zoom.attach(pane.view);
     pane.view.addEventListener("pointermove", (event) => {
-      // A finger pans; its tap is a click.
+      // Touch pans; a tap is a click.
       if (event.pointerType !== "touch") events.hover(this.pixelAt(pane, event));
     });
     pane.view.addEventListener("pointerleave", () => events.hover(null));
@@ -73,28 +73,28 @@ export class PaneGrid {
     return x >= 0 && y >= 0 && x < this.report.width && y < this.report.height ? { x, y } : null;
   }
 
-  /** Its zoom and size are those of the others. */
+  /** All panes have the same zoom and size. */
   get firstView(): HTMLElement {
     return this.panes[0].view;
   }
 
-  /** Whether the first pane has a picture yet. */
+  /** Whether the first pane shows a picture. */
   get hasPicture(): boolean {
     return this.panes[0].reading !== null;
   }
 
-  /** Resolves when all frames are loaded; each pane shows its frame as soon as it is. */
+  /** Resolves when all frames are loaded. Each pane shows its frame as soon as it is loaded. */
   async show(settings: Settings): Promise<void> {
     this.settings = settings;
     this.arrange();
     const show = async (pane: Pane, index: number) => {
-      // The latest: another call may have changed them while the first pane loaded.
+      // Read again, because another call may have changed them while the first pane was loading.
       const { panes, unit } = this.settings;
       await pane.show(panes[index], unit, this.paneName(index));
       this.store.forgetOthers(new Set(this.panes.flatMap((each) => each.framesInUse())));
       this.paint();
     };
-    await show(this.panes[0], 0); // alone, so that a picture appears soon
+    await show(this.panes[0], 0); // before the others, so that a picture appears early
     await Promise.all(this.shownPanes.slice(1).map((pane, i) => show(pane, i + 1)));
   }
 
@@ -112,7 +112,7 @@ export class PaneGrid {
     });
   }
 
-  /** Whether two panes share one place. */
+  /** Whether two panes are on top of each other. */
   private get isStacked(): boolean {
     return this.settings.arrangement !== "side";
   }
@@ -130,7 +130,7 @@ export class PaneGrid {
     this.element.dataset.view = arrangement;
     this.element.dataset.count = String(this.isStacked ? 1 : paneCount);
     this.panes.forEach((pane, index) => (pane.element.hidden = index >= this.shownPanes.length));
-    this.panes[1].view.tabIndex = this.isStacked ? -1 : 0; // the first one takes the keys for both
+    this.panes[1].view.tabIndex = this.isStacked ? -1 : 0; // the first one handles the keys of both
     this.divider.hidden = arrangement !== "wipe";
     this.divider.value = String(wipe);
     this.divider.setAttribute("aria-valuetext", `${Math.round(100 * wipe)} % A`);

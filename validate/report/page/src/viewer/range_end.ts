@@ -1,9 +1,9 @@
-// A control of one end of a color map's range: a slider, and a field for exact values.
+// The control of one end of a color map's range: a slider, and a field for exact values.
 import { make } from "./dom";
 import { significant } from "./numbers";
 import type { Range } from "./ranges";
 
-/** Decades that the slider spans to either side of the default. */
+/** Decades of the slider on either side of the default. */
 const kDecades = 2;
 const kStepsPerDecade = 50;
 
@@ -13,7 +13,10 @@ export class RangeEnd {
   private readonly slider: HTMLInputElement;
   private readonly field: HTMLInputElement;
 
-  /** `linear`: its two limits; null: logarithmic about the default. `onChange`: `value` was chosen. */
+  /**
+   * `linear`: the limits of a linear slider; null: logarithmic around the default. `onChange`: called with a
+   * chosen value.
+   */
   constructor(
     label: string,
     where: string,

@@ -1,4 +1,4 @@
-// Which values the two ends of a color map stand for.
+// The values at the two ends of a color map.
 import type { ReportData } from "../data";
 import type { LayerKey } from "./layers";
 import { roundedUp } from "./numbers";
@@ -7,19 +7,23 @@ import type { Reading } from "./reading";
 /** Values at the two ends of the color map. */
 export type Range = readonly [low: number, high: number];
 
-/** Whether these can be chosen: 0 is in the middle of errors, and at the low end of all but depths. */
+/**
+ * Whether a range can be chosen: 0 must be the middle for errors, and the low end for all layers but depth.
+ */
 export function isRange(layer: LayerKey, low: number, high: number): boolean {
   if (!(low < high && high > 0)) return false;
   if (layer === "depth_error") return low === -high;
   return layer === "depth" || low === 0;
 }
 
-/** Share of the pixels beyond the default range: a few outliers would leave the rest pale. */
+/** Share of the pixels beyond the default range, because a few outliers would make all others pale. */
 const kBeyondRange = 0.01;
 
 const ranges = new WeakMap<Reading, Range>();
 
-/** From 0 to what all but the outliers stay below, rounded up; of depths from the nearest to the farthest. */
+/**
+ * From 0 to the percentile given by kBeyondRange, rounded up; for depths from the nearest to the farthest.
+ */
 function rangeOfValues(reading: Reading, pixelCount: number): Range {
   const values = new Float64Array(pixelCount);
   let count = 0;
@@ -31,7 +35,7 @@ function rangeOfValues(reading: Reading, pixelCount: number): Range {
   return [0, roundedUp(sorted[Math.floor((count - 1) * (1 - kBeyondRange))])];
 }
 
-/** The smallest range that holds the range of each of these readings of one layer; never empty. */
+/** The union of the ranges of these readings of one layer; never empty. */
 function sharedRange(readings: readonly Reading[], pixelCount: number): Range {
   let [low, high] = [Infinity, -Infinity];
   for (const reading of readings) {
@@ -43,7 +47,7 @@ function sharedRange(readings: readonly Reading[], pixelCount: number): Range {
   return low < high ? [low, high] : [low, low + 1];
 }
 
-/** Shared by all panes that show one layer, so that they can be compared. */
+/** The range shared by all panes that show the same layer, so that they can be compared. */
 export function defaultRange(report: ReportData, readings: readonly Reading[]): Range {
   const [first] = readings;
   if (first.map === "none" || first.map === "picture") return [0, 1];

@@ -1,5 +1,6 @@
-// A layer of a frame read pixel by pixel: each pixel has a value, or is in a category that says why it has
-// none. In some layers every pixel is in a category. Painting, legend, ranges and the read-out all use this.
+// The values of a layer of a frame per pixel: each pixel has a value, or it is in a category that gives the
+// reason why it has none. In some layers every pixel is in a category. Painting, legend, ranges and readout
+// use this.
 import type { LayerName, MapName } from "../data";
 import type { FrameData } from "../frame_store";
 import type { Layer } from "../layer_unpacking";
@@ -11,22 +12,22 @@ export type DepthUnit = "world" | "relief";
 export interface Category {
   label: string;
   color: Packed;
-  /** Listed in the legend even where no pixel is in it. */
+  /** Listed in the legend even if no pixel is in it. */
   always?: boolean;
 }
 
 export interface Reading {
   layer: LayerKey;
-  /** How a value becomes a color; "picture": it is one, "none": there are no values. */
+  /** The color map of values; "picture": values are colors; "none": there are no values. */
   map: MapName | "picture" | "none";
-  /** Of a value; "" of pictures and categories. */
+  /** Unit of the values; "" for pictures and categories. */
   unit: string;
   /** A sentence for the legend. */
   note?: string;
   categories: Category[];
   /** Index into categories; -1 if the pixel has a value. */
   categoryAt(pixel: number): number;
-  /** NaN if it has none; of a picture the packed color. */
+  /** NaN if the pixel has none; for a picture the packed color. */
   valueAt(pixel: number): number;
 }
 

@@ -1,4 +1,4 @@
-// How each layer is read.
+// Creates the reading of each layer.
 import type { ReportData } from "../data";
 import type { FrameData } from "../frame_store";
 import { colorsOf, packColor } from "./colors";
@@ -6,7 +6,7 @@ import { readDepthError, readNormalAngle, readShadow, readSilhouette } from "./d
 import type { LayerKey } from "./layers";
 import { invalid, nothing, plane, type DepthUnit, type Palette, type Reading } from "./reading";
 
-/** Throws where a plane it needs is missing. */
+/** Throws if a plane is missing. */
 export function readLayer(
   report: ReportData,
   layer: LayerKey,
@@ -25,7 +25,7 @@ export function readLayer(
     case "normal_angle":
       return readNormalAngle(palette, frame, reference);
     case "fetches":
-      return readCovered(palette, layer, "look-ups", frame, "sequential");
+      return readCovered(palette, layer, "lookups", frame, "sequential");
     case "iterations":
       return readCovered(palette, layer, "iterations", frame, "sequential");
     case "depth":
@@ -44,7 +44,7 @@ function readColor(frame: FrameData, pixels: number): Reading {
   return { layer: "color", map: "picture", unit: "", categories: [], categoryAt: () => -1, valueAt: colorAt };
 }
 
-/** A plane in the pixels that the frame covers. */
+/** A plane at the pixels that the frame covers. */
 function readCovered(
   palette: Palette,
   layer: "fetches" | "iterations" | "depth",

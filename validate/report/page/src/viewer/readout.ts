@@ -1,4 +1,4 @@
-// The values of one pixel in every pane.
+// The readout: the values of one pixel in every pane.
 import type { ReportData } from "../data";
 import type { FrameData } from "../frame_store";
 import { channelsOf, cssColor } from "./colors";
@@ -73,7 +73,10 @@ export class Readout {
     });
   }
 
-  /** For screen readers. Only for pixels moved by keys: with the pointer it would never be silent. */
+  /**
+   * Text for screen readers. Only for pixels moved by keys, because the pointer would cause a constant
+   * stream.
+   */
   speak(panes: readonly ReadPane[], pixel: Pixel): void {
     const at = pixel.y * this.report.width + pixel.x;
     const values = panes.map(
@@ -116,7 +119,7 @@ function valueText(report: ReportData, reading: Reading, frame: FrameData | null
   }
 }
 
-/** In both units where the object has a relief. */
+/** In both units if the object has a relief. */
 function depthErrorText(
   report: ReportData,
   reading: Reading,

@@ -19,37 +19,37 @@ export type Arrangement = (typeof arrangements)[number];
 
 export interface Settings extends TechniqueChoice {
   arrangement: Arrangement;
-  /** Panes side by side. Wipe, flicker and blend take the first two. */
+  /** Number of panes side by side. Wipe, flicker and blend use the first two. */
   paneCount: number;
   panes: PaneChoice[];
   camera: Camera;
   unit: DepthUnit;
-  /** Ends of color maps that were chosen, by rangeKey(). */
+  /** Chosen ranges of color maps, by rangeKey(). */
   ranges: { [key: string]: Range };
-  /** The pixel held with the crosshair. */
+  /** The pixel held by a click, marked by the crosshair. */
   held: Pixel | null;
-  /** Of flicker: whether the second pane is shown. */
+  /** For flicker: whether the second pane is shown. */
   second: boolean;
   /** Share of the width that shows the first pane, and opacity of the second, 0 to 1. */
   wipe: number;
   opacity: number;
 }
 
-/** CSS pixels of width below which viewer.css stacks the panes. */
+/** Width in CSS pixels below which viewer.css stacks the panes. */
 const kNarrowPx = 700;
 
-/** A report of the reference alone needs one pane. */
+/** A report with the reference only needs one pane. */
 function defaultPaneCount(report: ReportData): "1" | "2" | "4" {
   if (techniqueFrames(report).length === 0) return "1";
   return window.innerWidth < kNarrowPx ? "2" : "4";
 }
 
-/** Whether any object's relief depth is known, in which depth errors can be given. */
+/** Whether the relief depth of any object is known, so that depth errors can be given in relief depths. */
 export function hasRelief(report: ReportData): boolean {
   return report.objects.some(({ relief_depth }) => relief_depth !== null);
 }
 
-/** Whether the key of the page's state is one of those that writeSettings() writes. */
+/** Whether writeSettings() writes this key of the page's state. */
 export function isViewerKey(key: string): boolean {
   return kKeys.has(key) || key.startsWith(kRangePrefix);
 }
@@ -62,12 +62,12 @@ export function rangeKey(layer: LayerKey, unit: DepthUnit): string {
 }
 const kReliefRange = { key: "depth_error.relief", layer: "depth_error" } as const;
 
-/** Every range that can be chosen, depth errors in either unit. */
+/** Every range that can be chosen; depth errors have one for each unit. */
 function rangesOf(report: ReportData): { key: string; layer: LayerKey }[] {
   return [...layersOf(report).map(({ key }) => ({ key, layer: key })), kReliefRange];
 }
 
-/** Reads values of the page's state; lists those that this report can't show. */
+/** Reads values of the page's state and lists those that this report can't show. */
 class StateReader {
   readonly refused: string[] = [];
 
@@ -96,8 +96,8 @@ class StateReader {
 }
 
 /**
- * From the page's state. Values that this report can't show are left at their defaults and listed in
- * `refused`.
+ * Reads the settings from the page's state. Values that this report can't show keep their defaults and are
+ * listed in `refused`. /
  */
 export function readSettings(report: ReportData): Settings & { refused: string[] } {
   const state = new StateReader();
@@ -161,7 +161,7 @@ function readRanges(report: ReportData, state: StateReader): Settings["ranges"] 
   return ranges;
 }
 
-/** Everything that isn't at its default. */
+/** Writes all settings that differ from their defaults. */
 export function writeSettings(report: ReportData, settings: Settings): void {
   const unless = (isDefault: boolean, text: string | number) => (isDefault ? undefined : String(text));
   const { camera, held } = settings;

@@ -1,4 +1,4 @@
-// Which frames and layers the panes show by default.
+// The frames and layers that the panes show by default.
 import type { FrameEntry, ReportData } from "../data";
 import { frameById, referenceOf } from "../frames";
 import { layersOf, reasonAgainst, type LayerKey } from "./layers";
@@ -6,7 +6,7 @@ import { layersOf, reasonAgainst, type LayerKey } from "./layers";
 export const kMostPanes = 4;
 
 export interface PaneChoice {
-  /** Its id. */
+  /** Id of the frame. */
   frame: string;
   layer: LayerKey;
 }
@@ -15,13 +15,13 @@ export interface PaneChoice {
 export interface TechniqueChoice {
   /** "" in a report without techniques. */
   technique: string;
-  /** The one it is compared with; "": with the reference alone. */
+  /** The technique it is compared with; "": with the reference only. */
   comparedWith: string;
 }
 
 /**
- * Of one technique: its color beside the reference's, then its silhouette difference and depth error. Of
- * two: color and depth error of each.
+ * For one technique: color of the reference and of the technique, then its silhouette difference and depth
+ * error. For two: color and depth error of each. /
  */
 export function standardPanes(
   report: ReportData,
@@ -48,7 +48,7 @@ export function standardPanes(
   return panes.map((pane) => possiblePane(report, pane));
 }
 
-/** The same layers of other techniques; the standard panes where one technique becomes two, or two one. */
+/** The same layers for other techniques; the standard panes if the number of techniques changes. */
 export function panesOfOtherTechniques(
   report: ReportData,
   panes: readonly PaneChoice[],
@@ -68,8 +68,8 @@ export function panesOfOtherTechniques(
 }
 
 /**
- * The same frame with a layer that it has: the one asked for if possible, else the first in the order of the
- * menu.
+ * The same frame with a layer that exists: the requested one if possible, otherwise the first in the order of
+ * the menu. /
  */
 export function possiblePane(report: ReportData, { frame, layer }: PaneChoice): PaneChoice {
   const entry = frameById(report, frame) as FrameEntry;

@@ -143,7 +143,7 @@ export class Toolbar {
     setText(this.opacityText, `${Math.round(100 * settings.opacity)} %`);
   }
 
-  /** `scale`: CSS pixels a frame pixel. */
+  /** `scale`: CSS pixels per frame pixel. */
   showZoom(scale: number): void {
     setText(this.zoomText, `${scale < 10 ? scale.toFixed(2) : scale.toFixed(1)}×`);
   }

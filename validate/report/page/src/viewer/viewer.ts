@@ -1,6 +1,6 @@
-// Frames and their differences in panes with one zoom: side by side, or two of them in one place (wipe,
-// flicker, blend). What is shown is in `settings`, which toolbar, panes and keys change and the address
-// holds.
+// The viewer shows frames and their differences in panes with a common zoom: side by side, or two on top of
+// each other (wipe, flicker, blend). `settings` is what is shown; toolbar, panes and keys change it, and the
+// address stores it.
 import "../viewer.css";
 import type { ReportData } from "../data";
 import type { FrameStore } from "../frame_store";
@@ -17,7 +17,7 @@ import { panesOfOtherTechniques, standardPanes, type TechniqueChoice } from "./s
 import { Toolbar } from "./toolbar";
 import { SharedZoom, type Pixel } from "./zoom";
 
-/** Without frames, a sentence says so. */
+/** Without frames, a sentence is shown instead. */
 export function startViewer(report: ReportData, store: FrameStore, root: HTMLElement): void {
   root.append(make("h2", {}, "Frames"));
   root.classList.add("viewer");
@@ -37,7 +37,7 @@ class Viewer {
   private readonly readout: Readout;
   private readonly note = make("p", { class: "viewer-note", role: "status" });
   private readonly zoom: SharedZoom;
-  /** Under the pointer; where there is none, the held pixel is read. */
+  /** The pixel under the pointer; if there is none, the held pixel is read. */
   private hovered: Pixel | null = null;
   private isDrawScheduled = false;
   private isWriting = false;
@@ -103,7 +103,7 @@ class Viewer {
     const { refused, ...settings } = readSettings(this.report);
     setText(
       this.note,
-      refused.length > 0 ? `This report can't show what the address asks for: ${refused.join(", ")}` : "",
+      refused.length > 0 ? `This report can't show these settings of the address: ${refused.join(", ")}` : "",
     );
     return settings;
   }
@@ -114,7 +114,7 @@ class Viewer {
     this.isWriting = false;
   }
 
-  /** By another part of the page, or a new address. */
+  /** Changes made by another part of the page or by a new address. */
   private stateChanged(changed: ReadonlySet<string>): void {
     const keys = [...changed].filter(isViewerKey);
     if (this.isWriting || keys.length === 0) return;
@@ -165,7 +165,10 @@ class Viewer {
     this.scheduleDraw();
   }
 
-  /** From where it is, or from the middle of the view; the view follows a pixel that would leave it. */
+  /**
+   * Moves the held pixel, or starts at the center of the view. The view follows a pixel that would leave
+   * it.
+   */
   private moveHeld(dx: number, dy: number): void {
     const { camera } = this.settings;
     const from = this.settings.held ?? { x: Math.floor(camera.x), y: Math.floor(camera.y) };
@@ -180,7 +183,7 @@ class Viewer {
     this.readout.speak(this.grid.readPanes(), held);
   }
 
-  /** About the pixel that is read, if it is in sight. */
+  /** Zooms about the pixel that is read, if it is visible. */
   private zoomBy(factor: number): void {
     const pixel = this.hovered ?? this.settings.held;
     const isAboutPixel = pixel && this.zoom.isInSight(this.grid.firstView, pixel);

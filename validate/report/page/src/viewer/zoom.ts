@@ -1,16 +1,16 @@
-// One zoom and pan for all panes, by d3-zoom: wheel, drag, pinch, double click.
+// The common zoom and pan of all panes, by d3-zoom: wheel, drag, pinch, double click.
 import { select } from "d3-selection";
 import { zoom, zoomIdentity, type D3ZoomEvent, type ZoomTransform } from "d3-zoom";
 
-/** Of the frame, from its left and top. */
+/** A point or pixel of the frame, from its left and top edge. */
 export interface Pixel {
   x: number;
   y: number;
 }
 
 /**
- * scale: 1 shows the whole frame. x, y: the frame's point in the middle of the pane, pixels from its left and
- * top edge.
+ * scale: 1 shows the whole frame. x, y: the point of the frame at the center of the pane, in pixels from the
+ * left and top edge of the frame. /
  */
 export interface Camera {
   scale: number;
@@ -19,8 +19,8 @@ export interface Camera {
 }
 
 /**
- * Where a frame lies in a pane: `scale` CSS pixels a frame pixel, its left and top edge in CSS pixels from
- * the pane's.
+ * The position of a frame in a pane: `scale` CSS pixels per frame pixel, and its left and top edge in CSS
+ * pixels from those of the pane. /
  */
 export interface Placement {
   scale: number;
@@ -33,9 +33,9 @@ interface Size {
   height: number;
 }
 
-/** CSS pixels a frame pixel at the closest zoom. */
+/** CSS pixels per frame pixel at the maximum zoom. */
 const kClosestPx = 96;
-/** Decimals of the camera, as many as the address and the panes' attributes hold. */
+/** Decimals of the camera in the address and in the attributes of panes. */
 const kDecimals = 4;
 
 const round = (value: number) => Number(value.toFixed(kDecimals));
@@ -46,7 +46,7 @@ export class SharedZoom {
   private readonly behavior = zoom<HTMLElement, unknown>();
   private readonly resizes = new ResizeObserver((entries) => {
     for (const entry of entries) this.resize(entry.target as HTMLElement, entry.contentRect);
-    this.set(this.camera); // the closest zoom depends on the panes' sizes
+    this.set(this.camera); // the maximum zoom depends on the size of the panes
   });
 
   constructor(
@@ -57,7 +57,7 @@ export class SharedZoom {
     this.camera = this.fitting();
     const shared = this;
     const constrain = this.behavior.constrain();
-    // The frame stays in sight.
+    // The frame stays visible.
     this.behavior
       .constrain((transform, extent) => constrain(transform, extent, extent))
       .duration(reducedMotion ? 0 : 200)
@@ -85,7 +85,7 @@ export class SharedZoom {
     this.set(this.fitting());
   }
 
-  /** By the factor, about a point of the frame that stays in place. */
+  /** Zooms by the factor about a point of the frame, which stays in place. */
   zoomBy(factor: number, about: { x: number; y: number }): void {
     const scale = Math.min(Math.max(this.camera.scale * factor, 1), this.closest());
     const stays = this.camera.scale / scale;

@@ -1,5 +1,6 @@
-// Both halves of the project against each other: on flat bases the exact search of the shaders and the traced
-// micro-triangles see the same relief. Where they differ the reference must have said that it isn't sure.
+// Compares reference and renderer on flat bases, where the exact search of the shaders and the traced
+// micro-triangles represent the same relief. Every pixel that differs must be marked uncertain in the
+// reference.
 #include "scenes/core/data_folder.h"
 #include "scenes/scene/camera.h"
 #include "scenes/scene_file/scene_file.h"
@@ -19,7 +20,7 @@ struct Rectangle {
     bool holds(double x, double z) const { return x >= lowX && x <= highX && z >= lowZ && z <= highZ; }
 };
 
-/// By id - 1: planes 1 x 7 around their translation (scenes/library/pyramid_plane.toml).
+/// By id - 1: planes of 1 x 7 centered at their translation (scenes/library/pyramid_plane.toml).
 std::vector<Rectangle> rectanglesOf(const Scene& scene) {
     std::vector<Rectangle> rectangles;
     for (const SceneObject& object : scene.objects) {
@@ -34,9 +35,9 @@ struct Tally {
     size_t unmarkedObject = 0, unmarkedDepth = 0, unmarkedShadow = 0;
 };
 
-class Circle : public EndToEnd {
+class PlanarCrossCheck : public EndToEnd {
   protected:
-    /// The library's scene at 400 x 300.
+    /// The scene of the library at 400 x 300.
     std::filesystem::path writeScene() const {
         std::string text = readFile(dataFolder() / "scenes" / "library" / "pyramid_plane.toml");
         text = withLine(text, "width = 800", "width = 400");
@@ -47,9 +48,9 @@ class Circle : public EndToEnd {
     }
 };
 
-TEST_F(Circle, ExactCells_EqualsReferenceWhereCertain) {
+TEST_F(PlanarCrossCheck, ExactCells_EqualsReferenceWhereCertain) {
     const std::filesystem::path file = writeScene();
-    // A search without error needs no bias against shadowing itself but rounding's: 1e-4 of the relief.
+    // An exact search needs a shadow bias for rounding only: 1e-4 of the relief.
     const std::string technique = "exact_cells:shadow_bias=0.0001";
     const Outcome outcome = run({"validate", file.string(), "--technique", technique, "-o", "out"});
     ASSERT_EQ(outcome.exitCode, 0) << outcome.err;
@@ -69,32 +70,33 @@ TEST_F(Circle, ExactCells_EqualsReferenceWhereCertain) {
     Tally tally;
     for (size_t i = 0; i < truth.pixelCount(); ++i) {
         if (testId[i] == 0) continue;
-        // The shader's relief goes on beyond the polygon's edge, the true one ends there: compared is where
-        // the ray meets it before.
+        // The shader's relief continues beyond the edge of the polygon, the true one ends there. Only hits
+        // before the edge are compared.
         const Rectangle& rectangle = rectangles[static_cast<size_t>(testId[i]) - 1];
         if (!rectangle.holds(x[i], z[i])) continue;
         ++tally.compared;
-        const bool unsure = uncertain[i] > 0, unsureOfSheet = unsure || uncertainShadow[i] > 0;
+        const bool objectUncertain = uncertain[i] > 0,
+                   sheetUncertain = objectUncertain || uncertainShadow[i] > 0;
         if (id[i] != testId[i]) {
             ++tally.otherObject;
-            tally.unmarkedObject += !unsure;
+            tally.unmarkedObject += !objectUncertain;
             continue;
         }
-        // The reference's hits lie on the surface to 1e-7; the shader computes in float. 0.1 % of the relief
-        // is the same sheet.
+        // Refined hits of the reference lie on the surface to 1e-7; the shader computes in float. Depths
+        // within 0.1 % of the relief are on the same sheet.
         if (std::abs(depth[i] - testDepth[i]) > 1e-3 * 0.12) {
             ++tally.otherDepth;
-            tally.unmarkedDepth += !unsureOfSheet;
+            tally.unmarkedDepth += !sheetUncertain;
             continue;
         }
         const Vec3 entry = Vec3(x[i], y[i], z[i]) - toLight * (static_cast<double>(y[i]) / toLight.y);
-        if (!rectangle.holds(entry.x, entry.z)) continue; // the light came through relief that isn't there
+        if (!rectangle.holds(entry.x, entry.z)) continue; // the light ray passes relief that doesn't exist
         ++tally.lightCompared;
         if (shadow[i] == testShadow[i]) continue;
         ++tally.otherShadow;
         tally.unmarkedShadow += uncertainShadow[i] == 0;
     }
-    fmt::print("{} pixels compared: another object {}, unmarked {}; another depth {}, unmarked {}; of {} the "
+    fmt::print("{} pixels compared: other object {}, unmarked {}; other depth {}, unmarked {}; of {} the "
                "shadow in {}, unmarked {}\n",
                tally.compared, tally.otherObject, tally.unmarkedObject, tally.otherDepth, tally.unmarkedDepth,
                tally.lightCompared, tally.otherShadow, tally.unmarkedShadow);

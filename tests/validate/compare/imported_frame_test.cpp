@@ -1,12 +1,14 @@
-// Frames laid out as other renderers' documentation and sources say, of a sphere whose every value is known.
-//   Blender 3.4 manual, "Passes"; intern/cycles/kernel/film/data_passes.h (camera_z_depth: planar)
-//   Mitsuba 3, src/integrators/aov.cpp (si.t, 0 on a miss) and src/sensors/perspective.cpp (the ray starts on
-//   the near plane) pbrt-v4, src/pbrt/film.cpp, GBufferFilm (camera space by default; zeros on a miss)
+// Frames in the layouts of other renderers' documentation and sources, of a sphere with known values:
+//   Blender 3.4   manual, "Passes"; intern/cycles/kernel/film/data_passes.h (camera_z_depth: planar)
+//   Mitsuba 3     src/integrators/aov.cpp (si.t, 0 on a miss), src/sensors/perspective.cpp (the ray starts on
+//   the near
+//                 plane)
+//   pbrt-v4       src/pbrt/film.cpp, GBufferFilm (camera space by default; zeros on a miss)
 #include "scenes/image/exr_file.h"
 #include "scenes/scene/camera.h"
 #include "tests/errors.h"
 #include "tests/temporary_folder.h"
-#include "validate/compare/foreign_frame.h"
+#include "validate/compare/imported_frame.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +40,7 @@ struct Hit {
     double distance, depth;
 };
 
-/// The unit sphere around the origin in that pixel's center: |o + t d| = 1.
+/// The hit with the unit sphere around the origin at the pixel's center: |o + t d| = 1.
 std::optional<Hit> hitAt(const Camera& camera, size_t pixel) {
     const CameraRays rays(camera);
     const Ray ray = rays.ray(double(pixel % kWidth) + 0.5, double(pixel / kWidth) + 0.5);
@@ -51,7 +53,7 @@ std::optional<Hit> hitAt(const Camera& camera, size_t pixel) {
 
 using Planes = std::map<std::string, std::vector<float>>;
 
-/// Every pixel's value of a channel: of its hit, or `miss`.
+/// The values of a channel: per pixel that of its hit, or `miss`.
 std::vector<float> plane(double miss, const std::function<double(const Hit&)>& valueOf) {
     std::vector<float> values;
     for (size_t pixel = 0; pixel < kWidth * kHeight; ++pixel) {
@@ -61,13 +63,13 @@ std::vector<float> plane(double miss, const std::function<double(const Hit&)>& v
     return values;
 }
 
-/// Three channels PREFIX.X and so on, 0 on a miss.
+/// Adds three channels, PREFIX.X and so on, 0 on a miss.
 void addVector(Planes& planes, const std::string& prefix, const std::function<Vec3(const Hit&)>& valueOf) {
     for (int axis = 0; axis < 3; ++axis)
         planes[prefix + "." + "XYZ"[axis]] = plane(0, [&](const Hit& hit) { return valueOf(hit)[axis]; });
 }
 
-/// As Blender's OBJ and PLY importers turn what has Y up.
+/// The rotation of Blender's OBJ and PLY importers for meshes with Y up.
 Vec3 zUp(const Vec3& v) {
     return {v.x, -v.z, v.y};
 }
@@ -93,23 +95,23 @@ Planes blenderPlanes() {
     return planes;
 }
 
-class ForeignFrames : public testing::Test {
+class ImportedFrames : public testing::Test {
   protected:
-    ForeignFrame read(const Planes& planes, const std::vector<std::string>& map = {}) const {
+    ImportedFrame read(const Planes& planes, const std::vector<std::string>& map = {}) const {
         std::map<std::string, std::span<const float>> spans(planes.begin(), planes.end());
         writeExr(folder_ / "a.exr", kWidth, kHeight, spans, {});
-        return readForeignFrame(folder_ / "a.exr", parseChannelMap(map));
+        return readImportedFrame(folder_ / "a.exr", parseChannelMap(map));
     }
-    /// Also keeps the notes.
-    Frame settled(const Planes& planes, const std::vector<std::string>& map = {},
-                  const std::optional<Camera>& camera = sphereCamera()) {
-        ForeignFrame foreign = read(planes, map);
-        notes_ = settleFrame(foreign, camera);
-        return foreign.frame;
+    /// Also stores the notes.
+    Frame converted(const Planes& planes, const std::vector<std::string>& map = {},
+                    const std::optional<Camera>& camera = sphereCamera()) {
+        ImportedFrame imported = read(planes, map);
+        notes_ = convertFrame(imported, camera);
+        return imported.frame;
     }
     std::string errorOf(const Planes& planes, const std::vector<std::string>& map = {},
                         const std::optional<Camera>& camera = sphereCamera()) {
-        return inputErrorOf([&] { settled(planes, map, camera); });
+        return inputErrorOf([&] { converted(planes, map, camera); });
     }
 
     TemporaryFolder folder_;
@@ -128,7 +130,7 @@ void expectCoverage(const Frame& frame) {
     EXPECT_LT(covered, kWidth * kHeight - 100);
 }
 
-/// Rounding to float happened twice, of values below 4.
+/// Values below 4 were rounded to float twice.
 constexpr double kTwoRoundings = 1e-6;
 
 void expectDepth(const Frame& frame, double offBy = 0) {
@@ -148,8 +150,8 @@ void expectVectors(const Frame& frame, const std::string& prefix) {
         }
 }
 
-TEST_F(ForeignFrames, Blender_IsImported) {
-    const Frame frame = settled(blenderPlanes());
+TEST_F(ImportedFrames, Blender_IsImported) {
+    const Frame frame = converted(blenderPlanes());
     expectCoverage(frame);
     EXPECT_TRUE(frame.has("id"));
     expectDepth(frame);
@@ -157,107 +159,106 @@ TEST_F(ForeignFrames, Blender_IsImported) {
     EXPECT_EQ(frame.channel("R")[0], 0.5f);
     EXPECT_THAT(notes_, Contains(HasSubstr("read as a frame of Blender")));
     EXPECT_THAT(notes_, Contains(HasSubstr("Z is ViewLayer.Depth.Z")));
-    EXPECT_THAT(notes_, Contains(HasSubstr("normals are taken as in a world with Y up")));
+    EXPECT_THAT(notes_, Contains(HasSubstr("normals are assumed to be in a world with Y up")));
 }
 
-TEST_F(ForeignFrames, BlenderWithoutIndex_IsCoveredByDepth) {
+TEST_F(ImportedFrames, BlenderWithoutIndex_IsCoveredByDepth) {
     Planes planes = blenderPlanes();
     planes["ViewLayer.IndexOB.X"] = plane(0, [](const Hit&) { return 0; });
-    Frame frame = settled(planes);
+    Frame frame = converted(planes);
     EXPECT_FALSE(frame.has("id"));
     expectCoverage(frame);
     EXPECT_THAT(notes_, Contains(HasSubstr("every object has the pass index 0")));
     EXPECT_THAT(notes_, Contains(HasSubstr("covered where its depth is finite")));
 
     planes["ViewLayer.Depth.Z"] = plane(65504, [](const Hit& hit) { return hit.depth; }); // half
-    expectCoverage(settled(planes));
+    expectCoverage(converted(planes));
     planes["ViewLayer.Depth.Z"] = plane(kInfinity, [](const Hit& hit) { return hit.depth; });
-    expectCoverage(settled(planes));
+    expectCoverage(converted(planes));
 }
 
-TEST_F(ForeignFrames, BlenderWithPartialIndex_NotesLoss) {
+TEST_F(ImportedFrames, BlenderWithPartialIndex_NotesLoss) {
     Planes planes = blenderPlanes();
     auto& id = planes["ViewLayer.IndexOB.X"];
     *std::find(id.begin(), id.end(), 1.0f) = 0;
-    settled(planes);
-    EXPECT_THAT(notes_, Contains(HasSubstr("1 pixels have a depth but no object's number")));
+    converted(planes);
+    EXPECT_THAT(notes_, Contains(HasSubstr("1 pixels have a depth but no object id")));
 }
 
-// Whoever writes our names may still write 1e10 for nothing; this program doesn't.
-TEST_F(ForeignFrames, OwnNamesFromOtherProgram_LoseInfiniteDepth) {
+// Other programs that use our channel names may write 1e10 where there is no surface.
+TEST_F(ImportedFrames, OwnNamesFromOtherProgram_LoseInfiniteDepth) {
     Planes planes{{"Z", plane(1e10, [](const Hit& hit) { return hit.depth; })},
                   {"id", plane(1, [](const Hit&) { return 1; })}};
-    ForeignFrame foreign = read(planes);
+    ImportedFrame imported = read(planes);
     const auto misses = std::count(planes["Z"].begin(), planes["Z"].end(), 1e10f);
-    ForeignFrame own = foreign;
-    const auto notes = settleFrame(foreign, {});
-    EXPECT_EQ(std::count(foreign.frame.channel("Z").begin(), foreign.frame.channel("Z").end(), kInfinityF),
+    ImportedFrame own = imported;
+    const auto notes = convertFrame(imported, {});
+    EXPECT_EQ(std::count(imported.frame.channel("Z").begin(), imported.frame.channel("Z").end(), kInfinityF),
               misses);
     EXPECT_THAT(notes, ElementsAre(HasSubstr(std::to_string(misses) + " covered pixels have no depth")));
     own.frame.metadata["program"] = "plumbline 0.1.0";
-    EXPECT_THAT(settleFrame(own, {}), IsEmpty());
+    EXPECT_THAT(convertFrame(own, {}), IsEmpty());
     EXPECT_EQ(own.frame.channel("Z")[0], 1e10f);
 }
 
-TEST_F(ForeignFrames, InfiniteDepthUnderId_IsNoDepth) {
+TEST_F(ImportedFrames, InfiniteDepthUnderId_IsNoDepth) {
     Planes planes = blenderPlanes();
     const auto& id = planes["ViewLayer.IndexOB.X"];
     const auto covered = static_cast<size_t>(std::find(id.begin(), id.end(), 1.0f) - id.begin());
     planes["ViewLayer.Depth.Z"][covered] = 1e10f;
-    const Frame frame = settled(planes);
+    const Frame frame = converted(planes);
     EXPECT_EQ(frame.channel("id")[covered], 1.0f);
-    EXPECT_TRUE(std::isinf(frame.channel("Z")[covered])); // counted as invalid, no error of 1e10
+    EXPECT_TRUE(std::isinf(frame.channel("Z")[covered])); // counted as invalid, not as an error of 1e10
 }
 
-TEST_F(ForeignFrames, PositionSpace_IsMeasured) {
+TEST_F(ImportedFrames, PositionSpace_IsMeasured) {
     Planes planes = blenderPlanes();
     addVector(planes, "ViewLayer.Position", [](const Hit& hit) { return zUp(hit.position); });
     addVector(planes, "ViewLayer.Normal", [](const Hit& hit) { return zUp(hit.normal); });
-    Frame frame = settled(planes);
+    Frame frame = converted(planes);
     expectVectors(frame, "P");
     expectVectors(frame, "N");
     EXPECT_THAT(notes_, Contains(HasSubstr("positions and normals are in a world with Z up")));
 
     addVector(planes, "ViewLayer.Position", positionOf);
     addVector(planes, "ViewLayer.Normal", normalOf);
-    frame = settled(planes);
+    frame = converted(planes);
     expectVectors(frame, "P");
     expectVectors(frame, "N");
     EXPECT_THAT(notes_, Contains(HasSubstr("positions and normals are in the world, Y up")));
 
     addVector(planes, "ViewLayer.Position", [](const Hit& hit) { return 0.5 * hit.position; });
-    EXPECT_THAT(errorOf(planes),
-                HasSubstr("pixels beside their own in the median; expected the reference's camera"));
+    EXPECT_THAT(errorOf(planes), HasSubstr("pixels; expected the reference's camera"));
 }
 
-TEST_F(ForeignFrames, MitsubaDistances_AreImported) {
+TEST_F(ImportedFrames, MitsubaDistances_AreImported) {
     const double near = 0.01; // the default of near_clip
     const CameraRays rays(sphereCamera());
     const auto fromNearPlane = [&](const Hit& hit) { return hit.distance * (1 - near / hit.depth); };
     Planes planes{{"dd.y.T", plane(0, fromNearPlane)}};
     addVector(planes, "nn", normalOf);
-    const Frame frame = settled(planes);
+    const Frame frame = converted(planes);
     expectCoverage(frame);
     expectDepth(frame);
     expectVectors(frame, "N");
     EXPECT_THAT(notes_, Contains(HasSubstr("read as a frame of Mitsuba's aov integrator")));
     EXPECT_THAT(notes_,
                 Contains(HasSubstr("dd.y.T is a distance along the ray from a plane 0.01 in front of the "
-                                   "camera, Mitsuba's near_clip if not set")));
+                                   "camera, Mitsuba's default near_clip")));
     EXPECT_THAT(errorOf(planes, {}, std::nullopt),
                 HasSubstr("dd.y.T is a distance along the ray, and the camera is not known"));
-    expectDepth(settled(planes, {"dd.y.T=distance"}), -near); // from the pinhole, as Mitsuba 2 counts
-    expectDepth(settled(planes, {"dd.y.T=distance+0.01"}));
+    expectDepth(converted(planes, {"dd.y.T=distance"}), -near); // measured from the pinhole, as in Mitsuba 2
+    expectDepth(converted(planes, {"dd.y.T=distance+0.01"}));
 }
 
-TEST_F(ForeignFrames, MitsubaPositions_GiveDepth) {
+TEST_F(ImportedFrames, MitsubaPositions_GiveDepth) {
     Planes planes{{"dd.T", plane(0, [](const Hit& hit) { return hit.distance; })}};
     addVector(planes, "position", positionOf);
-    const Frame frame = settled(planes);
+    const Frame frame = converted(planes);
     EXPECT_FALSE(frame.has("Z"));
     expectCoverage(frame);
     expectVectors(frame, "P");
-    EXPECT_THAT(notes_, Contains(HasSubstr("depth is that of the positions")));
+    EXPECT_THAT(notes_, Contains(HasSubstr("depth is computed from the positions")));
 }
 
 Planes pbrtPlanes(bool cameraSpace) {
@@ -271,13 +272,14 @@ Planes pbrtPlanes(bool cameraSpace) {
               [&](const Hit& hit) { return cameraSpace ? pbrtCamera(hit.position, 1) : hit.position; });
     addVector(planes, "Ns",
               [&](const Hit& hit) { return cameraSpace ? pbrtCamera(hit.normal, 0) : hit.normal; });
-    addVector(planes, "N", [](const Hit&) { return Vec3(0, 0, 1); }); // of facets: not what is wanted
+    addVector(planes, "N",
+              [](const Hit&) { return Vec3(0, 0, 1); }); // normals of facets, which must not be used
     return planes;
 }
 
-TEST_F(ForeignFrames, PbrtInEitherSpace_IsImported) {
+TEST_F(ImportedFrames, PbrtInEitherSpace_IsImported) {
     for (const bool cameraSpace : {true, false}) {
-        const Frame frame = settled(pbrtPlanes(cameraSpace));
+        const Frame frame = converted(pbrtPlanes(cameraSpace));
         expectCoverage(frame);
         expectVectors(frame, "P");
         expectVectors(frame, "N");
@@ -291,34 +293,35 @@ TEST_F(ForeignFrames, PbrtInEitherSpace_IsImported) {
     }
 }
 
-TEST_F(ForeignFrames, OwnNames_AreUnchanged) {
-    Planes planes{
-        {"Z", plane(kInfinity, [](const Hit& hit) { return hit.depth; })},
-        {"A", plane(0, [](const Hit&) { return 1; })},
-        {"shadow.T", plane(0, [](const Hit&) { return 1; })}}; // a light's name, not Mitsuba's depth
+TEST_F(ImportedFrames, OwnNames_AreUnchanged) {
+    Planes planes{{"Z", plane(kInfinity, [](const Hit& hit) { return hit.depth; })},
+                  {"A", plane(0, [](const Hit&) { return 1; })},
+                  {"shadow.T", plane(0, [](const Hit&) {
+                       return 1;
+                   })}}; // the shadow of a light named T, not Mitsuba's distance
     addVector(planes, "N", [](const Hit&) { return Vec3(0, 0, 1); });
-    const Frame frame = settled(planes, {}, std::nullopt);
+    const Frame frame = converted(planes, {}, std::nullopt);
     expectCoverage(frame);
     expectDepth(frame);
     EXPECT_THAT(notes_, IsEmpty());
     planes.erase("A");
-    expectCoverage(settled(planes, {}, std::nullopt));
+    expectCoverage(converted(planes, {}, std::nullopt));
     EXPECT_THAT(notes_, Contains(HasSubstr("has no coverage")));
 }
 
-/// A single layer of Blender: A is 1 all over, the depth of nothing 1e10.
-TEST_F(ForeignFrames, InfiniteDepth_IsNoCoverage) {
+/// A single layer of Blender: A is 1 everywhere, depth is 1e10 where there is no surface.
+TEST_F(ImportedFrames, InfiniteDepth_IsNoCoverage) {
     const Planes planes{{"Z", plane(1e10, [](const Hit& hit) { return hit.depth; })},
                         {"A", plane(1, [](const Hit&) { return 1; })}};
-    expectCoverage(settled(planes));
-    EXPECT_THAT(notes_, Contains(HasSubstr("pixels have A = 1 and the depth of nothing")));
+    expectCoverage(converted(planes));
+    EXPECT_THAT(notes_, Contains(HasSubstr("pixels have A = 1 and a depth of 1e10 or 65504")));
 }
 
-TEST_F(ForeignFrames, ChannelMap_RenamesAndNegates) {
+TEST_F(ImportedFrames, ChannelMap_RenamesAndNegates) {
     Planes planes{{"depth=m", plane(0, [](const Hit& hit) { return hit.depth; })},
                   {"mask", plane(0, [](const Hit&) { return 1; })}};
     addVector(planes, "nrm", [](const Hit& hit) { return zUp(hit.normal); });
-    const Frame frame = settled(planes, {"depth=m=Z", "mask=A", "nrm.X=N.X", "nrm.Z=N.Y", "nrm.Y=-N.Z"});
+    const Frame frame = converted(planes, {"depth=m=Z", "mask=A", "nrm.X=N.X", "nrm.Z=N.Y", "nrm.Y=-N.Z"});
     expectCoverage(frame);
     expectDepth(frame);
     expectVectors(frame, "N");
@@ -326,37 +329,37 @@ TEST_F(ForeignFrames, ChannelMap_RenamesAndNegates) {
                 Contains(HasSubstr("A is mask, N.X is nrm.X, N.Y is nrm.Z, N.Z is -nrm.Y, Z is depth=m")));
 }
 
-TEST_F(ForeignFrames, InvalidChannelMap_IsRefused) {
+TEST_F(ImportedFrames, InvalidChannelMap_IsRefused) {
     const auto error = [](const std::string& text) {
         return inputErrorOf([&] { parseChannelMap(std::vector{text}); });
     };
     for (const char* text : {"Z", "=Z", "depth=", ""})
-        EXPECT_THAT(error(text), HasSubstr("names no pair of channels")) << text;
+        EXPECT_THAT(error(text), HasSubstr("is not a pair of channels")) << text;
     EXPECT_THAT(error("depth=z"), HasSubstr("--map \"depth=z\": no channel is called 'z'"));
     for (const char* text : {"d=distances", "d=distance-1", "d=distance+", "d=distance+1x", "d=distance+inf"})
         EXPECT_THAT(error(text), HasSubstr("can't be read")) << text;
     EXPECT_THAT(inputErrorOf([] {
                     parseChannelMap(std::vector<std::string>{"a=Z", "b=distance"});
                 }),
-                HasSubstr("Z is named twice"));
+                HasSubstr("Z is mapped twice"));
     const std::string missing = errorOf(blenderPlanes(), {"ViewLayer.Dept.Z=Z"});
     EXPECT_THAT(missing, HasSubstr("has no channel 'ViewLayer.Dept.Z'"));
     EXPECT_THAT(missing, HasSubstr("did you mean 'ViewLayer.Depth.Z'?"));
 }
 
-TEST_F(ForeignFrames, TwoLayers_NeedMap) {
+TEST_F(ImportedFrames, TwoLayers_NeedMap) {
     Planes planes = blenderPlanes();
     planes["Other.Depth.Z"] = planes["ViewLayer.Depth.Z"];
     EXPECT_THAT(errorOf(planes), HasSubstr("both Other.Depth.Z and ViewLayer.Depth.Z could be Z"));
-    expectDepth(settled(planes, {"ViewLayer.Depth.Z=Z"}));
+    expectDepth(converted(planes, {"ViewLayer.Depth.Z=Z"}));
     planes = blenderPlanes();
     planes["Composite.Combined.R"] = planes["ViewLayer.Combined.R"];
-    settled(planes); // is none
+    converted(planes); // a composite isn't a layer
 }
 
-TEST_F(ForeignFrames, NoUsableChannel_IsRefused) {
+TEST_F(ImportedFrames, NoUsableChannel_IsRefused) {
     const std::string error = errorOf({{"albedo.R", plane(0, [](const Hit&) { return 1; })}});
-    EXPECT_THAT(error, HasSubstr("has no channel of a frame; its channels are albedo.R"));
+    EXPECT_THAT(error, HasSubstr("no channel name is recognized; its channels are albedo.R"));
     EXPECT_THAT(error, HasSubstr("--map THEIRS=OURS"));
 }
 

@@ -1,4 +1,4 @@
-#include "validate/compare/foreign_layout.h"
+#include "validate/compare/imported_layout.h"
 
 #include "scenes/core/contains.h"
 #include "scenes/core/error.h"
@@ -12,20 +12,20 @@
 namespace plumbline {
 namespace {
 
-/// Mitsuba 3's rays start on the near plane (src/sensors/perspective.cpp), so its depth counts from there;
-/// this is the plane's default.
+/// Mitsuba 3's rays start on the near plane (src/sensors/perspective.cpp), so its distances are measured from
+/// there; this is the default of near_clip.
 constexpr double kMitsubaNearClip = 0.01;
 
 struct KnownChannel {
     FrameLayout layout;
-    std::string_view ending; // of a whole word: "Depth.Z" is also ViewLayer.Depth.Z
+    std::string_view ending; // of whole words: "Depth.Z" matches ViewLayer.Depth.Z
     std::string_view ours;
 };
 
-// Blender: the passes' names of a multilayer file (manual, "Passes"); its Combined.A is 1 all over unless the
-// film is transparent. Mitsuba: <name>.<letters> with the names of the manual's examples
-// (src/integrators/aov.cpp). pbrt: GBufferFilm::GetImage (src/pbrt/film.cpp); Ns is the shading normal, which
-// a mesh file's normals end up in.
+// Blender: the names of the passes in a multilayer file (manual, "Passes"). Combined.A isn't used because it
+// is 1 on the background too unless the film is transparent. Mitsuba: <name>.<letters> with the names of the
+// manual's examples (src/integrators/aov.cpp). pbrt: GBufferFilm::GetImage (src/pbrt/film.cpp); Ns is the
+// shading normal, which is interpolated from the normals of a mesh file.
 constexpr std::array kKnownChannels{
     KnownChannel{FrameLayout::Blender, "Depth.Z", "Z"},
     KnownChannel{FrameLayout::Blender, "Normal.X", "N.X"},
@@ -72,7 +72,7 @@ bool endsInWords(std::string_view name, std::string_view ending) {
     return name == ending || (name.ends_with(ending) && name[name.size() - ending.size() - 1] == '.');
 }
 
-/// By channels that only one of them writes.
+/// Recognizes a renderer by channels that only it writes.
 FrameLayout recognize(std::span<const std::string> names) {
     if (contains(names, "dzdx") && contains(names, "Ns.X") && contains(names, "P.X"))
         return FrameLayout::Pbrt;
@@ -85,7 +85,7 @@ FrameLayout recognize(std::span<const std::string> names) {
     return FrameLayout::Own;
 }
 
-/// Blender's compositor puts its result beside the layers it is made from.
+/// Blender's compositor writes its result in addition to the layers.
 bool isComposite(const std::string& name) {
     return name.starts_with("Composite.");
 }
@@ -96,7 +96,7 @@ bool matches(const KnownChannel& known, const std::string& name) {
 
 using ChannelsByOurs = std::map<std::string, ChannelMapping>;
 
-/// `mapped`: those there is no question about any more.
+/// `mapped`: channels of ours that --map already assigns.
 ChannelsByOurs planKnown(FrameLayout layout, std::span<const std::string> names, const ChannelsByOurs& mapped,
                          const std::string& where) {
     ChannelsByOurs channels;
@@ -111,7 +111,8 @@ ChannelsByOurs planKnown(FrameLayout layout, std::span<const std::string> names,
             if (!isNew)
                 throw InputError(
                     where, fmt::format("both {} and {} could be {}", entry->second.theirs, name, ours),
-                    "one of them", fmt::format("of the test frame choose with --map \"{}={}\"", name, ours));
+                    "one of them",
+                    fmt::format("for the test frame choose one with --map \"{}={}\"", name, ours));
         }
     return channels;
 }
@@ -125,11 +126,12 @@ ChannelsByOurs planOwn(std::span<const std::string> names) {
 
 ChannelMapping parseMapping(const std::string& text) {
     constexpr const char* kExpected =
-        "THEIRS=OURS, OURS a channel of a frame, also with a minus sign, or distance, or distance+NEAR";
+        "THEIRS=OURS, where OURS is a channel of a frame, with or without a minus sign, distance or "
+        "distance+NEAR";
     const std::string where = fmt::format("--map \"{}\"", text);
     const size_t equals = text.rfind('=');
     if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
-        throw InputError(where, "names no pair of channels", kExpected);
+        throw InputError(where, "is not a pair of channels", kExpected);
     ChannelMapping mapping{text.substr(0, equals), text.substr(equals + 1), true};
     constexpr std::string_view kDistance = "distance";
     if (mapping.ours.starts_with(kDistance)) {
@@ -143,7 +145,7 @@ ChannelMapping parseMapping(const std::string& text) {
     }
     mapping.negated = mapping.ours.starts_with('-');
     if (mapping.negated) mapping.ours.erase(0, 1);
-    channelInfo(mapping.ours, where); // throws for one there is not
+    channelInfo(mapping.ours, where); // throws if unknown
     return mapping;
 }
 
@@ -155,8 +157,8 @@ std::vector<ChannelMapping> parseChannelMap(std::span<const std::string> texts) 
         mappings.push_back(parseMapping(text));
         for (size_t earlier = 0; earlier + 1 < mappings.size(); ++earlier)
             if (mappings[earlier].ours == mappings.back().ours)
-                throw InputError("--map", fmt::format("{} is named twice", mappings.back().ours),
-                                 "each channel of ours at most once");
+                throw InputError("--map", fmt::format("{} is mapped twice", mappings.back().ours),
+                                 "each channel of a frame at most once");
     }
     return mappings;
 }
@@ -189,9 +191,9 @@ ChannelPlan planChannels(std::span<const std::string> names, std::span<const Cha
                             ? planOwn(names)
                             : planKnown(plan.layout, names, plan.channels, where));
     if (plan.channels.empty())
-        throw InputError(where, "has no channel of a frame; its channels are " + listOf(names),
-                         "Z or P.X P.Y P.Z, A or id, and the rest of the channel table",
-                         "of the test frame --map THEIRS=OURS names them");
+        throw InputError(where, "no channel name is recognized; its channels are " + listOf(names),
+                         "Z or P.X P.Y P.Z, A or id, and others of the channel table",
+                         "for the test frame --map THEIRS=OURS maps channels");
     return plan;
 }
 

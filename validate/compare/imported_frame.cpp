@@ -1,4 +1,4 @@
-#include "validate/compare/foreign_frame.h"
+#include "validate/compare/imported_frame.h"
 
 #include "scenes/core/error.h"
 #include "scenes/frame/frame_header.h"
@@ -14,10 +14,10 @@
 namespace plumbline {
 namespace {
 
-// What Blender writes as the depth of nothing: 1e10, as float and where half has cut it off.
+// The depth that Blender writes where there is no surface: 1e10 as float, clamped to 65504 as half.
 constexpr float kNothingDepth = 1e10f, kNothingDepthHalf = 65504;
-/// A renderer may sample anywhere within a pixel and filter a few pixels wide; another camera is off by far
-/// more.
+/// A renderer may sample anywhere within a pixel and filter over a few pixels. The offsets of another camera
+/// are far larger.
 constexpr double kSameCameraPx = 2;
 
 const std::array<std::string, 3> kPosition{"P.X", "P.Y", "P.Z"}, kNormal{"N.X", "N.Y", "N.Z"};
@@ -51,45 +51,45 @@ bool isDepth(float depth) {
     return std::isfinite(depth) && depth > 0 && !isNothing(depth);
 }
 
-/// Settles one frame, a step a function; each says what it assumed.
-class FrameSettler {
+/// Converts one frame, one function for each step; each notes what it assumed.
+class FrameConverter {
   public:
-    FrameSettler(ForeignFrame& foreign, const std::optional<Camera>& camera)
-        : file_(foreign.file), frame_(foreign.frame), plan_(foreign.plan), camera_(camera) {}
+    FrameConverter(ImportedFrame& imported, const std::optional<Camera>& camera)
+        : file_(imported.file), frame_(imported.frame), plan_(imported.plan), camera_(camera) {}
 
-    std::vector<std::string> settle() {
-        sayLayout();
-        settleObjects();
-        settleCoverage();
-        settleDistance();
-        settleSpace();
+    std::vector<std::string> convert() {
+        noteLayout();
+        removeUnsetIds();
+        convertCoverage();
+        convertDistance();
+        convertSpace();
         return std::move(notes_);
     }
 
   private:
-    /// The names are ours, whoever wrote the file.
+    /// Whether the channel names are ours, regardless of which program wrote the file.
     bool isOwn() const {
         return plan_.layout == FrameLayout::Own &&
                std::none_of(plan_.channels.begin(), plan_.channels.end(),
                             [](const auto& entry) { return entry.second.byUser; });
     }
-    void say(const std::string& assumed) { notes_.push_back(fmt::format("{}: {}", file_, assumed)); }
+    void note(const std::string& assumed) { notes_.push_back(fmt::format("{}: {}", file_, assumed)); }
 
-    void sayLayout() {
+    void noteLayout() {
         if (isOwn()) return;
-        say(fmt::format("read as {}; {}", nameOf(plan_.layout), sourcesOf(plan_)));
+        note(fmt::format("read as {}; {}", nameOf(plan_.layout), sourcesOf(plan_)));
     }
 
-    /// Blender numbers no object by itself.
-    void settleObjects() {
+    /// Blender's pass indices are 0 unless the user sets them.
+    void removeUnsetIds() {
         if (plan_.layout != FrameLayout::Blender || !frame_.has("id")) return;
         const auto id = frame_.channel("id");
         if (std::any_of(id.begin(), id.end(), [](float value) { return value != 0; })) return;
         frame_.remove("id");
-        say("every object has the pass index 0: they can't be told apart");
+        note("every object has the pass index 0, so objects can't be distinguished");
     }
 
-    void settleCoverage() {
+    void convertCoverage() {
         if (frame_.has("id") || (frame_.has("A") && !frame_.has("Z"))) {
             coverById();
             return;
@@ -102,7 +102,7 @@ class FrameSettler {
             coverByPosition();
     }
 
-    /// Where an id or coverage is given it is believed; a depth of nothing is then no depth.
+    /// Takes the coverage of the id or of A; a depth that means "no surface" becomes infinite.
     void coverById() {
         covered_.resize(frame_.pixelCount());
         const auto plane = frame_.channel(frame_.has("id") ? "id" : "A");
@@ -120,15 +120,15 @@ class FrameSettler {
             depth[pixel] = kInfinityF;
         }
         if (depthless > 0)
-            say(fmt::format(
-                "{} covered pixels have no depth: none that is finite, > 0 and neither 1e10 nor 65504",
-                depthless));
+            note(fmt::format("{} covered pixels have no depth, that is, none that is finite, > 0 and neither "
+                             "1e10 nor 65504",
+                             depthless));
         if (uncovered > 0)
-            say(fmt::format("{} pixels have a depth but {}: they count as nothing", uncovered,
-                            frame_.has("id") ? "no object's number" : "A < 0.5"));
+            note(fmt::format("{} pixels have a depth but {}: they count as not covered", uncovered,
+                             frame_.has("id") ? "no object id" : "A < 0.5"));
     }
 
-    /// Blender's A is 1 all over unless the film is transparent; its depth knows better.
+    /// Blender's A is 1 on the background too unless the film is transparent; its depth shows where that is.
     void uncoverNothing() {
         const auto coverage = frame_.channel("A"), depth = frame_.channel("Z");
         size_t count = 0;
@@ -138,8 +138,9 @@ class FrameSettler {
                 ++count;
             }
         if (count > 0)
-            say(fmt::format(
-                "{} pixels have A = 1 and the depth of nothing, 1e10 or 65504: they count as nothing",
+            note(fmt::format(
+                "{} pixels have A = 1 and a depth of 1e10 or 65504, which mean no surface: they count as not "
+                "covered",
                 count));
         coverById();
     }
@@ -147,7 +148,7 @@ class FrameSettler {
     void coverByDepth() {
         const auto depth = frame_.channel("Z");
         cover([&](size_t pixel) { return isDepth(depth[pixel]); });
-        say("has no coverage: a pixel is covered where its depth is finite, > 0 and neither 1e10 nor 65504");
+        note("has no coverage: a pixel is covered where its depth is finite, > 0 and neither 1e10 nor 65504");
     }
 
     void coverByPosition() {
@@ -156,7 +157,7 @@ class FrameSettler {
             const Vec3 position = vectorAt(planes, pixel);
             return std::isfinite(position.x + position.y + position.z) && position != Vec3(0);
         });
-        say("has no coverage: a pixel is covered where its position isn't (0, 0, 0)");
+        note("has no coverage: a pixel is covered where its position isn't (0, 0, 0)");
     }
 
     template <class IsCovered>
@@ -168,22 +169,22 @@ class FrameSettler {
         std::copy(covered_.begin(), covered_.end(), coverage.begin());
     }
 
-    void settleDistance() {
+    void convertDistance() {
         const auto source = plan_.channels.find("Z");
         if (source == plan_.channels.end() || !source->second.distanceFrom) return;
         if (!source->second.byUser && hasAll(frame_, kPosition) && camera_) {
             frame_.remove("Z");
-            say("depth is that of the positions, not of the distances");
+            note("depth is computed from the positions, not from the distances");
             return;
         }
         const double near = *source->second.distanceFrom;
         if (!camera_)
-            throw InputError(
-                file_,
-                fmt::format("{} is a distance along the ray, and the camera is not known",
-                            source->second.theirs),
-                "a header field camera in one of the two files, as plumbline writes it",
-                fmt::format("of the test frame --map \"{}=Z\" if it is planar depth", source->second.theirs));
+            throw InputError(file_,
+                             fmt::format("{} is a distance along the ray, and the camera is not known",
+                                         source->second.theirs),
+                             "the header field camera in one of the two files, as plumbline writes it",
+                             fmt::format("for the test frame --map \"{}=Z\" if it is planar depth",
+                                         source->second.theirs));
         const CameraRays rays(*camera_);
         const Vec3 forward = glm::normalize(camera_->targetWorld - camera_->positionWorld);
         const auto depth = frame_.channel("Z");
@@ -194,48 +195,49 @@ class FrameSettler {
                                          static_cast<double>(pixel / width) + 0.5);
                 depth[pixel] = static_cast<float>(near + depth[pixel] * glm::dot(ray.direction, forward));
             }
-        say(fmt::format("{} is a distance along the ray from a plane {} in front of the camera{}",
-                        source->second.theirs, near,
-                        source->second.byUser ? "" : ", Mitsuba's near_clip if not set"));
+        note(fmt::format("{} is a distance along the ray from a plane {} in front of the camera{}",
+                         source->second.theirs, near,
+                         source->second.byUser ? "" : ", Mitsuba's default near_clip"));
     }
 
-    void settleSpace() {
+    void convertSpace() {
         const bool positions = hasAll(frame_, kPosition), normals = hasAll(frame_, kNormal);
         if (isOwn() || (!positions && !normals)) return;
         if (!positions || !camera_) {
-            say(fmt::format("{} taken as in a world with Y up, for want of {}",
-                            positions ? "positions and normals are" : "normals are",
-                            positions ? "a camera" : "positions to tell by"));
+            note(fmt::format("{} assumed to be in a world with Y up, because there {}",
+                             positions ? "positions and normals are" : "normals are",
+                             positions ? "is no camera to check it" : "are no positions to check it"));
             return;
         }
         const auto planes = planesOf(frame_, kPosition);
         const std::optional<PositionSpace> space =
             findPositionSpace({planes[0], planes[1], planes[2]}, covered_, *camera_);
-        if (!space) return; // nothing in sight
+        if (!space) return; // no pixel is covered
         if (!(space->medianOffsetPx <= kSameCameraPx))
             throw InputError(
                 file_,
-                fmt::format("its positions are {:.1f} pixels beside their own in the median",
+                fmt::format("the median distance of its positions from their pixels is {:.1f} pixels",
                             space->medianOffsetPx),
                 "the reference's camera, and positions in the world, in one with Z up or in pbrt's "
                 "camera space");
-        turn(space->worldFromTheirs, normals);
-        say(fmt::format("positions{} are in {}: there they lie on their pixels' rays, {:.2f} pixels beside "
-                        "in the median",
+        transform(space->worldFromTheirs, normals);
+        note(
+            fmt::format("positions{} are in {}, where they lie on the rays of their pixels; median distance: "
+                        "{:.2f} pixels",
                         normals ? " and normals" : "", space->name, space->medianOffsetPx));
     }
 
-    void turn(const Mat4& worldFromTheirs, bool normals) {
+    void transform(const Mat4& worldFromTheirs, bool normals) {
         if (worldFromTheirs == Mat4(1.0)) return;
-        turnPlanes(kPosition, worldFromTheirs, 1);
-        if (normals) turnPlanes(kNormal, worldFromTheirs, 0);
+        transformPlanes(kPosition, worldFromTheirs, 1);
+        if (normals) transformPlanes(kNormal, worldFromTheirs, 0);
     }
-    void turnPlanes(const std::array<std::string, 3>& channels, const Mat4& worldFromTheirs, double w) {
+    void transformPlanes(const std::array<std::string, 3>& channels, const Mat4& worldFromTheirs, double w) {
         const auto planes = planesOf(frame_, channels);
         for (size_t pixel = 0; pixel < frame_.pixelCount(); ++pixel) {
-            const Vec4 turned = worldFromTheirs * Vec4(vectorAt(planes, pixel), w);
+            const Vec4 transformed = worldFromTheirs * Vec4(vectorAt(planes, pixel), w);
             for (int axis = 0; axis < 3; ++axis)
-                planes[static_cast<size_t>(axis)][pixel] = static_cast<float>(turned[axis]);
+                planes[static_cast<size_t>(axis)][pixel] = static_cast<float>(transformed[axis]);
         }
     }
 
@@ -243,35 +245,35 @@ class FrameSettler {
     Frame& frame_;
     const ChannelPlan& plan_;
     const std::optional<Camera>& camera_;
-    std::vector<bool> covered_; // per pixel; empty where nothing says it
+    std::vector<bool> covered_; // per pixel; empty if the frame has neither coverage, depth nor positions
     std::vector<std::string> notes_;
 };
 
 } // namespace
 
-ForeignFrame readForeignFrame(const std::filesystem::path& file, std::span<const ChannelMapping> mappings) {
-    ForeignFrame foreign{file.string(), {}, {}};
+ImportedFrame readImportedFrame(const std::filesystem::path& file, std::span<const ChannelMapping> mappings) {
+    ImportedFrame imported{file.string(), {}, {}};
     ExrPlanes exr = readExr(file, [&](const std::vector<std::string>& names) {
-        foreign.plan = planChannels(names, mappings, file.string());
+        imported.plan = planChannels(names, mappings, file.string());
         std::vector<std::string> wanted;
-        for (const auto& [ours, source] : foreign.plan.channels)
+        for (const auto& [ours, source] : imported.plan.channels)
             if (std::find(wanted.begin(), wanted.end(), source.theirs) == wanted.end())
                 wanted.push_back(source.theirs);
         return wanted;
     });
-    foreign.frame = Frame(exr.width, exr.height);
-    for (const auto& [ours, source] : foreign.plan.channels) {
+    imported.frame = Frame(exr.width, exr.height);
+    for (const auto& [ours, source] : imported.plan.channels) {
         const std::vector<float>& theirs = exr.planes.at(source.theirs);
         const float sign = source.negated ? -1.0f : 1.0f;
-        std::transform(theirs.begin(), theirs.end(), foreign.frame.add(ours).begin(),
+        std::transform(theirs.begin(), theirs.end(), imported.frame.add(ours).begin(),
                        [&](float value) { return sign * value; });
     }
-    foreign.frame.metadata = std::move(exr.attributes);
-    return foreign;
+    imported.frame.metadata = std::move(exr.attributes);
+    return imported;
 }
 
-std::vector<std::string> settleFrame(ForeignFrame& foreign, const std::optional<Camera>& camera) {
-    return FrameSettler(foreign, camera).settle();
+std::vector<std::string> convertFrame(ImportedFrame& imported, const std::optional<Camera>& camera) {
+    return FrameConverter(imported, camera).convert();
 }
 
 } // namespace plumbline

@@ -1,7 +1,8 @@
-// Both halves of the project against each other on curved bases. A quadric with its relief along the axis is
-// exactly what the surface `quadric` takes the base of a fragment for, if the fragment is the quadric's apex.
-// So the eye is put on the apex: every ray enters there, and the exact search and the traced micro-triangles
-// see the same relief all around. Where they differ the reference must have said that it isn't sure.
+// Compares reference and renderer on curved bases. The surface `quadric` approximates the base of a fragment
+// by a quadric. The approximation is exact if the base is a quadric displaced along its axis and the fragment
+// is its apex. The eye is therefore placed at the apex, where every ray enters, so the exact search and the
+// traced micro-triangles represent the same relief in all directions. Every pixel that differs must be marked
+// uncertain in the reference.
 #include "scenes/scene/camera.h"
 #include "scenes/scene_file/scene_file.h"
 #include "tests/end_to_end/program.h"
@@ -15,35 +16,35 @@ namespace plumbline::test {
 namespace {
 
 constexpr double kReliefDepth = 0.2; // world units, like all lengths here
-// The eye's height above the apex: 2e-5 of the relief. At a millionth of the farthest depth the near plane
-// would cut the apex off.
-constexpr double kHair = 4e-6;
+// 2e-5 of the relief above the apex. It can't be smaller, because the near plane, at a millionth of the
+// farthest depth, would clip the apex.
+constexpr double kEyeHeight = 4e-6;
 
 struct Patch {
     const char* name;
     double a, b;     // z = a x^2 + b y^2
     double halfSize; // nearly all rays hit within it
-    /// Largest error of depth that a hair explains, as a fraction of the relief's depth. The flattest ray has
-    /// a sine of 0.2 and the proxy's facets around the apex fall away by up to 0.055, so a ray enters up to 7
-    /// hairs from the apex. The base is off by up to a hair there, twice that along a ray; and its normal,
-    /// along which the shader measures depth, is turned by 2 * curvature * 7 hairs: a place a relief's depth
-    /// down moves sideways by that, on slopes of about 2.
+    /// Largest depth error that the eye height h causes, as a fraction of the relief depth. The flattest ray
+    /// has a sine of 0.2 and the proxy's facets around the apex slope down by up to 0.055, so a ray enters up
+    /// to 7 h from the apex. There the base has an error of up to h, twice that along a ray. Its normal,
+    /// along which the shader measures depth, is rotated by 2 * curvature * 7 h, which moves a point one
+    /// relief depth below sideways by that angle, on slopes of about 2.
     double tolerance() const {
         const double curvature = std::max(std::abs(a), std::abs(b)) * kReliefDepth;
-        return (2 + 2 * 7 * 2 * curvature) * kHair / kReliefDepth;
+        return (2 + 2 * 7 * 2 * curvature) * kEyeHeight / kReliefDepth;
     }
     friend void PrintTo(const Patch& patch, std::ostream* out) { *out << patch.name; }
 };
 
-class MouseEye : public EndToEnd, public testing::WithParamInterface<Patch> {
+class QuadricCrossCheck : public EndToEnd, public testing::WithParamInterface<Patch> {
   protected:
     std::filesystem::path writeScene() const {
-        // Straight down, so that the rays go all around and none is flatter than 12 degrees. Texel centers
-        // fall on lattice vertices: with W = 64 texels a tile, st W - 1/2 is whole at the corners of the
-        // faces.
+        // Looks straight down, so that rays go in all directions and none is flatter than 12 degrees. Texel
+        // centers coincide with lattice vertices: with W = 64 texels per tile, st W - 1/2 is an integer at
+        // the corners of the faces.
         const Patch& patch = GetParam();
         const std::filesystem::path file = folder_ / "eye.toml";
-        writeFile(file, fmt::format(R"(purpose = "A mouse's eye on the apex of a quadric"
+        writeFile(file, fmt::format(R"(purpose = "An eye at the apex of a quadric"
 [camera]
 position = [0, 0, {}]
 target = [0, 0, -1]
@@ -62,8 +63,8 @@ shape = {{ kind = "quadric", a = {}, b = {}, half_size = {}, segments = 4 }}
 proxy_rate = 16
 relief = {{ map = "cobbles", depth = {}, tile = [{}, {}], uv_offset = [0.0546875, 0.0234375], along = "axis" }}
 )",
-                                    kHair, patch.a, patch.b, patch.halfSize, kReliefDepth, 4 * patch.halfSize,
-                                    4 * patch.halfSize));
+                                    kEyeHeight, patch.a, patch.b, patch.halfSize, kReliefDepth,
+                                    4 * patch.halfSize, 4 * patch.halfSize));
         return file;
     }
 };
@@ -74,10 +75,11 @@ struct Tally {
     double largest = 0;
 };
 
-// Where a ray leaves the layer, d < 0, the shader gives up. Rightly: along a ray from above the apex the
-// height above the base is a quadratic in t that starts at a hair and falls; if it is back at 0 it opens
-// upwards and stays above, and nothing of the relief is above its base.
-TEST_P(MouseEye, ExactCellsOnQuadric_EqualsReference) {
+// Where a ray leaves the layer (d < 0), the shader reports a miss. This is correct: along a ray from above
+// the apex the height above the base is a quadratic function of t that starts at the eye height and
+// decreases. If it returns to 0, it opens upwards and stays positive, and no part of the relief is above its
+// base.
+TEST_P(QuadricCrossCheck, ExactCellsOnQuadric_EqualsReference) {
     const Patch& patch = GetParam();
     const std::filesystem::path file = writeScene();
     const Outcome outcome =
@@ -91,30 +93,31 @@ TEST_P(MouseEye, ExactCellsOnQuadric_EqualsReference) {
                y = test.channel("P.Y");
     Tally tally;
     for (size_t i = 0; i < truth.pixelCount(); ++i) {
-        // The shader's relief goes on beyond the patch, the true one ends there.
+        // The shader's relief continues beyond the patch, the true one ends there.
         if (testId[i] != 0 && std::max(std::abs(x[i]), std::abs(y[i])) > patch.halfSize) {
             ++tally.outside;
             continue;
         }
         ++tally.compared;
         tally.covered += testId[i] != 0;
-        const bool unsure = uncertain[i] > 0, unsureOfSheet = unsure || uncertainShadow[i] > 0;
-        tally.marked += unsureOfSheet;
+        const bool objectUncertain = uncertain[i] > 0,
+                   sheetUncertain = objectUncertain || uncertainShadow[i] > 0;
+        tally.marked += sheetUncertain;
         if (id[i] != testId[i]) {
             ++tally.otherCoverage;
-            tally.unmarkedCoverage += !unsure;
+            tally.unmarkedCoverage += !objectUncertain;
             continue;
         }
         if (id[i] == 0) continue;
         const double error = std::abs(depth[i] - testDepth[i]) / kReliefDepth;
         if (error > patch.tolerance()) {
             ++tally.otherDepth;
-            tally.unmarkedDepth += !unsureOfSheet;
+            tally.unmarkedDepth += !sheetUncertain;
         }
-        if (!unsureOfSheet) tally.largest = std::max(tally.largest, error);
+        if (!sheetUncertain) tally.largest = std::max(tally.largest, error);
     }
-    fmt::print("{}: {} pixels compared, {} covered, {} marked, {} beyond the patch; another coverage {}, "
-               "unmarked {}; another depth {}, unmarked "
+    fmt::print("{}: {} pixels compared, {} covered, {} marked, {} beyond the patch; other coverage {}, "
+               "unmarked {}; other depth {}, unmarked "
                "{}; largest unmarked error {:.1e} of the relief\n",
                patch.name, tally.compared, tally.covered, tally.marked, tally.outside, tally.otherCoverage,
                tally.unmarkedCoverage, tally.otherDepth, tally.unmarkedDepth, tally.largest);
@@ -124,11 +127,10 @@ TEST_P(MouseEye, ExactCellsOnQuadric_EqualsReference) {
     EXPECT_EQ(tally.unmarkedDepth, 0u);
 }
 
-// Curvature times the relief's depth 0.02 and 0.5: hardly bent, and bent by half the relief's depth within
-// its depth. Concave patches end before they rise to the eye's own height: contours that cross the camera's
-// plane cost the reference half a minute.
+// Curvature times relief depth is 0.02 (nearly flat) or 0.5. Concave patches end before they reach the height
+// of the eye, because contours that cross the camera plane cost the reference half a minute.
 INSTANTIATE_TEST_SUITE_P(
-    Patches, MouseEye,
+    Patches, QuadricCrossCheck,
     testing::Values(Patch{"slightly_convex", -0.1, -0.1, 0.5}, Patch{"convex", -2.5, -2.5, 0.5},
                     Patch{"slightly_concave", 0.1, 0.1, 0.25}, Patch{"concave", 2.5, 2.5, 0.125},
                     Patch{"slight_cylinder", -0.1, 0, 0.5}, Patch{"cylinder", -2.5, 0, 0.5},
