@@ -226,10 +226,10 @@ TEST_F(EndToEnd, CompareOfDifferentHeaders_ListsDifferences) {
     EXPECT_THAT(different.out, HasSubstr("name different cameras: the reference's is used for both"));
     EXPECT_THAT(different.out, HasSubstr("name different scenes"));
     test.metadata = {{"camera", "Cam01"}, {"light.sun", "bright"}};
-    const Outcome strange = compared();
-    EXPECT_THAT(strange.out,
+    const Outcome unreadable = compared();
+    EXPECT_THAT(unreadable.out,
                 HasSubstr("note: test.exr: the header field 'camera' doesn't have plumbline's format"));
-    EXPECT_THAT(strange.out, HasSubstr("note: test.exr: the header field 'light.sun' isn't"));
+    EXPECT_THAT(unreadable.out, HasSubstr("note: test.exr: the header field 'light.sun' doesn't"));
     reference.metadata["light.sun"] = "bright";
     reference.metadata["program"] = "plumbline 0.1.0";
     expectRefusal(compared(), 2, "reference.exr: header field 'light.sun': 'bright' can't be read");

@@ -23,8 +23,9 @@ std::pair<std::string, std::string> parsePair(const char* option, const std::str
                                               const char* example) {
     const size_t comma = text.find(',');
     if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-        throw InputError(option, fmt::format("found '{}'", text),
-                         fmt::format("two with a comma between, along s and t, for example {}", example));
+        throw InputError(
+            option, fmt::format("found '{}'", text),
+            fmt::format("two values separated by a comma, along s and t, for example {}", example));
     return {text.substr(0, comma), text.substr(comma + 1)};
 }
 
@@ -50,8 +51,9 @@ uint64_t parseMemorySize(const std::string& text) {
     const int shift = suffix.empty() ? 0 : suffix == "K" ? 10 : suffix == "M" ? 20 : suffix == "G" ? 30 : -1;
     const bool fits = error == std::errc() && shift >= 0 && number <= (kLargest >> shift);
     if (!fits || (number << shift) < kSmallest)
-        throw InputError("--memory", fmt::format("'{}' is not a size of memory", text),
-                         "a whole number of bytes, or with K, M or G behind it, from 1M to 65536G");
+        throw InputError(
+            "--memory", fmt::format("'{}' is not a size of memory", text),
+            "an integer number of bytes, optionally with the suffix K, M or G, from 1M to 65536G");
     return number << shift;
 }
 

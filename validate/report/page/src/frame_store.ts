@@ -106,10 +106,10 @@ function loadStored(file: string): Promise<StoredFrame> {
     waiting.set(file, resolve);
     const script = document.createElement("script");
     script.src = file.split("/").map(encodeURIComponent).join("/");
-    script.onerror = () => reject(new Error(`${file} is missing beside the page`));
+    script.onerror = () => reject(new Error(`${file} is missing in the folder of the page`));
     script.onload = () => {
       script.remove();
-      if (waiting.delete(file)) reject(new Error(`${file} doesn't hold the frame of that name`));
+      if (waiting.delete(file)) reject(new Error(`${file} doesn't contain the frame of that name`));
     };
     document.head.append(script);
   });
