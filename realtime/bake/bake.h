@@ -37,7 +37,10 @@ struct BakeKind {
     std::string_view channels;        // contents of channel k, with units
     bool needsScale;
     BakedMap (*make)(const HeightMap&, const BakeRequest&); // arguments checked by bakeMap
-    bool takesSlices = false;                               // uses BakeRequest::slices
+    /// Names in the image that `plumbline bake` writes. Slices without a name are numbered; the only one has
+    /// none.
+    std::vector<std::string_view> channelNames = {"R", "G", "B", "A"}, sliceNames = {};
+    bool takesSlices = false; // uses BakeRequest::slices
     int version = 1; // of the baker: incremented when its values change, which invalidates cached maps
 };
 std::span<const BakeKind> bakeKinds();

@@ -9,12 +9,9 @@
 
 namespace plumbline {
 
-/// Writes the finest level, top row first, 32-bit float. Channels by kind:
-///   normal              n.X n.Y n.Z D
-///   max_mipmap          least most
-///   distance_field      slice000.box slice000.center slice001.box …
-///   cone maps           texel.R … and cell.R …, for their two slices
-///   others              R G B A, as many as there are; with several slices, slice0.R …
+/// Writes the finest level, top row first, 32-bit float. The kind has the channels' names
+/// (BakeKind::channelNames); those of several slices have the slice's name in front: texel.R and cell.R of
+/// cone maps, slice000.box of a distance field.
 /// The attribute `kind` is added to the given ones. The file is replaced atomically. Throws InputError if it
 /// can't be written, MachineError if there isn't enough memory.
 void writeBakedPicture(const std::filesystem::path& file, const BakedMap& map,

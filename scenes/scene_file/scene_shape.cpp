@@ -78,9 +78,10 @@ struct Kind {
 };
 
 const std::vector<Kind>& kinds() {
-    static const std::vector<Kind> all{{"plane", plane},       {"quadric", quadric}, {"sphere", sphere},
-                                       {"cylinder", cylinder}, {"torus", torus},     {"box", box},
-                                       {"teapot", teapot}};
+    static const std::vector<Kind> all{
+        {"plane", plane}, {"quadric", quadric}, {"sphere", sphere}, {"cylinder", cylinder},
+        {"torus", torus}, {"box", box},         {"teapot", teapot},
+    };
     return all;
 }
 

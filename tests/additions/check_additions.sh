@@ -37,7 +37,7 @@ add_metric() {
     new_files metric
     row validate/metrics/metric_registry.cpp '^#include "validate/metrics/st_error.h"' \
         '#include "validate/metrics/throwaway.h"'
-    row validate/metrics/metric_registry.cpp '^ *fetchCostMetric\(\),' '        throwawayMetric(),'
+    row validate/metrics/metric_registry.cpp '^ *fetchCostMetric[(][)],' '        throwawayMetric(),'
     row validate/CMakeLists.txt 'metrics/boundary_iou.cpp' '    metrics/throwaway.cpp'
 }
 
@@ -45,10 +45,15 @@ add_baked_map() {
     new_files baked_map
     row realtime/bake/bake_kinds.h '^BakedMap bakeMaxMipmap' \
         'BakedMap bakeThrowawayMap(const HeightMap& map, const BakeRequest& request);'
-    row realtime/bake/bake.cpp '^ *\{"max_mipmap",' \
-        '        {"throwaway_map", "The depth", "none", "one", "relief depth", false, bakeThrowawayMap},'
+    row realtime/bake/bake.cpp '^ *[{][.]name = "max_mipmap",' '        {.name = "throwaway_map",
+         .meaning = "The depth",
+         .source = "none",
+         .slices = "one",
+         .channels = "relief depth",
+         .needsScale = false,
+         .make = bakeThrowawayMap},'
     row realtime/bake/CMakeLists.txt '^ *bake_cache.cpp' '    throwaway_map.cpp'
-    row realtime/technique/baked_family.cpp '^ *\{"depth_bounds.glsl",' \
+    row realtime/technique/baked_family.cpp '^ *[{]"depth_bounds.glsl",' \
         '        {"throwaway_map.glsl", "uThrowawayMap", nullptr, 6, false, {"throwaway_map"}},'
 }
 
@@ -57,18 +62,18 @@ add_shape() {
     row scenes/CMakeLists.txt 'mesh/shapes/limit_points.cpp' '    mesh/shapes/throwaway_shape.cpp'
     row scenes/scene_file/scene_shape.cpp '^#include "scenes/mesh/shapes/shapes.h"' \
         '#include "scenes/mesh/shapes/throwaway_shape.h"'
-    row scenes/scene_file/scene_shape.cpp '^struct Kind \{' 'Maker throwaway(const TomlTable& shape) {
+    row scenes/scene_file/scene_shape.cpp '^struct Kind [{]' 'Maker throwaway(const TomlTable& shape) {
     const double depth = size(shape, "depth", 1);
     return [=] { return makeThrowawayShape(depth); };
 }
 '
-    row scenes/scene_file/scene_shape.cpp '\{"plane", plane\}' '        {"throwaway", throwaway},'
+    row scenes/scene_file/scene_shape.cpp '[{]"plane", plane[}]' '        {"throwaway", throwaway},'
 }
 
 add_subcommand() {
     new_files subcommand
-    row validate/cli/commands.cpp '^Command doctorCommand\(\);' 'Command throwawayCommand();'
-    row validate/cli/commands.cpp '^ *doctorCommand\(\),' '        throwawayCommand(),'
+    row validate/cli/commands.cpp '^Command doctorCommand[(][)];' 'Command throwawayCommand();'
+    row validate/cli/commands.cpp '^ *listCommand[(][)],' '        throwawayCommand(),'
     row validate/CMakeLists.txt 'cli/bake_command.cpp' '    cli/throwaway_command.cpp'
 }
 
