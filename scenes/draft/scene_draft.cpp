@@ -178,7 +178,8 @@ SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const Draft
         wishes.tile ? *wishes.tile : chooseTile(placed, survey, map, draft.camera, draft.reasons.tile);
     if (wishes.tile) draft.reasons.tile = "tile: as given.";
     if (survey.uvScale)
-        draft.reasons.tile += " " + texelText(*survey.uvScale, draft.tile, map, pixelSide(draft.camera));
+        draft.reasons.tile +=
+            fmt::format(" {}", texelText(*survey.uvScale, draft.tile, map, pixelSide(draft.camera)));
     return draft;
 }
 

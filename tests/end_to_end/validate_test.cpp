@@ -414,7 +414,7 @@ TEST_F(Validate, NanHits_AreReported) {
     EXPECT_THAT(outcome.err,
                 HasSubstr("covered pixels have a position, depth, normal or st that isn't a number"));
     EXPECT_THAT(outcome.err, Not(HasSubstr("normal_mapping: ")));
-    EXPECT_THAT(resultsOf("out")["techniques"][0]["notes"].dump(), HasSubstr("no figure counts them"));
+    EXPECT_THAT(resultsOf("out")["techniques"][0]["notes"].dump(), HasSubstr("figures leave them out"));
 }
 
 TEST_F(Validate, RefusedSurface_HasReason) {
