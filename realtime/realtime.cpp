@@ -99,7 +99,7 @@ struct RealtimeRenderer::Impl {
             const CurrentContext current(*context);
             gpu.reset();
         } catch (const MachineError&) {
-            gpu.release(); // the driver is gone and took the objects along
+            static_cast<void>(gpu.release()); // the driver is gone and took the objects along
         }
     }
 
@@ -121,7 +121,7 @@ struct RealtimeRenderer::Impl {
     FrameTime drawFrame(const std::function<void()>& drawFromLights,
                         const std::function<void()>& drawFromCamera) const {
         clearGlErrors();
-        const FrameTime time = timeFrame(*context, timingBudgetMs, [&] {
+        FrameTime time = timeFrame(*context, timingBudgetMs, [&] {
             glEnable(GL_DEPTH_TEST);
             glDepthFunc(GL_LESS);
             drawFromLights();

@@ -72,7 +72,7 @@ void keep(const fs::path& file, const std::string& key, BakeOutcome& outcome) {
 } // namespace
 
 std::optional<fs::path> bakeCacheFolder() {
-    if (const auto folder = variable("PLUMBLINE_CACHE")) return folder;
+    if (auto folder = variable("PLUMBLINE_CACHE")) return folder;
     if (const auto caches = variable("XDG_CACHE_HOME"); caches && caches->is_absolute())
         return *caches / "plumbline";
     if (const auto home = variable("HOME")) return *home / ".cache" / "plumbline";

@@ -128,7 +128,7 @@ void searchOutward(double* best, int lanes, int reach, const std::vector<double>
 class DistanceField {
   public:
     DistanceField(const HeightMap& map, const ScaleRatios& ratios, int slices, const Measure& measure)
-        : s_{map.width(), map.wrapS()}, t_{map.height(), map.wrapT()}, slices_(slices), measure_(measure),
+        : s_{map.width(), map.wrapS()}, t_{map.height(), map.wrapT()}, measure_(measure),
           gapsS_(squaredGaps(s_.size, 1 / (s_.size * ratios.perWidth), measure.touching)),
           gapsT_(squaredGaps(t_.size, 1 / (t_.size * ratios.perHeight), measure.touching)),
           gapsDepth_(squaredGaps(slices + 1, 1.0 / slices, measure.touching)), firstSolid_(area()),
@@ -192,7 +192,6 @@ class DistanceField {
     }
 
     Axis s_, t_;
-    int slices_;
     Measure measure_;
     std::vector<double> gapsS_, gapsT_, gapsDepth_; // squared, indexed by the distance in voxels
     std::vector<int> firstSolid_;                   // width x height

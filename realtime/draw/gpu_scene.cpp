@@ -90,13 +90,14 @@ GlTexture makeMap(GLint internalFormat, GLenum format, int width, int height, co
 
 void describeAttribute(GLuint location, GLint components, size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, sizeof(VertexData),
-                          reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(
+        location, components, GL_FLOAT, GL_FALSE, sizeof(VertexData),
+        reinterpret_cast<const void*>(offset)); // NOLINT(performance-no-int-to-ptr): OpenGL's interface
 }
 
 } // namespace
 
-GpuScene::GpuScene(const Scene& scene, const GlContext& context) : scene_(scene) {
+GpuScene::GpuScene(const Scene& scene, const GlContext& context) {
     clearGlErrors();
     for (const SceneObject& object : scene.objects)
         addObject(object, context);

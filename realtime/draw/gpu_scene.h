@@ -64,7 +64,6 @@ class GpuScene {
     GLuint heightMapTexture(const HeightMap& map, const GlContext& context);
     GLuint colorMapTexture(const ColorMap& map, const GlContext& context);
 
-    const Scene& scene_;
     Bounds bounds_;
     std::vector<ProxyMesh> proxies_; // until upload()
     std::vector<GpuObject> objects_;

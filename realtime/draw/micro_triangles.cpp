@@ -29,8 +29,9 @@ std::vector<uint16_t> gridIndices(int columns, int rows) {
 
 void describeAttribute(GLuint location, GLint components, GLsizei stride, size_t offset) {
     glEnableVertexAttribArray(location);
-    glVertexAttribPointer(location, components, GL_FLOAT, GL_FALSE, stride,
-                          reinterpret_cast<const void*>(offset));
+    glVertexAttribPointer(
+        location, components, GL_FLOAT, GL_FALSE, stride,
+        reinterpret_cast<const void*>(offset)); // NOLINT(performance-no-int-to-ptr): OpenGL's interface
 }
 
 } // namespace

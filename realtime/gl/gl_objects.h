@@ -35,6 +35,7 @@ class GlObject {
     GLuint name_ = 0;
 };
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a type's name can't be in parentheses
 #define PLUMBLINE_GL_KIND(Kind, Gen, Delete)                                                                 \
     struct Kind##Kind {                                                                                      \
         static GLuint make() {                                                                               \
@@ -53,6 +54,7 @@ PLUMBLINE_GL_KIND(GlRenderbuffer, glGenRenderbuffers, glDeleteRenderbuffers);
 PLUMBLINE_GL_KIND(GlFramebuffer, glGenFramebuffers, glDeleteFramebuffers);
 PLUMBLINE_GL_KIND(GlQuery, glGenQueries, glDeleteQueries);
 #undef PLUMBLINE_GL_KIND
+// NOLINTEND(bugprone-macro-parentheses)
 
 /// Throws MachineError naming `doing` ("the frame of 800 x 600") if GL reports an error.
 void checkGl(const std::string& doing);

@@ -38,7 +38,8 @@ class Shader {
         glGetShaderiv(name_, GL_INFO_LOG_LENGTH, &length);
         std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
         glGetShaderInfoLog(name_, length, nullptr, log.data());
-        return log.c_str();
+        log.resize(std::min(log.find('\0'), log.size()));
+        return log;
     }
     GLuint name_;
 };
@@ -48,7 +49,8 @@ std::string readProgramLog(GLuint program) {
     glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
     glGetProgramInfoLog(program, length, nullptr, log.data());
-    return log.c_str();
+    log.resize(std::min(log.find('\0'), log.size()));
+    return log;
 }
 
 } // namespace

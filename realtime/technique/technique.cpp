@@ -13,8 +13,6 @@
 #include <algorithm>
 
 namespace plumbline {
-namespace fs = std::filesystem;
-
 namespace {
 
 std::vector<std::string> namesOf(const std::vector<Parameter>& parameters) {

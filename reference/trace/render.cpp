@@ -102,7 +102,8 @@ class FrameTracer {
 
     Ray rayOf(size_t pixel) const {
         const size_t width = lengthOf(frame_.width());
-        return rays_.ray(static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5);
+        const size_t column = pixel % width, row = pixel / width;
+        return rays_.ray(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
     }
 
     /// Traces the camera rays of pixels [first, first + count); hits are in pixel order.

@@ -21,7 +21,7 @@ std::filesystem::path chooseDataFolder(const char* fromEnvironment, const std::f
     const std::filesystem::path installed = program.parent_path() / "share" / "plumbline";
     std::error_code error;
     const bool isInstalled = !program.empty() && std::filesystem::is_directory(installed, error);
-    const std::filesystem::path folder = chosen ? fromEnvironment : isInstalled ? installed : sourceTree;
+    std::filesystem::path folder = chosen ? fromEnvironment : isInstalled ? installed : sourceTree;
     for (const char* subfolder : {"scenes", "realtime", "validate"}) {
         if (!std::filesystem::is_directory(folder / subfolder, error))
             throw MachineError(folder.string(), std::string("has no folder '") + subfolder + "'",

@@ -41,13 +41,13 @@ std::optional<std::string> readObjectField(std::string_view field, const std::st
     } else if (field == header::kMapTexels) {
         const int width = words.count(kLargestMapSide), height = words.count(kLargestMapSide);
         if (!words.ok()) return "two whole numbers: width height";
-        if (!object.map) object.map.emplace();
+        if (!object.map) object.map = ObjectInfo::Map();
         object.map->width = width;
         object.map->height = height;
     } else if (field == header::kMapWrap) {
         const bool repeatS = words.either(kRepeat, kClamp), repeatT = words.either(kRepeat, kClamp);
         if (!words.ok()) return "two words of: repeat clamp";
-        if (!object.map) object.map.emplace();
+        if (!object.map) object.map = ObjectInfo::Map();
         object.map->repeatS = repeatS;
         object.map->repeatT = repeatT;
     }

@@ -77,6 +77,7 @@ Layout checkSpec(const oiio::ImageSpec& spec) {
     layout.channels = orderChannels(spec);
     layout.integer8 = spec.format == oiio::TypeDesc::UINT8;
     layout.integer16 = spec.format == oiio::TypeDesc::UINT16;
+    // NOLINTNEXTLINE(misc-redundant-expression): three different types
     const bool floating = spec.format == oiio::TypeDesc::HALF || spec.format == oiio::TypeDesc::FLOAT ||
                           spec.format == oiio::TypeDesc::DOUBLE;
     if (!layout.integer8 && !layout.integer16 && !floating)

@@ -75,7 +75,7 @@ void checkDistinctVertices(const ControlMesh& mesh, const MeshFace& face) {
 std::vector<int> rotatedVertices(const ControlMesh& mesh, const MeshFace& face) {
     const auto inOrder = face.of(mesh.faceVertices);
     std::vector<int> vertices(inOrder.begin(), inOrder.end());
-    std::ranges::rotate(vertices, std::ranges::min_element(vertices));
+    std::rotate(vertices.begin(), std::ranges::min_element(vertices), vertices.end());
     return vertices;
 }
 

@@ -279,7 +279,7 @@ class SceneReader {
             const std::vector<std::string> bounds = table.textOrTexts(metric);
             if (bounds.empty()) table.fail(metric, "has no bound", "one or more, for example \">= 0.99\"");
             for (const std::string& bound : bounds)
-                scene_.requirements.push_back({metric + " " + bound, table.where(metric)});
+                scene_.requirements.push_back({fmt::format("{} {}", metric, bound), table.where(metric)});
         }
     }
 

@@ -241,7 +241,7 @@ std::vector<std::string> TomlTable::texts(std::string_view key,
 std::vector<std::string> TomlTable::distinctTexts(std::string_view key,
                                                   std::optional<std::vector<std::string>> fallback) const {
     const TomlValue* value = find(key);
-    const std::vector<std::string> result = texts(key, std::move(fallback));
+    std::vector<std::string> result = texts(key, std::move(fallback));
     if (!value) return result;
     const auto& elements = *value->as<TomlValue::Array>();
     for (size_t i = 0; i < result.size(); ++i) {
@@ -257,7 +257,7 @@ std::vector<std::string> TomlTable::someOf(std::string_view key, const std::vect
                                            std::optional<std::vector<std::string>> fallback) const {
     const TomlValue* value = find(key);
     if (!value && !fallback) failMissing(key, "an array with some of " + listOf(choices));
-    const std::vector<std::string> result = distinctTexts(key, std::move(fallback));
+    std::vector<std::string> result = distinctTexts(key, std::move(fallback));
     if (!value) return result;
     const auto& elements = *value->as<TomlValue::Array>();
     for (size_t i = 0; i < result.size(); ++i)
