@@ -145,8 +145,8 @@ void printConeCheck(const HeightMap& map, const BakedMap& cones, uint64_t rays) 
           std::pair("bilinear", ConeLookup::Bilinear), std::pair("nearest", ConeLookup::Nearest)}) {
         const ConeCheck check = checkCones(map, cones, lookup, relaxed, rays, kSeed);
         fmt::print("{:<12} {:>10} {:>10} {:>10}", name, check.rays, check.pierced, check.overshootingRays);
-        for (const uint64_t leaps : check.overshootsByDepth)
-            fmt::print(" {:>10}", leaps);
+        for (const uint64_t count : check.overshootsByDepth)
+            fmt::print(" {:>10}", count);
         fmt::print(" {:>10.3g} {:>10.2f}\n", check.deepest, check.meanSteps());
     }
     fmt::print("skips by depth below the surface, in relief depths; steps: mean until within 1/1024 of it\n");

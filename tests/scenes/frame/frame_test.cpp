@@ -53,7 +53,7 @@ TEST(Frame, AddedChannel_HoldsMissValue) {
         EXPECT_TRUE(std::isnan(shadow));
     EXPECT_EQ(frame.channel("Z").size(), 6u);
     frame.channel("Z")[5] = 2;
-    EXPECT_EQ(frame.add("Z")[5], kInfinityF); // adding again begins anew
+    EXPECT_EQ(frame.add("Z")[5], kInfinityF); // adding again resets it
 }
 
 TEST(Frame, MissingChannel_ErrorListsChannels) {
