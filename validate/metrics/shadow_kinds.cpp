@@ -18,15 +18,14 @@ ShadowKinds absentKinds(const std::string& reason) {
 
 std::string missingReason(const FramePair& pair, const std::string& name, const std::optional<Light>& light,
                           const std::optional<Camera>& camera) {
-    if (const std::string missing = pair.missingChannel(shadowChannel(name)); !missing.empty())
-        return missing;
+    if (std::string missing = pair.missingChannel(shadowChannel(name)); !missing.empty()) return missing;
     if (!light)
         return fmt::format("neither header contains the direction or position of the light (light.{})", name);
     if (!camera) return "the camera is not known";
     std::vector<const char*> channels{"N.X", "N.Y", "N.Z"};
     if (light->kind == Light::Kind::Point) channels.insert(channels.end(), {"P.X", "P.Y", "P.Z"});
     for (const char* channel : channels)
-        if (const std::string missing = pair.missingInReference(channel); !missing.empty()) return missing;
+        if (std::string missing = pair.missingInReference(channel); !missing.empty()) return missing;
     return {};
 }
 
@@ -42,7 +41,8 @@ class LightSide {
     /// nullopt where the reference has no normal or no position.
     std::optional<bool> attached(uint32_t pixel) const {
         const Vec3 normal = at(normal_, pixel);
-        const Vec3 view = rays_.ray(pixel % width_ + 0.5, pixel / width_ + 0.5).direction;
+        const uint32_t column = pixel % width_, row = pixel / width_;
+        const Vec3 view = rays_.ray(column + 0.5, row + 0.5).direction;
         const double side = glm::dot(normal, view) > 0 ? -1 : 1;
         const Vec3 toLight = light_.kind == Light::Kind::Point
                                  ? sampleLight(light_, at(position_, pixel)).toLightWorld

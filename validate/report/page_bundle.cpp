@@ -2,6 +2,7 @@
 
 // Embeds a file as two symbols, its begin and end. The assembler reads it, because compilers take minutes for
 // arrays of that length.
+// NOLINTBEGIN(bugprone-macro-parentheses): a symbol can't be in parentheses
 #define PLUMBLINE_EMBED(symbol, file)                                                                        \
     asm(".section .rodata\n"                                                                                 \
         ".global " #symbol "\n" #symbol ":\n"                                                                \
@@ -9,6 +10,7 @@
         ".global " #symbol "_end\n" #symbol "_end:\n"                                                        \
         ".previous\n");                                                                                      \
     extern "C" const char symbol[], symbol##_end[]
+// NOLINTEND(bugprone-macro-parentheses)
 
 PLUMBLINE_EMBED(plumbline_page_style, PLUMBLINE_PAGE_STYLE);
 #ifdef PLUMBLINE_PAGE_SCRIPT

@@ -51,7 +51,7 @@ Report::Report(std::filesystem::path folder, ReportOptions options)
 std::string Report::save(const std::string& stem, const std::string& what, const Picture& picture) const {
     // The parts are shortened separately, so that the images of a technique with a long name keep different
     // names.
-    const std::string file = safeFileName(stem) + (what.empty() ? "" : safeFileName(what)) + ".png";
+    std::string file = safeFileName(stem) + (what.empty() ? "" : safeFileName(what)) + ".png";
     writePng(folder_ / file, picture.width, picture.height, picture.rgb);
     if (!options_.singleFile) return file;
     const std::string bytes = readWholeFile(folder_ / file);

@@ -156,8 +156,8 @@ std::vector<std::shared_ptr<const HeightMap>> libraryMaps() {
 TEST(ConeCheck, LibraryMaps_NeverSkipSurface) {
     const char* asked = std::getenv("PLUMBLINE_CONE_RAYS");
     const uint64_t rays = asked ? std::strtoull(asked, nullptr, 10) : 20000;
-    fmt::print("{:<36}{:>12}  {:<24}{:>12}{:>12}{:>12}{:>10}\n", "map", "texels", "kind, by cells", "skipping",
-               "> 1/255", "deepest", "steps");
+    fmt::print("{:<36}{:>12}  {:<24}{:>12}{:>12}{:>12}{:>10}\n", "map", "texels", "kind, by cells",
+               "skipping", "> 1/255", "deepest", "steps");
     for (const auto& map : libraryMaps())
         for (const std::string kind : {"cone_step", "cone_step_relaxed", "cone_step_relaxed_2007"}) {
             const ConeCheck check =
