@@ -265,7 +265,7 @@ std::string reportPage(const Results& results, const ReportPictures& pictures, c
     page.set("has_missed", missed);
     page.set("techniques", sections);
     if (results.proxy) page.set("base_gap", baseGapData(results, metricColumns(lights), pictures));
-    const std::string pictureLayout = readTemplate("pictures.mustache");
+    std::string pictureLayout = readTemplate("pictures.mustache");
     page.set("picture_list", data(kainjow::mustache::partial([&] { return pictureLayout; })));
 
     std::string text = renderTemplate("index.mustache", page);
