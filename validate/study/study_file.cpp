@@ -90,7 +90,7 @@ class StudyReader {
 
     /// In the folder of the study, otherwise in the library.
     fs::path findSceneOf(const TomlTable& table, const std::string& scene) const {
-        const fs::path beside = file_.parent_path() / scene;
+        fs::path beside = file_.parent_path() / scene;
         std::error_code error;
         if (fs::is_regular_file(beside, error)) return beside;
         try {
