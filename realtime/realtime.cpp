@@ -89,7 +89,7 @@ void drawMicroTriangles(const GpuState& gpu, MicroTriangleDrawer& drawer,
 } // namespace
 
 struct RealtimeRenderer::Impl {
-    Impl(const Scene& sceneToDraw, const GlOptions& options, std::unique_ptr<GlContext> opened)
+    Impl(const Scene& sceneToDraw, const GlOptions& options, std::shared_ptr<GlContext> opened)
         : scene(sceneToDraw), timingBudgetMs(options.timingBudgetMs), context(std::move(opened)) {
         const CurrentContext current(*context);
         gpu = std::make_unique<GpuState>(scene, *context);
@@ -151,7 +151,7 @@ struct RealtimeRenderer::Impl {
 
     const Scene& scene;
     double timingBudgetMs;
-    std::unique_ptr<GlContext> context;
+    std::shared_ptr<GlContext> context;
     std::unique_ptr<GpuState> gpu;
 };
 
@@ -159,7 +159,7 @@ RealtimeRenderer::RealtimeRenderer(const Scene& scene, const GlOptions& options)
     : RealtimeRenderer(scene, options, createGlContext(options)) {}
 
 RealtimeRenderer::RealtimeRenderer(const Scene& scene, const GlOptions& options,
-                                   std::unique_ptr<GlContext> context)
+                                   std::shared_ptr<GlContext> context)
     : impl_(std::make_unique<Impl>(scene, options, std::move(context))) {}
 
 RealtimeRenderer::~RealtimeRenderer() = default;

@@ -36,13 +36,14 @@ inline constexpr std::string_view kPhaseDrawing = "drawing"; // the author's sha
 
 class GlContext;
 
-/// Owns a GL context and what techniques share: proxy meshes, height maps.
+/// Holds a GL context and what techniques share: proxy meshes, height maps.
 class RealtimeRenderer {
   public:
     /// Throws MachineError if there is no GL as asked for. The scene must outlive the renderer.
     RealtimeRenderer(const Scene& scene, const GlOptions& options);
-    /// In a context opened before (gl_context.h), as `options` ask for.
-    RealtimeRenderer(const Scene& scene, const GlOptions& options, std::unique_ptr<GlContext> context);
+    /// In a context opened before (gl_context.h), as `options` ask for. Renderers that share one must be used
+    /// one after the other.
+    RealtimeRenderer(const Scene& scene, const GlOptions& options, std::shared_ptr<GlContext> context);
     ~RealtimeRenderer();
 
     /// `microMeshes`: one per object, or null. Throws InputError for a shader (file:line), for maps or meshes

@@ -36,7 +36,7 @@ RealtimeRenderer::RealtimeRenderer(const Scene&, const GlOptions&) {
     throw cannotDraw();
 }
 
-RealtimeRenderer::RealtimeRenderer(const Scene&, const GlOptions&, std::unique_ptr<GlContext>) {
+RealtimeRenderer::RealtimeRenderer(const Scene&, const GlOptions&, std::shared_ptr<GlContext>) {
     throw cannotDraw();
 }
 

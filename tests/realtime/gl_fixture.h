@@ -14,10 +14,20 @@
 
 namespace plumbline {
 
+/// The context that the tests of a program share, opened by the first. Throws MachineError if there is none.
+inline const std::shared_ptr<GlContext>& testContext() {
+    // Never destroyed: at exit the driver's own statics may be gone already.
+    static const auto* const context = new std::shared_ptr<GlContext>(createGlContext({}));
+    return *context;
+}
+
 /// The reason why no context can be created; empty if one can.
 inline std::string missingGl(GlBackend backend = GlBackend::Auto) {
     try {
-        createGlContext({backend, -1});
+        if (backend == GlBackend::Auto)
+            testContext();
+        else
+            createGlContext({backend, -1});
         return {};
     } catch (const MachineError& error) {
         return error.what();
@@ -84,7 +94,7 @@ inline void expectNoNan(const Frame& frame) {
 
 /// Draws one frame without timing.
 inline Frame draw(const Scene& scene, const std::string& technique) {
-    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}, testContext());
     Frame frame = renderer.render(resolveTechnique(technique), nullptr).frame;
     expectNoNan(frame);
     return frame;

@@ -38,8 +38,7 @@ std::vector<glm::vec4> coordinates(const HeightMap& map, unsigned seed) {
 
 /// Depth in x, its gradient in y and z, by GLSL.
 std::vector<glm::vec4> lookUp(const HeightMap& map, const std::vector<glm::vec4>& points, bool hardware) {
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     ShaderSource source;
     source.addText("(settings)",
                    hardware ? "const bool kHardwareFilter = true;" : "const bool kHardwareFilter = false;");
@@ -136,8 +135,7 @@ TEST(LookUpOfNonsense, NonFiniteSt_StaysInsideMap) {
 // --- the end of the search interval over a quadric -----------------------------------------------
 
 std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     const std::filesystem::path folder = dataFolder() / "realtime";
     ShaderSource source;
     source.addText("(settings)", "const bool kHardwareFilter = false;");

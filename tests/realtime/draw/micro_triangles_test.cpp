@@ -24,7 +24,7 @@ MicroMesh gridMesh(int columns, int rows, const std::vector<float>& heights) {
 }
 
 Frame drawMicro(const Scene& scene, const std::vector<MicroMesh>& meshes) {
-    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}, testContext());
     return renderer.render(resolveTechnique("micro_triangles"), &meshes).frame;
 }
 
@@ -108,7 +108,7 @@ TEST(MicroTriangles, Frame_HasNoLookUps) {
 TEST(MicroTriangles, NoMeshesOrAttributes_IsInputError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = squareScene({0, 5, 0});
-    RealtimeRenderer renderer(scene, {});
+    RealtimeRenderer renderer(scene, {}, testContext());
     const Technique technique = resolveTechnique("micro_triangles");
     EXPECT_THROW(renderer.render(technique, nullptr), InputError);
     std::vector<MicroMesh> meshes{gridMesh(2, 2, {0, 0, 0, 0})};

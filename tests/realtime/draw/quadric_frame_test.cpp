@@ -184,7 +184,8 @@ TEST(QuadricFrame, Coefficients_AreThoseRequested) {
     object.relief =
         Relief{std::make_shared<HeightMap>(HeightMap::constant("constant", 0)), 0.1, 0, Vec2(1), Vec2(0)};
     const Scene scene = sceneOf(object, orthographicCamera({0, 0, 5}, {0, 1, 0}, 0.2, 32));
-    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}); // shared; each draw selects its coefficients
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0},
+                              testContext()); // shared; each draw selects its coefficients
     const auto middle = [&](const char* technique, const char* channel) {
         const Frame frame = renderer.render(resolveTechnique(technique), nullptr).frame;
         return double(frame.channel(channel)[pixelAt(frame, 16, 16)]);

@@ -116,8 +116,7 @@ ShaderSource surfaceSource(const std::string& surface, const std::string& evalua
 
 std::vector<glm::vec4> evaluateCases(const std::string& surface, const std::vector<Case>& cases,
                                      const std::vector<double>& t, const std::string& evaluate) {
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     std::vector<glm::vec4> texels(3 * cases.size()), arguments;
     for (size_t i = 0; i < cases.size(); ++i) {
         const Case& at = cases[i];

@@ -66,8 +66,7 @@ std::set<std::string> wordsOf(const std::string& glsl) {
 
 TEST(ReservedNames, EveryDeclarationOfTheHarness_ClashesWithAParameter) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     const Technique technique = techniqueOfEverything();
     ASSERT_EQ(refusal(technique), std::nullopt);
     EXPECT_GT(harnessNames().size(), 100u);
@@ -79,8 +78,7 @@ TEST(ReservedNames, EveryDeclarationOfTheHarness_ClashesWithAParameter) {
 
 TEST(ReservedNames, OtherWordsOfTheHarness_CanBeParameters) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     const Technique technique = techniqueOfEverything();
     const ShaderSource harness = reliefSources(technique, 1).fragment;
     std::set<std::string> free;

@@ -356,7 +356,7 @@ TEST(ShadowMap, EverySearchAndSurface_Composes) {
     const Scene scene =
         sceneOfObjects({plateObject("floor", 4, 0, waves, 0.1), plateObject("plate", 0.6, 0.6)},
                        {directionalLight("sun", {1, 1, 0})}, fromAbove(3));
-    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}, testContext());
     int drawn = 0;
     for (const Manifest& info : listTechniques())
         for (const std::string& surface : surfacesFor(info, listSurfaces())) {
@@ -417,8 +417,7 @@ TEST(ShadowMap, Sampler_HasOwnUnit) {
     // llvmpipe, finds two types of samplers at unit 0.
     for (const BakedFamily& family : bakedFamilies())
         EXPECT_NE(family.unit, unitBehindBaked()) << family.sampler;
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     const auto expectUnit = [](const GlProgram& program, bool reads, const std::string& name) {
         const GLint location = program.uniform("uShadowMaps");
         if (reads) {
@@ -444,15 +443,14 @@ TEST(ShadowMap, TooManyLayers_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // A scene has at most 16 lights, that is, 96 layers, so ShadowMaps is tested directly, with one more
     // light than supported layers.
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     GLint most = 0;
     glGetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     Scene scene;
     scene.lights.assign(static_cast<size_t>(most) + 1, directionalLight("sun", {0, 1, 0}));
     const Technique technique = resolveTechnique(kMap + ",shadow_map_size=16");
     try {
-        ShadowMaps(technique, scene, Bounds{}, Vec3(0), *context);
+        ShadowMaps(technique, scene, Bounds{}, Vec3(0), *testContext());
         ADD_FAILURE() << most + 1 << " layers were had";
     } catch (const MachineError& error) {
         const std::string expected = "expected at most " + std::to_string(most) + " layers";
@@ -464,7 +462,7 @@ TEST(ShadowMap, TooMuchMemory_IsMachineError) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // 16 lamps of six faces of 8192 x 8192 floats: 24 GiB. Only a software rasterizer uses main memory, whose
     // size is known.
-    const bool software = createGlContext({})->softwareRasterizer();
+    const bool software = testContext()->softwareRasterizer();
     if (!software) GTEST_SKIP() << "the free memory of a GPU can't be queried";
     if (freeMemoryBytes() > uint64_t(24) << 30)
         GTEST_SKIP() << "24 GiB of shadow maps would fit this machine";

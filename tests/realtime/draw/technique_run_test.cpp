@@ -141,7 +141,7 @@ TEST_F(UserTechnique, MissEverywhere_CoversNothing) {
 TEST_F(UserTechnique, AfterFailure_RendererWorks) {
     write("ReliefHit traceRelief(ReliefRay ray) { return nonsense; }\n");
     const Scene scene = bumpyScene();
-    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0});
+    RealtimeRenderer renderer(scene, {GlBackend::Auto, -1, 0}, testContext());
     const Frame before = renderer.render(resolveTechnique("linear_binary"), nullptr).frame;
     EXPECT_THROW(renderer.render(resolveTechnique(path()), nullptr), InputError);
     EXPECT_THROW(renderer.render(resolveTechnique("micro_triangles"), nullptr), InputError);
@@ -153,7 +153,7 @@ TEST_F(UserTechnique, AfterFailure_RendererWorks) {
 TEST(TechniqueResult, Result_HasNameParametersAndTime) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const Scene scene = bumpyScene();
-    RealtimeRenderer renderer(scene, {});
+    RealtimeRenderer renderer(scene, {}, testContext());
     const TechniqueResult result = renderer.render(
         resolveTechnique("linear_binary:linear_steps=20", {{"binary_steps", "4"}, {"cones", "1"}}), nullptr);
     EXPECT_EQ(result.name, "linear_binary:binary_steps=4,linear_steps=20");

@@ -85,8 +85,7 @@ double bisect(const Quadratic& gap, double outside, double inside) {
 
 std::vector<TracedHit> traceGlsl(const std::string& technique, const HeightMap& map,
                                  const std::vector<ReliefLine>& lines, const ReliefPath& path) {
-    const auto context = createGlContext({});
-    const CurrentContext current(*context);
+    const CurrentContext current(*testContext());
     GlTexture texture = GlTexture::make();
     std::vector<TracedHit> hits;
     for (size_t first = 0; first < lines.size(); first += kMaxRaysAtOnce) {
