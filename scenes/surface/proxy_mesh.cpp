@@ -126,8 +126,7 @@ class ProxyBuilder {
             const double length = glm::length(place.directionSum);
             if (length > 0) place.position += place.directionSum * (offset / length);
             std::ranges::sort(place.ring);
-            const auto repeated = std::ranges::unique(place.ring);
-            place.ring.erase(repeated.begin(), repeated.end());
+            place.ring.erase(std::unique(place.ring.begin(), place.ring.end()), place.ring.end());
         }
         for (ProxyVertex& vertex : proxy_.vertices)
             vertex.position = places_[vertex.place].position;
