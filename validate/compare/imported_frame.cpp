@@ -191,8 +191,8 @@ class FrameConverter {
         for (size_t pixel = 0; pixel < depth.size(); ++pixel)
             if (isDepth(depth[pixel])) {
                 const auto width = static_cast<size_t>(frame_.width());
-                const Ray ray = rays.ray(static_cast<double>(pixel % width) + 0.5,
-                                         static_cast<double>(pixel / width) + 0.5);
+                const size_t column = pixel % width, row = pixel / width;
+                const Ray ray = rays.ray(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
                 depth[pixel] = static_cast<float>(near + depth[pixel] * glm::dot(ray.direction, forward));
             }
         note(fmt::format("{} is a distance along the ray from a plane {} in front of the camera{}",
