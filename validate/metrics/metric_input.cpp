@@ -27,8 +27,7 @@ PlanarDepth planarDepth(const Frame& frame, const char* which, const std::option
 
 MetricInput::MetricInput(const Frame& reference, const Frame& test, std::vector<ObjectInfo> objects,
                          std::optional<Camera> viewCamera, std::vector<Light> placedLights)
-    : pair(reference, test, std::move(objects)), camera(std::move(viewCamera)),
-      lights(std::move(placedLights)) {
+    : pair(reference, test, std::move(objects)), camera(viewCamera), lights(std::move(placedLights)) {
     tbb::parallel_invoke([&] { referenceDepth = planarDepth(reference, "reference", camera); },
                          [&] { testDepth = planarDepth(test, "test", camera); });
 }
