@@ -14,10 +14,6 @@ bool isLetter(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
 }
 
-bool isWordCharacter(char c) {
-    return isLetter(c) || std::isdigit(static_cast<unsigned char>(c));
-}
-
 using Tokens = std::span<const std::string_view>;
 
 /// Takes preprocessor lines out of the text, and the names of macros into `names`.
@@ -35,7 +31,7 @@ std::string withoutDirectives(std::string text, std::set<std::string>& names) {
             if (word != std::string_view::npos && line.substr(word).starts_with(kDefine)) {
                 const size_t start = line.find_first_not_of(" \t", word + kDefine.size());
                 size_t stop = start;
-                while (stop < line.size() && isWordCharacter(line[stop]))
+                while (stop < line.size() && isNameCharacter(line[stop]))
                     ++stop;
                 if (stop > start) names.emplace(line.substr(start, stop - start));
             }
@@ -52,8 +48,8 @@ std::vector<std::string_view> tokensOf(std::string_view text) {
     std::vector<std::string_view> tokens;
     for (size_t i = 0; i < text.size();) {
         size_t end = i + 1;
-        if (isWordCharacter(text[i]))
-            while (end < text.size() && (isWordCharacter(text[end]) || text[end] == '.'))
+        if (isNameCharacter(text[i]))
+            while (end < text.size() && (isNameCharacter(text[end]) || text[end] == '.'))
                 ++end;
         if (!std::isspace(static_cast<unsigned char>(text[i]))) tokens.push_back(text.substr(i, end - i));
         i = end;

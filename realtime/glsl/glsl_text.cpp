@@ -74,11 +74,11 @@ bool isNumberedType(std::string_view name) {
     return std::ranges::any_of(kNumberedTypes, isOf);
 }
 
-bool isWordCharacter(char c) {
+} // namespace
+
+bool isNameCharacter(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
-
-} // namespace
 
 bool isGlslWord(std::string_view name) {
     return kKeywords.contains(name) || kFunctions.contains(name) || isNumberedType(name);
@@ -103,9 +103,9 @@ std::string withoutComments(std::string_view glsl) {
 bool namesIdentifier(std::string_view glsl, std::string_view name) {
     const std::string text = withoutComments(glsl);
     for (size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
-        const bool starts = at == 0 || !isWordCharacter(text[at - 1]);
+        const bool starts = at == 0 || !isNameCharacter(text[at - 1]);
         const size_t end = at + name.size();
-        if (starts && (end == text.size() || !isWordCharacter(text[end]))) return true;
+        if (starts && (end == text.size() || !isNameCharacter(text[end]))) return true;
     }
     return false;
 }

@@ -7,6 +7,9 @@
 
 namespace plumbline {
 
+/// A letter, digit or underscore.
+bool isNameCharacter(char c);
+
 /// A keyword, reserved word, type or built-in function of GLSL 4.10 (sections 3.6 and 8) or GLSL ES 3.00
 /// (sections 3.7 and 8).
 bool isGlslWord(std::string_view name);

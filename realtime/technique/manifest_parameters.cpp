@@ -22,7 +22,6 @@ constexpr double kLargestFloat = std::numeric_limits<float>::max();
 /// is the parameter's name, or a GLSL name derived from the field `key`.
 void checkParameterName(const TomlTable& table, const char* key, const std::string& name) {
     const auto isLetter = [](unsigned char c) { return std::isalpha(c) != 0; };
-    const auto isNameCharacter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
     if (name.empty() || !isLetter(static_cast<unsigned char>(name[0])) ||
         !std::all_of(name.begin(), name.end(), isNameCharacter) || name.find("__") != std::string::npos ||
         name.starts_with("gl_"))

@@ -100,11 +100,7 @@ class FrameTracer {
                         static_cast<float>(scene_.background[k]));
     }
 
-    Ray rayOf(size_t pixel) const {
-        const size_t width = lengthOf(frame_.width());
-        const size_t column = pixel % width, row = pixel / width;
-        return rays_.ray(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-    }
+    Ray rayOf(size_t pixel) const { return rays_.ray(pixelCenter(pixel, lengthOf(frame_.width()))); }
 
     /// Traces the camera rays of pixels [first, first + count); hits are in pixel order.
     std::vector<PixelHit> traceBand(size_t first, size_t count) const {

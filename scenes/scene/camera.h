@@ -6,6 +6,8 @@
 
 #include "scenes/core/math.h"
 
+#include <cstddef>
+
 namespace plumbline {
 
 struct Camera {
@@ -34,6 +36,13 @@ Mat4 clipFromView(const Camera& camera, double near, double far);
 /// z is the planar depth (<= 0 for points behind a perspective camera, where x and y are meaningless).
 Vec3 pixelFromWorld(const Camera& camera, const Vec3& positionWorld);
 
+/// Center of the pixel with that index in a picture `width` pixels wide, rows from the top: in pixels, as
+/// CameraRays::ray takes it.
+inline Vec2 pixelCenter(size_t pixel, size_t width) {
+    const size_t column = pixel % width, row = pixel / width;
+    return {static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5};
+}
+
 /// Generates rays for many pixels; the basis is computed once.
 class CameraRays {
   public:
@@ -41,6 +50,7 @@ class CameraRays {
     /// Ray through (x, y) in pixels; pass i + 0.5 for a center. Perspective rays start at the camera,
     /// orthographic rays on the camera plane.
     Ray ray(double x, double y) const;
+    Ray ray(const Vec2& pixel) const { return ray(pixel.x, pixel.y); }
     /// Planar depth of a world point.
     double planarDepth(const Vec3& positionWorld) const {
         return glm::dot(positionWorld - origin_, forward_);

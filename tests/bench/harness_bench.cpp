@@ -6,7 +6,6 @@
 #include "realtime/draw/technique_program.h"
 #include "realtime/draw/view.h"
 #include "realtime/realtime.h"
-#include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/scene_file/scene_file.h"
@@ -71,19 +70,18 @@ void addUncounted(ShaderSource& source, const std::filesystem::path& file) {
 
 /// The search and its surface alone: no normal, shading, shadows, channels or counters.
 StageSources bareSources(const Technique& technique) {
-    const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
     StageSources sources;
     ShaderSource& fragment = sources.fragment;
-    sources.vertex.addFile(shaders / "proxy_vertex.glsl");
+    sources.vertex.addFile(harnessShader("proxy_vertex.glsl"));
     fragment.addText("(settings)",
                      fmt::format("const bool kHardwareFilter = {};\nlayout(location = 0) out vec4 outHit;\n",
                                  technique.hardwareFilter()));
-    fragment.addFile(shaders / "camera.glsl");
+    fragment.addFile(harnessShader("camera.glsl"));
     for (const char* name : {"height_map.glsl", "relief_contract.glsl", "relief_walk.glsl"})
-        addUncounted(fragment, shaders / name);
+        addUncounted(fragment, harnessShader(name));
     for (const std::string& kind : technique.bakedKinds())
-        addUncounted(fragment, shaders / bakedFamily(kind).shader);
-    fragment.addFile(shaders / "relief_frame.glsl");
+        addUncounted(fragment, harnessShader(bakedFamily(kind).shader));
+    fragment.addFile(harnessShader("relief_frame.glsl"));
     fragment.addText(
         "(main)",
         "void main() {\n"
@@ -96,7 +94,7 @@ StageSources bareSources(const Technique& technique) {
         "    outHit = vec4(hit.t, hit.st, 1.0);\n"
         "    gl_FragDepth = clamp((planarDepth(vPosition) - uDepthRange.x) * uDepthRange.y, 0.0, 1.0);\n"
         "}\n");
-    if (technique.hasCurvedBase()) fragment.addFile(shaders / "quadric_base.glsl");
+    if (technique.hasCurvedBase()) fragment.addFile(harnessShader("quadric_base.glsl"));
     fragment.addText("(parameters)", technique.glslConstants());
     fragment.addFile(technique.surface->shaderFile());
     fragment.addFile(technique.search.shaderFile());

@@ -190,9 +190,7 @@ class FrameConverter {
         const auto depth = frame_.channel("Z");
         for (size_t pixel = 0; pixel < depth.size(); ++pixel)
             if (isDepth(depth[pixel])) {
-                const auto width = static_cast<size_t>(frame_.width());
-                const size_t column = pixel % width, row = pixel / width;
-                const Ray ray = rays.ray(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+                const Ray ray = rays.ray(pixelCenter(pixel, static_cast<size_t>(frame_.width())));
                 depth[pixel] = static_cast<float>(near + depth[pixel] * glm::dot(ray.direction, forward));
             }
         note(fmt::format("{} is a distance along the ray from a plane {} in front of the camera{}",

@@ -49,9 +49,7 @@ std::optional<PositionSpace> findPositionSpace(const std::array<std::span<const 
         for (const size_t pixel : samples) {
             const Vec4 theirs(planes[0][pixel], planes[1][pixel], planes[2][pixel], 1);
             const Vec3 seen = pixelFromWorld(camera, Vec3(space.worldFromTheirs * theirs));
-            const size_t column = pixel % width, row = pixel / width;
-            const Vec2 center(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-            const double offset = glm::length(Vec2(seen) - center);
+            const double offset = glm::length(Vec2(seen) - pixelCenter(pixel, width));
             offsets.push_back(seen.z > 0 && std::isfinite(offset) ? offset : kBehindPx);
         }
         space.medianOffsetPx = medianOf(std::move(offsets));

@@ -33,7 +33,7 @@ std::string missingReason(const FramePair& pair, const std::string& name, const 
 class LightSide {
   public:
     LightSide(const Frame& reference, const Light& light, const Camera& camera)
-        : width_(static_cast<uint32_t>(reference.width())), light_(light), rays_(camera),
+        : width_(lengthOf(reference.width())), light_(light), rays_(camera),
           normal_(planes(reference, {"N.X", "N.Y", "N.Z"})) {
         if (light.kind == Light::Kind::Point) position_ = planes(reference, {"P.X", "P.Y", "P.Z"});
     }
@@ -41,8 +41,7 @@ class LightSide {
     /// nullopt where the reference has no normal or no position.
     std::optional<bool> attached(uint32_t pixel) const {
         const Vec3 normal = at(normal_, pixel);
-        const uint32_t column = pixel % width_, row = pixel / width_;
-        const Vec3 view = rays_.ray(column + 0.5, row + 0.5).direction;
+        const Vec3 view = rays_.ray(pixelCenter(pixel, width_)).direction;
         const double side = glm::dot(normal, view) > 0 ? -1 : 1;
         const Vec3 toLight = light_.kind == Light::Kind::Point
                                  ? sampleLight(light_, at(position_, pixel)).toLightWorld
@@ -61,7 +60,7 @@ class LightSide {
         return {planes[0][pixel], planes[1][pixel], planes[2][pixel]};
     }
 
-    uint32_t width_;
+    size_t width_;
     const Light& light_;
     CameraRays rays_;
     Planes normal_, position_;

@@ -1,5 +1,6 @@
 // Compares GLSL functions with their C++ versions and with closed forms.
-#include "scenes/core/data_folder.h"
+#include "realtime/technique/stage_sources.h"
+#include "realtime/technique/technique_list.h"
 #include "tests/realtime/draw/evaluate_glsl.h"
 #include "tests/realtime/gl_fixture.h"
 
@@ -42,7 +43,7 @@ std::vector<glm::vec4> lookUp(const HeightMap& map, const std::vector<glm::vec4>
     ShaderSource source;
     source.addText("(settings)",
                    hardware ? "const bool kHardwareFilter = true;" : "const bool kHardwareFilter = false;");
-    source.addFile(dataFolder() / "realtime" / "shaders" / "height_map.glsl");
+    source.addFile(harnessShader("height_map.glsl"));
     source.addText("(test)",
                    "vec4 evaluate(vec4 a) { return vec4(reliefDepth(a.xy), reliefDepthGradient(a.xy), "
                    "float(gHeightLookups)); }");
@@ -136,13 +137,12 @@ TEST(LookUpOfNonsense, NonFiniteSt_StaysInsideMap) {
 
 std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
     const CurrentContext current(*testContext());
-    const std::filesystem::path folder = dataFolder() / "realtime";
     ShaderSource source;
     source.addText("(settings)", "const bool kHardwareFilter = false;");
-    source.addFile(folder / "shaders" / "height_map.glsl");
-    source.addFile(folder / "shaders" / "relief_contract.glsl");
-    source.addFile(folder / "shaders" / "quadric_base.glsl");
-    source.addFile(folder / "surfaces" / "quadric" / "quadric.glsl");
+    source.addFile(harnessShader("height_map.glsl"));
+    source.addFile(harnessShader("relief_contract.glsl"));
+    source.addFile(harnessShader("quadric_base.glsl"));
+    source.addFile(surfacesFolder() / "quadric" / "quadric.glsl");
     source.addText("(test)",
                    "vec4 evaluate(vec4 a) {\n"
                    "  vec2 end = searchEnd(a.x, a.y);\n"

@@ -1,7 +1,6 @@
 // Compares the depth below a quadric in GLSL with a double-precision computation from the definition, which
 // uses the quadric as a surface in space and none of the shaders' formulas.
-#include "realtime/technique/technique.h"
-#include "scenes/core/data_folder.h"
+#include "realtime/technique/stage_sources.h"
 #include "tests/realtime/draw/evaluate_glsl.h"
 #include "tests/realtime/gl_fixture.h"
 
@@ -93,12 +92,11 @@ double trueDepth(const std::string& surface, const Case& at, double tau) {
 /// unit; scales and depth.
 ShaderSource surfaceSource(const std::string& surface, const std::string& evaluate) {
     const Technique technique = resolveTechnique("linear_binary@" + surface);
-    const std::filesystem::path shaders = dataFolder() / "realtime" / "shaders";
     ShaderSource source;
     source.addText("(settings)", "const bool kHardwareFilter = false;\nuniform sampler2D uCases;");
-    source.addFile(shaders / "height_map.glsl");
-    source.addFile(shaders / "relief_contract.glsl");
-    source.addFile(shaders / "quadric_base.glsl");
+    source.addFile(harnessShader("height_map.glsl"));
+    source.addFile(harnessShader("relief_contract.glsl"));
+    source.addFile(harnessShader("quadric_base.glsl"));
     source.addText("(parameters)", technique.glslConstants());
     source.addFile(technique.surface->shaderFile());
     source.addText(

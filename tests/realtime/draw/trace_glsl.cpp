@@ -1,7 +1,7 @@
 #include "tests/realtime/draw/trace_glsl.h"
 
 #include "realtime/technique/stage_sources.h"
-#include "scenes/core/data_folder.h"
+#include "realtime/technique/technique_list.h"
 #include "tests/realtime/draw/evaluate_glsl.h"
 #include "tests/realtime/gl_fixture.h"
 
@@ -17,16 +17,15 @@ constexpr size_t kMaxRaysAtOnce = 4096; // a row of a texture
 
 ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
     const Technique technique = resolveTechnique(name);
-    const std::filesystem::path folder = dataFolder() / "realtime";
     ShaderSource source;
     source.addText("(settings)", fmt::format("const bool kHardwareFilter = {};", technique.hardwareFilter()));
-    source.addFile(folder / "shaders" / "height_map.glsl");
-    source.addFile(folder / "shaders" / "relief_contract.glsl");
-    source.addFile(folder / "shaders" / "relief_walk.glsl");
-    source.addFile(folder / "shaders" / "quadric_base.glsl");
+    source.addFile(harnessShader("height_map.glsl"));
+    source.addFile(harnessShader("relief_contract.glsl"));
+    source.addFile(harnessShader("relief_walk.glsl"));
+    source.addFile(harnessShader("quadric_base.glsl"));
     source.addText("(parameters)", technique.glslConstants());
     // Its reliefPosition is bit-identical to that of `flat` if endDepth is 1 and bend 0.
-    source.addFile(folder / "surfaces" / "quadric" / "quadric.glsl");
+    source.addFile(surfacesFolder() / "quadric" / "quadric.glsl");
     source.addFile(technique.search.shaderFile());
     source.addText(
         "(test)",
