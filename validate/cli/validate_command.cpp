@@ -3,6 +3,7 @@
 #include "scenes/core/program_name.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/frame_exr.h"
+#include "scenes/frame/frame_header.h"
 #include "scenes/frame/object_info.h"
 #include "scenes/scene_file/scene_file.h"
 #include "scenes/scene_file/scene_library.h"
@@ -129,7 +130,7 @@ References drawReferences(const Task& task, const ReferenceArguments& arguments,
     }
     options.base = choice == BaseChoice::Proxy ? Base::Proxy : Base::Limit;
     options.microAttributes = microTriangles;
-    references.base = choice == BaseChoice::Proxy ? "proxy" : "limit";
+    references.base = baseName(options.base);
     references.frame = drawReference(task.scene, options, progress, references.summary,
                                      microTriangles ? &references.scene : nullptr);
     return references;
