@@ -73,8 +73,9 @@ std::vector<const MetricInfo*> inSchemaOrder(const std::vector<MetricInfo>& rows
     std::vector<const MetricInfo*> ordered;
     for (const MetricInfo& row : rows)
         ordered.push_back(&row);
-    std::ranges::stable_partition(ordered,
-                                  [](const MetricInfo* row) { return row->key == "cost.ms_median"; });
+    // clang 14 can't compile std::ranges::stable_partition with the headers of g++ 12.
+    std::stable_partition(ordered.begin(), ordered.end(),
+                          [](const MetricInfo* row) { return row->key == "cost.ms_median"; });
     return ordered;
 }
 
