@@ -4,6 +4,7 @@
 #include "scenes/mesh/vertex_normals.h"
 #include "scenes/surface/limit_check.h"
 #include "scenes/surface/linear_patch.h"
+#include "scenes/surface/prepared_faces.h"
 #include "scenes/surface/topology.h"
 
 #include <opensubdiv/bfr/refinerSurfaceFactory.h>
@@ -52,7 +53,8 @@ struct BaseSurface::Impl {
     ControlMesh mesh;
     Scheme scheme;
     std::unique_ptr<Far::TopologyRefiner> refiner;
-    std::unique_ptr<SurfaceFactory> factory; // null for Scheme::None
+    std::unique_ptr<SurfaceFactory> factory;      // null for Scheme::None
+    std::unique_ptr<PreparedFaces> preparedFaces; // likewise
     std::vector<MeshFace> faces;
     std::vector<int> firstPatch; // per face, plus the end; indices into patches
     std::vector<Patch> patches;
@@ -65,6 +67,7 @@ struct BaseSurface::Impl {
             Bfr::SurfaceFactory::Options options;
             options.SetApproxLevelSmooth(kApproximationLevel).SetApproxLevelSharp(kApproximationLevel);
             factory = std::make_unique<SurfaceFactory>(*refiner, options);
+            preparedFaces = std::make_unique<PreparedFaces>(*factory, mesh);
         } else if (!mesh.hasNormals()) {
             addAngleWeightedNormals(mesh);
         }
@@ -179,8 +182,7 @@ struct BaseSurface::Evaluator::State {
     const BaseSurface::Impl& surface;
     Patch patch{};
     int faceReady = -1;
-    Bfr::Surface<double> smooth;
-    std::vector<double> smoothPoints;
+    std::shared_ptr<const PreparedFace> smooth;
     LinearPatch<Vec3> position, normal; // Scheme::None
     LinearPatch<Vec2> uv;
 
@@ -202,18 +204,9 @@ struct BaseSurface::Evaluator::State {
             position = linearPatch(mesh.points, mesh.faceVertices);
             normal = linearPatch(mesh.normals, mesh.faceNormals);
         } else if (faceReady != patch.face) {
-            prepareSmooth();
+            smooth = surface.preparedFaces->face(patch.face);
+            faceReady = patch.face;
         }
-    }
-
-    void prepareSmooth() {
-        if (!surface.factory->InitVertexSurface(patch.face, &smooth))
-            throw InputError(whereOfFace(surface.mesh, patch.face),
-                             "OpenSubdiv can't evaluate its limit surface");
-        smoothPoints.resize(3 * lengthOf(smooth.GetNumPatchPoints()));
-        const Bfr::Surface<double>::PointDescriptor xyz(3);
-        smooth.PreparePatchPoints(&surface.mesh.points[0].x, xyz, smoothPoints.data(), xyz);
-        faceReady = patch.face;
     }
 
     /// Converts patch coordinates to Bfr's, where sub-face k covers half of its own unit tile.
@@ -221,8 +214,8 @@ struct BaseSurface::Evaluator::State {
         std::array<double, 2> coord{u, v};
         if (patch.subFace) {
             const std::array<double, 2> local{u, v};
-            smooth.GetParameterization().ConvertNormalizedSubFaceToCoord(patch.corner, local.data(),
-                                                                         coord.data());
+            smooth->surface.GetParameterization().ConvertNormalizedSubFaceToCoord(patch.corner, local.data(),
+                                                                                  coord.data());
         }
         return coord;
     }
@@ -237,7 +230,7 @@ struct BaseSurface::Evaluator::State {
             return;
         }
         const auto coord = bfrCoord(u, v);
-        smooth.Evaluate(coord.data(), smoothPoints.data(), 3, &p.x, &pu.x, &pv.x);
+        smooth->surface.Evaluate(coord.data(), smooth->patchPoints.data(), 3, &p.x, &pu.x, &pv.x);
         pu *= coordScale();
         pv *= coordScale();
     }
@@ -277,8 +270,8 @@ struct BaseSurface::Evaluator::State {
         } else {
             Vec3 puu, puv, pvv;
             const auto coord = bfrCoord(u, v);
-            smooth.Evaluate(coord.data(), smoothPoints.data(), 3, &s.position.x, &s.positionU.x,
-                            &s.positionV.x, &puu.x, &puv.x, &pvv.x);
+            smooth->surface.Evaluate(coord.data(), smooth->patchPoints.data(), 3, &s.position.x,
+                                     &s.positionU.x, &s.positionV.x, &puu.x, &puv.x, &pvv.x);
             const double scale = coordScale();
             s.positionU *= scale;
             s.positionV *= scale;
