@@ -25,8 +25,9 @@ struct EdgePiece {
 };
 
 /// Pieces of an edge that are short against their reach and a pixel; none where it isn't in front of the
-/// viewer. `largest`: no reach is above this.
-void forEachPiece(const Screen& screen, const ContourEdge& edge, double largestReach,
+/// viewer, or farther from the picture, which begins at (0, 0), than its reach. No reach is above the
+/// picture's diagonal.
+void forEachPiece(const Screen& screen, const ContourEdge& edge, const Vec2& pictureSize,
                   const std::function<void(const EdgePiece&)>& visit);
 
 } // namespace plumbline

@@ -201,12 +201,12 @@ class ShadowMarker {
 };
 
 template <typename Marker>
-void considerAll(const std::vector<ContourFinder>& contours, const Screen& screen, double largestReach,
+void considerAll(const std::vector<ContourFinder>& contours, const Screen& screen, const Vec2& pictureSize,
                  const Marker& marker) {
     for (const ContourFinder& finder : contours)
         finder.forEach(screen.viewpoint(), [&](const ContourEdge& edge) {
             const FlushDenormals flush;
-            forEachPiece(screen, edge, largestReach, [&](const EdgePiece& piece) { marker.consider(piece); });
+            forEachPiece(screen, edge, pictureSize, [&](const EdgePiece& piece) { marker.consider(piece); });
         });
 }
 
@@ -216,7 +216,7 @@ void markUncertainCoverage(const Camera& camera, const std::vector<ContourFinder
                            const EmbreeScene& embree, std::span<const float> ids, std::span<float> uncertain,
                            std::span<float> otherSheet) {
     const CoverageMarker marker(camera, embree, ids, uncertain, otherSheet);
-    considerAll(contours, Screen::ofCamera(camera), std::hypot(camera.width, camera.height), marker);
+    considerAll(contours, Screen::ofCamera(camera), Vec2(camera.width, camera.height), marker);
 }
 
 void markUncertainShadow(const Light& light, const std::vector<ContourFinder>& contours,
@@ -229,7 +229,7 @@ void markUncertainShadow(const Light& light, const std::vector<ContourFinder>& c
         const PointBins bins(screen, points, columns, rows);
         if (bins.empty()) return;
         const ShadowMarker marker(light, screen, bins, embree, uncertain);
-        considerAll(contours, screen, std::hypot(columns, rows), marker);
+        considerAll(contours, screen, Vec2(columns, rows), marker);
     };
     if (light.kind == Light::Kind::Point) {
         for (int face = 0; face < 6; ++face)

@@ -57,6 +57,13 @@ Vec3 Screen::project(const Vec3& point) const {
             depth};
 }
 
+Vec3 Screen::projectHomogeneous(const Vec3& point) const {
+    const Vec3 offset = point - origin_;
+    const double w = perspective_ ? glm::dot(offset, forward_) : 1;
+    return {center_.x * w + glm::dot(offset, right_) * scale_,
+            center_.y * w + glm::dot(offset, down_) * scale_, w};
+}
+
 double Screen::pixelsPerWorld(const Vec3& p) const {
     if (!perspective_) return scale_;
     // The projection of a small ball off the axis is stretched by the reciprocal of the cosine of its angle.

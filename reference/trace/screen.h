@@ -28,6 +28,9 @@ class Screen {
     /// x and y in pixels, and the depth. x and y are meaningless behind a perspective viewer.
     Vec3 project(const Vec3& pointWorld) const;
     bool inFront(const Vec3& projected) const { return !perspective_ || projected.z > 0; }
+    /// Homogeneous pixel coordinates (xw, yw, w), linear in world space; w is negative behind a perspective
+    /// viewer.
+    Vec3 projectHomogeneous(const Vec3& pointWorld) const;
     /// Maximum number of pixels per world unit, orthogonal to the line of sight, at a point.
     double pixelsPerWorld(const Vec3& projected) const;
     /// The world point at a pixel and a depth.
