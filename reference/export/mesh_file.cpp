@@ -2,12 +2,11 @@
 
 #include "reference/export/mesh_numbers.h"
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/core/replace_file.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -59,12 +58,6 @@ class PieceWriter {
     uint64_t bytes_ = 0;
 };
 
-std::string onOneLine(std::string text) {
-    std::ranges::replace_if(
-        text, [](unsigned char c) { return std::iscntrl(c) != 0; }, ' ');
-    return text;
-}
-
 std::vector<MeshNumbers> numberObjects(std::span<const MeshFileObject> objects) {
     std::vector<MeshNumbers> numbers;
     for (const MeshFileObject& object : objects)
@@ -87,9 +80,9 @@ void writePly(PieceWriter& out, std::span<const MeshFileObject> objects, std::sp
               const MeshFileSize& size, std::span<const std::string> comments) {
     std::string header = "ply\nformat binary_little_endian 1.0\n";
     for (const std::string& comment : comments)
-        header += fmt::format("comment {}\n", onOneLine(comment));
+        header += fmt::format("comment {}\n", printable(comment));
     for (size_t k = 0; k < objects.size(); ++k)
-        header += fmt::format("comment object_id {}: {}\n", k + 1, onOneLine(objects[k].name));
+        header += fmt::format("comment object_id {}: {}\n", k + 1, printable(objects[k].name));
     header += fmt::format("element vertex {}\n", size.vertices);
     for (const char* property : {"x", "y", "z", "nx", "ny", "nz", "s", "t"})
         header += fmt::format("property float {}\n", property);
@@ -120,11 +113,11 @@ void writePly(PieceWriter& out, std::span<const MeshFileObject> objects, std::sp
 void writeObj(PieceWriter& out, std::span<const MeshFileObject> objects, std::span<const MeshNumbers> numbers,
               std::span<const std::string> comments) {
     for (const std::string& comment : comments)
-        out.piece() += fmt::format("# {}\n", onOneLine(comment));
+        out.piece() += fmt::format("# {}\n", printable(comment));
     uint32_t first = 1;
     for (size_t k = 0; k < objects.size(); ++k) {
         const MicroMesh& mesh = *objects[k].mesh;
-        out.piece() += fmt::format("o {}\n", onOneLine(objects[k].name));
+        out.piece() += fmt::format("o {}\n", printable(objects[k].name));
         forNumbers(numbers[k], [&](size_t vertex) {
             const Vec3f &p = mesh.positionsWorld[vertex], &n = mesh.normalsWorld[vertex];
             const Vec2f& st = mesh.st[vertex];

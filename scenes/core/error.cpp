@@ -1,18 +1,13 @@
 #include "scenes/core/error.h"
 
+#include "scenes/core/printable.h"
+
 #include <algorithm>
 #include <cctype>
 #include <vector>
 
 namespace plumbline {
 namespace {
-
-/// Keeps a message on one line: names read from files may contain line breaks and other control characters.
-std::string oneLine(std::string text) {
-    for (char& c : text)
-        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-    return text;
-}
 
 std::string compose(std::string_view where, std::string_view what, std::string_view expected,
                     std::string_view hint) {
@@ -21,7 +16,7 @@ std::string compose(std::string_view where, std::string_view what, std::string_v
     message.append(what);
     if (!expected.empty()) message.append("; expected ").append(expected);
     if (!hint.empty()) message.append("; ").append(hint);
-    return oneLine(std::move(message));
+    return printable(message); // one line, whatever names it holds
 }
 
 std::string lowerCase(std::string_view text) {

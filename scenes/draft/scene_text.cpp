@@ -1,6 +1,7 @@
 #include "scenes/draft/scene_text.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/toml/toml_tree.h"
 
 #include <fmt/format.h>
@@ -35,7 +36,7 @@ std::string vectorText(const Vec3& vector, double step) {
 
 /// The text as comment lines that begin with "# ", broken at spaces; empty for an empty text.
 std::string comment(const std::string& text) {
-    std::istringstream words(text);
+    std::istringstream words(printable(text));
     std::string result, line, word;
     while (words >> word) {
         if (!line.empty() && line.size() + word.size() >= kCommentWidth) {

@@ -1,6 +1,7 @@
 #include "scenes/toml/toml_table.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/core/read_file.h"
 #include "scenes/toml/toml_change.h"
 #include "scenes/toml/toml_hash.h"
@@ -135,8 +136,7 @@ std::string TomlTable::line(std::string_view key) const {
     if (!value) failMissing(key, "a single-line string");
     const auto* text = value->as<std::string>();
     if (!text) fail(key, "is " + describe(*value), "a string in quotes");
-    const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-    if (text->empty() || std::any_of(text->begin(), text->end(), isControl))
+    if (text->empty() || printable(*text) != *text)
         fail(key, text->empty() ? "is empty" : "has a control character", "a single-line string");
     return *text;
 }

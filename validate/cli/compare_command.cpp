@@ -1,4 +1,5 @@
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/core/program_name.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/frame/frame_header.h"
@@ -138,7 +139,7 @@ int runCompare(const Arguments& arguments) {
     }
     fmt::print("{}", toTable(results));
     for (const std::string& note : results.techniques[0].comparison.notes)
-        fmt::print("note: {}\n", note);
+        fmt::print("note: {}\n", printable(note));
     if (arguments.output) fmt::print("{}", reportLine(*arguments.output / "report" / "index.html"));
     return exitCode;
 }

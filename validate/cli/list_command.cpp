@@ -3,6 +3,7 @@
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
@@ -23,7 +24,7 @@ void listScenes() {
     for (const LibraryScene& scene : scenes)
         width = std::max(width, scene.name.size());
     for (const LibraryScene& scene : scenes)
-        fmt::print("{:<{}}  {}\n", scene.name, width, scene.purpose);
+        fmt::print("{:<{}}  {}\n", scene.name, width, printable(scene.purpose));
 }
 
 void listMetrics() {
@@ -43,7 +44,7 @@ void printParameters(const std::vector<Parameter>& parameters) {
     for (const Parameter& parameter : parameters)
         fmt::print("    {} = {}  {} {}{}: {}\n", parameter.name, parameter.format(parameter.defaultValue),
                    parameter.typeName(), parameter.rangeText(),
-                   parameter.unit.empty() ? "" : ", " + parameter.unit, parameter.meaning);
+                   parameter.unit.empty() ? "" : ", " + printable(parameter.unit), parameter.meaning);
 }
 
 void listAllSurfaces() {
@@ -55,7 +56,7 @@ void listAllSurfaces() {
         if (!surface.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(surface.inputs, ", "));
         printParameters(surface.parameters);
         for (const std::string& limit : surface.limits)
-            fmt::print("    limit: {}\n", limit);
+            fmt::print("    limit: {}\n", printable(limit));
     }
 }
 
@@ -72,7 +73,7 @@ void listAllTechniques() {
         if (!technique.inputs.empty()) fmt::print("    inputs: {}\n", fmt::join(technique.inputs, ", "));
         printParameters(technique.parameters);
         for (const std::string& limit : technique.limits)
-            fmt::print("    limit: {}\n", limit);
+            fmt::print("    limit: {}\n", printable(limit));
     }
 }
 

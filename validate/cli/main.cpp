@@ -1,6 +1,7 @@
 // The program: its command line read, what it asks for run, errors to one line and an exit code. What is done
 // is in cli/.
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/core/program_name.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
@@ -50,9 +51,8 @@ int runProgram(int argc, char** argv) {
     return chosen->second();
 }
 
-int fail(int exitCode, std::string message) {
-    std::replace(message.begin(), message.end(), '\n', ' '); // one error, one line
-    std::fputs((message + "\n").c_str(), stderr);
+int fail(int exitCode, const std::string& message) {
+    std::fputs((printable(message) + "\n").c_str(), stderr); // one error, one line
     return exitCode;
 }
 

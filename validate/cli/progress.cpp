@@ -1,5 +1,7 @@
 #include "validate/cli/progress.h"
 
+#include "scenes/core/printable.h"
+
 #include <fmt/format.h>
 
 #include <cstdio>
@@ -25,20 +27,20 @@ Progress::~Progress() {
 void Progress::step(const std::string& what) {
     step_ = what;
     if (!terminal_) return;
-    std::fputs((kClearLine + what + " …").c_str(), stderr);
+    std::fputs((kClearLine + printable(what) + " …").c_str(), stderr);
     std::fflush(stderr);
 }
 
 void Progress::say(const std::string& line) {
     if (terminal_) std::fputs(kClearLine, stderr);
-    std::fputs((line + "\n").c_str(), stderr);
+    std::fputs((printable(line) + "\n").c_str(), stderr);
     step(step_);
 }
 
 void printWarnings(const std::vector<std::string>& warnings) {
     const bool terminal = stderrIsTerminal(); // where a line of progress may stand
     for (const std::string& warning : warnings)
-        fmt::print(stderr, "{}warning: {}\n", terminal ? kClearLine : "", warning);
+        fmt::print(stderr, "{}warning: {}\n", terminal ? kClearLine : "", printable(warning));
 }
 
 } // namespace plumbline

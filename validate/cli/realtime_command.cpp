@@ -1,6 +1,7 @@
 #include "realtime/gl/gl_probe.h"
 #include "reference/reference.h"
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/frame/frame_exr.h"
 #include "scenes/scene_file/scene_file.h"
 #include "scenes/scene_file/scene_library.h"
@@ -76,8 +77,9 @@ int runRealtime(const Arguments& arguments) {
         drawer.draw(chosen.resolved(), reference ? &reference->microMeshes() : nullptr);
     printWarnings(result.warnings);
     writeFrame(result.frame, file);
-    fmt::print("{}\n{} on {} ({}): {:.2f} ms, median of {} ({})\n", file.string(), result.name,
-               result.renderer, result.backend, result.msMedian, result.msRuns, result.timer);
+    fmt::print("{}\n{} on {} ({}): {:.2f} ms, median of {} ({})\n", printable(file.string()),
+               printable(result.name), result.renderer, result.backend, result.msMedian, result.msRuns,
+               result.timer);
     return kExitDone;
 }
 

@@ -1,5 +1,6 @@
 #include "validate/cli/report_arguments.h"
 
+#include "scenes/core/printable.h"
 #include "validate/report/page_bundle.h"
 
 #include <CLI/CLI.hpp>
@@ -19,7 +20,7 @@ ReportOptions ReportArguments::options() const {
 
 std::string reportLine(const std::filesystem::path& page) {
     const std::string_view plain = report::plainReportReason();
-    return fmt::format("report: {}\n{}", page.string(),
+    return fmt::format("report: {}\n{}", printable(page.string()),
                        plain.empty() ? "" : fmt::format("(a plain one: {})\n", plain));
 }
 

@@ -1,5 +1,6 @@
 #include "validate/cli/requirements.h"
 
+#include "scenes/core/printable.h"
 #include "validate/cli/parsed_option.h"
 #include "validate/results/results.h"
 
@@ -63,7 +64,9 @@ bool holdRequirements(const std::vector<Requirement>& requirements, TechniqueOut
         all = false;
         const std::string found = result.value ? fmt::format("is {}", *result.value)
                                                : fmt::format("is absent ({})", result.value.reason());
-        fmt::print(stderr, "{}: {} {}; required {}\n", outcome.name, result.key, found, result.requirement);
+        fmt::print(stderr, "{}\n",
+                   printable(fmt::format("{}: {} {}; required {}", outcome.name, result.key, found,
+                                         result.requirement)));
     }
     return all;
 }

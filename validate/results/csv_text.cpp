@@ -1,9 +1,12 @@
 #include "validate/results/csv_text.h"
 
+#include "scenes/core/printable.h"
+
 namespace plumbline {
 
-std::string csvCell(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+std::string csvCell(const std::string& unsafe) {
+    const std::string text = printable(unsafe);
+    if (text.find_first_of(",\"") == std::string::npos) return text;
     std::string result = "\"";
     for (const char c : text) {
         if (c == '"') result += '"';

@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// Quoted if necessary.
+/// As printable() makes it, quoted if necessary.
 std::string csvCell(const std::string& text);
 /// Ends with CR LF.
 std::string csvLine(const std::vector<std::string>& texts);

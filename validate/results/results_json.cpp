@@ -224,8 +224,9 @@ std::string toJson(const Results& results) {
     json["techniques"] = Json::array();
     for (const TechniqueOutcome& technique : results.techniques)
         json["techniques"].push_back(toJson(technique));
-    // A name that isn't UTF-8 becomes replacement characters instead of an exception.
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    // ASCII, so that no character of a name acts on a terminal. A name that isn't UTF-8 becomes replacement
+    // characters instead of an exception.
+    return json.dump(2, ' ', true, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace plumbline

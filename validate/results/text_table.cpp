@@ -1,5 +1,7 @@
 #include "validate/results/text_table.h"
 
+#include "scenes/core/printable.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +16,12 @@ size_t characters(const std::string& text) {
 }
 
 } // namespace
+
+void TextTable::add(const std::vector<std::string>& cells) {
+    std::vector<std::string>& row = rows_.emplace_back();
+    for (const std::string& cell : cells)
+        row.push_back(printable(cell));
+}
 
 std::string TextTable::text() const {
     std::string text;

@@ -8,9 +8,9 @@ namespace plumbline {
 
 class TextTable {
   public:
-    explicit TextTable(std::vector<std::string> heads) { rows_.push_back(std::move(heads)); }
-    /// `cells`: as many as there are heads.
-    void add(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+    explicit TextTable(const std::vector<std::string>& heads) { add(heads); }
+    /// `cells`: as many as there are heads. They are shown as printable() makes them.
+    void add(const std::vector<std::string>& cells);
     bool empty() const { return rows_.size() == 1; }
     /// One line per row, the heads first. Widths count UTF-8 characters.
     std::string text() const;
