@@ -44,13 +44,17 @@ fs::path fileInCache(const std::string& kind, const std::string& key, BakeOutcom
 
 /// Returns whether the map was in the cache.
 bool fetch(const fs::path& file, const std::string& key, BakeOutcome& outcome) {
-    std::optional<StoredMap> stored = readBakedMap(file, key);
-    if (!stored) {
-        std::error_code ignored;
-        if (fs::exists(file, ignored))
+    std::error_code ignored;
+    if (!fs::exists(fs::symlink_status(file, ignored))) return false;
+    std::optional<StoredMap> stored;
+    try {
+        stored = readBakedMap(file, key);
+        if (!stored)
             addWarning(outcome, fmt::format("{}: is damaged, so the map is baked again", file.string()));
-        return false;
+    } catch (const InputError& error) {
+        addWarning(outcome, fmt::format("the map is baked again: {}", error.what()));
     }
+    if (!stored) return false;
     outcome.map = std::move(stored->map);
     outcome.ms = stored->ms;
     outcome.fromCache = true;

@@ -3,6 +3,7 @@
 #include "scenes/core/content_hash.h"
 #include "scenes/core/error.h"
 #include "scenes/core/free_memory.h"
+#include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <span>
 #include <string_view>
 
 namespace plumbline {
@@ -96,8 +98,8 @@ BakedMap emptyMap(const Shape& shape) {
     return map;
 }
 
-bool readInto(std::ifstream& stream, std::string& bytes) {
-    return static_cast<bool>(stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())));
+bool readInto(InputFile& input, std::span<char> bytes) {
+    return input.read(bytes) == bytes.size();
 }
 
 } // namespace
@@ -120,14 +122,12 @@ void writeBakedMap(const std::filesystem::path& file, const std::string& key, co
 }
 
 std::optional<StoredMap> readBakedMap(const std::filesystem::path& file, const std::string& key) {
-    std::error_code error;
-    const uint64_t fileBytes = std::filesystem::file_size(file, error);
-    std::ifstream stream(file, std::ios::binary);
+    InputFile input(file);
     std::string header(kHeaderBytes, '\0');
-    if (error || !stream || !readInto(stream, header)) return std::nullopt;
+    if (!readInto(input, header)) return std::nullopt;
     StoredMap stored;
     const std::optional<Shape> shape = shapeOf(header, key, stored.ms);
-    if (!shape || fileBytes != kHeaderBytes + shape->valueBytes() + kHashLetters) return std::nullopt;
+    if (!shape || input.size() != kHeaderBytes + shape->valueBytes() + kHashLetters) return std::nullopt;
 
     requireMemory(file.string(), static_cast<double>(shape->valueBytes()));
     stored.map = emptyMap(*shape);
@@ -135,13 +135,12 @@ std::optional<StoredMap> readBakedMap(const std::filesystem::path& file, const s
     hash.add(header);
     for (BakedMap::Level& level : stored.map.levels) {
         const std::string_view bytes = bytesOf(level.values);
-        if (!stream.read(reinterpret_cast<char*>(level.values.data()),
-                         static_cast<std::streamsize>(bytes.size())))
+        if (!readInto(input, {reinterpret_cast<char*>(level.values.data()), bytes.size()}))
             return std::nullopt;
         hash.add(bytes);
     }
     std::string checksum(kHashLetters, '\0');
-    if (!readInto(stream, checksum) || checksum != hash.hexadecimal()) return std::nullopt;
+    if (!readInto(input, checksum) || checksum != hash.hexadecimal()) return std::nullopt;
     return stored;
 }
 

@@ -29,8 +29,8 @@ struct StoredMap {
 /// `key`: 32 characters. Replaces the file atomically; throws InputError if it can't be written.
 void writeBakedMap(const std::filesystem::path& file, const std::string& key, const StoredMap& stored);
 
-/// Returns nothing if the file is missing, has another key or is damaged. Throws MachineError if the map
-/// doesn't fit into memory.
+/// Returns nothing if the file has another key or is damaged. Throws InputError if it is missing or not a
+/// regular file, MachineError if the map doesn't fit into memory.
 std::optional<StoredMap> readBakedMap(const std::filesystem::path& file, const std::string& key);
 
 } // namespace plumbline

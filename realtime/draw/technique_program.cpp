@@ -2,9 +2,9 @@
 
 #include "realtime/glsl/glsl_declarations.h"
 #include "realtime/glsl/glsl_text.h"
+#include "realtime/glsl/shader_source.h"
 #include "realtime/technique/baked_family.h"
 #include "scenes/core/error.h"
-#include "scenes/core/read_file.h"
 
 #include <fmt/format.h>
 
@@ -26,8 +26,8 @@ std::unique_ptr<GlProgram> buildReceiver(const StageSources& sources) {
 /// Whether the shader `search` uses what the file `harness` declares. Its text decides: a compiler drops a
 /// lookup whose result some setting makes worthless.
 bool usesDeclarationOf(const std::filesystem::path& search, const std::filesystem::path& harness) {
-    const std::string searchText = readWholeFile(search);
-    return std::ranges::any_of(fileScopeNames(readWholeFile(harness)),
+    const std::string searchText = readShader(search);
+    return std::ranges::any_of(fileScopeNames(readShader(harness)),
                                [&](const std::string& name) { return namesIdentifier(searchText, name); });
 }
 
@@ -45,7 +45,7 @@ void checkUniforms(const GlProgram& program, const StageSources& sources, const 
 
 std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount) {
     const std::string author = technique.search.shaderFile().string();
-    if (!namesIdentifier(readWholeFile(technique.search.shaderFile()), "traceRelief"))
+    if (!namesIdentifier(readShader(technique.search.shaderFile()), "traceRelief"))
         throw InputError(author, "doesn't define traceRelief", "ReliefHit traceRelief(ReliefRay ray) { … }");
     const StageSources sources = reliefSources(technique, lightCount);
     auto program = buildReceiver(sources);

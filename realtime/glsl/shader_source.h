@@ -1,6 +1,7 @@
 // The text of one shader stage, assembled from files.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -8,12 +9,16 @@
 
 namespace plumbline {
 
+/// Throws InputError if the file can't be read or is longer than kMostShaderBytes (read_file.h).
+std::string readShader(const std::filesystem::path& file);
+
 /// Text of one shader stage in pieces; each piece keeps the name of the file it came from.
 class ShaderSource {
   public:
-    /// Appends a file's text. Throws InputError if it can't be read.
+    /// Appends a file's text. Throws InputError if it can't be read, or like addText.
     void addFile(const std::filesystem::path& file);
-    /// Appends text under a name in brackets, such as "(parameters)".
+    /// Appends text under a name in brackets, such as "(parameters)". Throws InputError if all pieces
+    /// together have more than kMostShaderBytes.
     void addText(const std::string& name, const std::string& text);
 
     /// Everything after a first line `#version VERSION` and `preamble`, each piece after a #line of its own
@@ -27,6 +32,7 @@ class ShaderSource {
   private:
     std::vector<std::string> files_{"(preamble)"};
     std::vector<std::string> texts_{""};
+    uint64_t bytes_ = 0; // of all texts
 };
 
 } // namespace plumbline

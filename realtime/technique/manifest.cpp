@@ -2,12 +2,12 @@
 
 #include "realtime/bake/bake.h"
 #include "realtime/glsl/glsl_text.h"
+#include "realtime/glsl/shader_source.h"
 #include "realtime/technique/composition.h"
 #include "realtime/technique/manifest_parameters.h"
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/contains.h"
 #include "scenes/core/error.h"
-#include "scenes/core/read_file.h"
 #include "scenes/frame/frame.h"
 #include "scenes/toml/toml_table.h"
 
@@ -68,7 +68,7 @@ std::vector<std::string> channelNames() {
 }
 
 void checkShader(const Manifest& manifest) {
-    const std::string glsl = readWholeFile(manifest.shaderFile());
+    const std::string glsl = readShader(manifest.shaderFile());
     if (const auto byte = firstNonAsciiByte(glsl))
         throw InputError(fmt::format("{}:{}", manifest.shaderFile().string(), byte->line),
                          fmt::format("holds the byte {:#04x} outside of a comment", byte->value),
@@ -86,7 +86,7 @@ void checkShader(const Manifest& manifest) {
 /// A shader that calls a function valid only on some surfaces must declare it under `needs`; otherwise the
 /// results on other surfaces would be silently wrong.
 void checkNeeds(const TomlTable& table, const Manifest& manifest) {
-    const std::string glsl = readWholeFile(manifest.shaderFile());
+    const std::string glsl = readShader(manifest.shaderFile());
     for (const auto& [name, meaning, function] : surfaceProperties())
         if (function && namesIdentifier(glsl, function) && !manifest.hasNeed(name))
             table.fail("needs",

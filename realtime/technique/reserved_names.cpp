@@ -2,10 +2,10 @@
 
 #include "realtime/bake/bake.h"
 #include "realtime/glsl/glsl_declarations.h"
+#include "realtime/glsl/shader_source.h"
 #include "realtime/technique/harness_parameters.h"
 #include "realtime/technique/stage_sources.h"
 #include "realtime/technique/technique_list.h"
-#include "scenes/core/read_file.h"
 
 #include <filesystem>
 #include <set>
@@ -20,7 +20,7 @@ std::set<std::string> surfaceFileScopeNames() {
     std::set<std::string> names;
     for (const std::string& surface : surfaceNames())
         for (const fs::directory_entry& entry : fs::directory_iterator(surfacesFolder() / surface))
-            if (entry.path().extension() == ".glsl") names.merge(fileScopeNames(readWholeFile(entry.path())));
+            if (entry.path().extension() == ".glsl") names.merge(fileScopeNames(readShader(entry.path())));
     return names;
 }
 

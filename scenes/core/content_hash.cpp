@@ -1,11 +1,10 @@
 #include "scenes/core/content_hash.h"
 
-#include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -31,16 +30,12 @@ void ContentHash::add(std::string_view bytes) {
 }
 
 void ContentHash::addFile(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(file.string(), "can't be opened for reading");
+    InputFile input(file);
     std::array<char, 65536> block;
-    uint64_t length = 0;
-    while (stream.read(block.data(), block.size()) || stream.gcount() > 0) {
-        XXH3_128bits_update(&state_->xxh, block.data(), static_cast<size_t>(stream.gcount()));
-        length += static_cast<uint64_t>(stream.gcount());
-    }
-    if (stream.bad()) throw InputError(file.string(), "can't be read");
-    state_->addLength(length);
+    while (const size_t count = input.read(block))
+        XXH3_128bits_update(&state_->xxh, block.data(), count);
+    input.checkUnchanged();
+    state_->addLength(input.position());
 }
 
 std::string ContentHash::hexadecimal() const {

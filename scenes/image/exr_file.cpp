@@ -3,6 +3,7 @@
 #include "scenes/core/contains.h"
 #include "scenes/core/error.h"
 #include "scenes/core/index.h"
+#include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/image/exr_header.h"
 
@@ -21,6 +22,7 @@
 #include <cassert>
 #include <fstream>
 #include <mutex>
+#include <stdexcept>
 #include <string_view>
 #include <thread>
 
@@ -71,6 +73,23 @@ class CheckedStream : public Imf::OStream {
 
   private:
     std::ofstream stream_;
+};
+
+/// What OpenEXR reads from. The file that it reads is the one whose header was checked.
+class FileStream : public Imf::IStream {
+  public:
+    explicit FileStream(InputFile& file) : IStream(file.path().c_str()), file_(file) {}
+    /// Whether there is more to read.
+    bool read(char bytes[], int count) override {
+        const auto wanted = static_cast<size_t>(count);
+        if (file_.read({bytes, wanted}) != wanted) throw std::runtime_error("unexpected end of the file");
+        return file_.position() < file_.size();
+    }
+    uint64_t tellg() override { return file_.position(); }
+    void seekg(uint64_t position) override { file_.moveTo(position); }
+
+  private:
+    InputFile& file_;
 };
 
 /// A frame-buffer slice. OpenEXR expects the address of pixel (0,0); `plane` begins at the data window's
@@ -134,8 +153,10 @@ void readPart(Imf::MultiPartInputFile& input, int part, const PartChannels& chos
     pixels.readPixels(window.min.y, window.max.y);
 }
 
-ExrPlanes readPlanes(const std::filesystem::path& file, const ExrSelection& select) {
-    Imf::MultiPartInputFile input(file.c_str());
+ExrPlanes readPlanes(InputFile& opened, const ExrSelection& select) {
+    const std::filesystem::path& file = opened.path();
+    FileStream stream(opened);
+    Imf::MultiPartInputFile input(stream);
     for (int part = 0; part < input.parts(); ++part)
         if (!input.partComplete(part))
             throw InputError(file.string(), "is truncated", "a whole OpenEXR file");
@@ -175,10 +196,14 @@ Imf::Header makeHeader(const std::filesystem::path& file, int width, int height,
 } // namespace
 
 ExrPlanes readExr(const std::filesystem::path& file, const ExrSelection& select) {
-    checkExrHeader(file);
+    InputFile opened(file);
+    checkExrHeader(opened);
+    opened.moveTo(0);
     useAllThreads();
     try {
-        return readPlanes(file, select);
+        ExrPlanes planes = readPlanes(opened, select);
+        opened.checkUnchanged();
+        return planes;
     } catch (const InputError&) {
         throw;
     } catch (const std::bad_alloc&) {

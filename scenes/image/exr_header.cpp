@@ -1,13 +1,13 @@
 #include "scenes/image/exr_header.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
 #include <string>
 #include <vector>
 
@@ -42,26 +42,18 @@ struct Summary {
 
 class Reader {
   public:
-    explicit Reader(const std::filesystem::path& file) : file_(file), stream_(file, std::ios::binary) {
-        std::error_code error;
-        if (!std::filesystem::exists(file, error)) throw InputError(file.string(), "no such file");
-        if (std::filesystem::is_directory(file, error))
-            throw InputError(file.string(), "is a folder", "an OpenEXR file");
-        if (!stream_) throw InputError(file.string(), "can't be opened for reading");
-        size_ = std::filesystem::file_size(file, error);
-        if (error) throw InputError(file.string(), "can't be read: " + error.message());
-    }
+    explicit Reader(InputFile& file) : file_(file) {}
 
     [[noreturn]] void fail(const std::string& what, const std::string& expected = {}) const {
-        throw InputError(file_.string(), what, expected);
+        throw InputError(file_.path().string(), what, expected);
     }
     [[noreturn]] void failTruncated() const { fail("is truncated", "a whole OpenEXR file"); }
-    uint64_t size() const { return size_; }
+    uint64_t size() const { return file_.size(); }
 
     template <class T>
     T number() {
         T value; // EXR is little-endian, and so is every machine Embree runs on
-        if (!stream_.read(reinterpret_cast<char*>(&value), sizeof value)) failTruncated();
+        if (file_.read({reinterpret_cast<char*>(&value), sizeof value}) != sizeof value) failTruncated();
         return value;
     }
     /// Reads a name and its terminating zero; names have at most 255 characters.
@@ -73,16 +65,14 @@ class Reader {
         }
         return text;
     }
-    uint64_t position() { return static_cast<uint64_t>(stream_.tellg()); }
+    uint64_t position() const { return file_.position(); }
     void moveTo(uint64_t position) {
-        if (position > size_) failTruncated();
-        stream_.seekg(static_cast<std::streamoff>(position));
+        if (position > size()) failTruncated();
+        file_.moveTo(position);
     }
 
   private:
-    std::filesystem::path file_;
-    std::ifstream stream_;
-    uint64_t size_ = 0;
+    InputFile& file_;
 };
 
 /// Whether the file has several parts.
@@ -243,7 +233,7 @@ void checkBytes(Reader& reader, const Summary& part) {
 
 } // namespace
 
-void checkExrHeader(const std::filesystem::path& file) {
+void checkExrHeader(InputFile& file) {
     Reader reader(file);
     const bool multiPart = readVersion(reader);
     const std::vector<Summary> parts = readHeaders(reader, multiPart);

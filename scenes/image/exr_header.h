@@ -3,13 +3,13 @@
 // version field, attributes).
 #pragma once
 
-#include <filesystem>
-
 namespace plumbline {
 
-/// Throws InputError if the file is missing, not an EXR, deep, cropped, larger than 1 Gpixel, an environment
-/// map or a stereo image, if its parts differ in size, if its header exceeds 16 MB, or if it is too short to
-/// contain the pixels it claims.
-void checkExrHeader(const std::filesystem::path& file);
+class InputFile;
+
+/// Reads from the beginning of the file. Throws InputError if it is not an EXR, deep, cropped, larger than 1
+/// Gpixel, an environment map or a stereo image, if its parts differ in size, if its header exceeds 16 MB, or
+/// if it is too short to contain the pixels it claims.
+void checkExrHeader(InputFile& file);
 
 } // namespace plumbline

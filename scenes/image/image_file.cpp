@@ -3,6 +3,7 @@
 #include "scenes/core/contains.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
 #include "scenes/image/exr_file.h"
 #include "scenes/image/image_module.h"
@@ -14,7 +15,6 @@
 #include <array>
 #include <cstring>
 #include <dlfcn.h>
-#include <fstream>
 
 namespace plumbline {
 namespace {
@@ -54,15 +54,9 @@ const ImageModule& imageModule() {
 }
 
 std::vector<uint8_t> firstBytes(const std::filesystem::path& file, size_t count) {
-    std::error_code error;
-    if (!std::filesystem::exists(file, error)) throw InputError(file.string(), "no such file");
-    if (!std::filesystem::is_regular_file(file, error))
-        throw InputError(file.string(), "is not a file", "a picture");
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(file.string(), "can't be opened for reading");
+    InputFile input(file);
     std::vector<uint8_t> bytes(count);
-    stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(count));
-    bytes.resize(static_cast<size_t>(stream.gcount()));
+    bytes.resize(input.read({reinterpret_cast<char*>(bytes.data()), count}));
     if (bytes.empty()) throw InputError(file.string(), "is empty", "a picture");
     return bytes;
 }

@@ -4,7 +4,6 @@
 #include "scenes/core/content_hash.h"
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
-#include "scenes/core/read_file.h"
 #include "scenes/maps/generate_map.h"
 #include "scenes/maps/map_file.h"
 #include "scenes/mesh/mesh_defects.h"
@@ -34,7 +33,7 @@ constexpr std::string_view kRequire = "require";
 
 class SceneReader {
   public:
-    explicit SceneReader(const std::filesystem::path& file) : SceneReader(file, readWholeFile(file)) {}
+    explicit SceneReader(const std::filesystem::path& file) : file_(file), root_(TomlTable::readFile(file)) {}
     SceneReader(const std::filesystem::path& file, const std::string& text)
         : file_(file), root_(TomlTable::parse(file.string(), text)) {}
 
@@ -115,10 +114,14 @@ class SceneReader {
         if (text.empty()) table.fail(key, "is empty", "a file");
         std::filesystem::path path = (file_.parent_path() / text).lexically_normal();
         std::error_code error;
-        if (!std::filesystem::is_regular_file(path, error))
+        if (!std::filesystem::exists(path, error))
             table.fail(key, fmt::format("no such file as '{}'", path.string()),
                        "a path relative to the scene file's folder");
-        hash_.addFile(path);
+        try {
+            hash_.addFile(path);
+        } catch (const InputError& problem) {
+            table.fail(key, problem.what());
+        }
         scene_.files.push_back(path);
         return path;
     }

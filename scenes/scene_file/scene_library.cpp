@@ -33,7 +33,7 @@ std::vector<LibraryScene> libraryScenes() {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".toml") continue;
         const TomlTable root =
-            TomlTable::parse(entry.path().string(), rootFields(readWholeFile(entry.path())));
+            TomlTable::parse(entry.path().string(), rootFields(readWholeFile(entry.path(), kMostTomlBytes)));
         scenes.push_back({entry.path().stem().string(), root.text("purpose"), entry.path()});
     }
     std::ranges::sort(scenes, {}, &LibraryScene::name);
@@ -45,8 +45,7 @@ std::filesystem::path findScene(const std::string& nameOrPath) {
     if (std::filesystem::is_regular_file(nameOrPath, error)) return nameOrPath;
     const std::filesystem::path path(nameOrPath);
     if (path.has_parent_path() || path.extension() == ".toml")
-        throw InputError(nameOrPath, std::filesystem::exists(path, error) ? "is not a file" : "no such file",
-                         "a scene file, or a name that 'plumbline list scenes' shows");
+        requireInputFile(path, "a scene file, or a name that 'plumbline list scenes' shows");
     std::vector<std::string> names;
     for (const LibraryScene& scene : libraryScenes()) {
         if (scene.name == nameOrPath) return scene.file;

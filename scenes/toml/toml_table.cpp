@@ -63,7 +63,7 @@ Vector vectorOf(const TomlTable& table, std::string_view key, const TomlValue& v
 TomlTable::TomlTable(std::shared_ptr<TomlNode> node) : node_(std::move(node)) {}
 
 TomlTable TomlTable::readFile(const std::filesystem::path& file) {
-    return parse(file.string(), readWholeFile(file));
+    return parse(file.string(), readWholeFile(file, kMostTomlBytes));
 }
 
 TomlTable TomlTable::parse(const std::string& fileName, const std::string& text) {

@@ -2,20 +2,18 @@
 
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
-
-#include <fstream>
-#include <sstream>
+#include "scenes/core/printable.h"
+#include "scenes/core/read_file.h"
 
 namespace plumbline::report {
 
 std::string readTemplate(const char* name) {
     const std::filesystem::path file = dataFolder() / "validate" / "report" / "page" / name;
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    text << stream.rdbuf();
-    if (!stream)
-        throw MachineError(file.string(), "the report's template can't be read", "an undamaged installation");
-    return text.str();
+    try {
+        return readWholeFile(file);
+    } catch (const InputError& error) {
+        throw MachineError("the report's template", error.what(), "an undamaged installation");
+    }
 }
 
 std::string renderTemplate(const char* name, const kainjow::mustache::data& page) {
@@ -23,6 +21,8 @@ std::string renderTemplate(const char* name, const kainjow::mustache::data& page
     if (!layout.is_valid())
         throw MachineError(std::string("validate/report/page/") + name, layout.error_message(),
                            "a valid template");
+    layout.set_custom_escape(
+        [](const std::string& text) { return kainjow::mustache::html_escape(printable(text)); });
     return layout.render(page);
 }
 

@@ -1,5 +1,6 @@
 #include "scenes/core/data_folder.h"
 #include "scenes/core/error.h"
+#include "scenes/core/read_file.h"
 #include "scenes/scene_file/scene_library.h"
 #include "scenes/toml/toml_table.h"
 #include "validate/study/study.h"
@@ -196,7 +197,7 @@ fs::path findStudy(const std::string& nameOrPath) {
     if (fs::is_regular_file(nameOrPath, error)) return nameOrPath;
     const fs::path path(nameOrPath);
     if (path.has_parent_path() || path.extension() == ".toml")
-        throw InputError(nameOrPath, "no such file", "a study file, or the name of one in validate/studies/");
+        requireInputFile(path, "a study file, or the name of one in validate/studies/");
     std::vector<std::string> names;
     for (const auto& entry : fs::directory_iterator(dataFolder() / "validate" / "studies"))
         if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());

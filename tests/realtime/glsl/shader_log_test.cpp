@@ -53,7 +53,8 @@ TEST(ShaderSource, Pieces_KeepNameAndLines) {
 TEST(ShaderSource, MissingFile_IsInputError) {
     ShaderSource source;
     EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/no/such.glsl"); }), "/no/such.glsl: no such file");
-    EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/tmp"); }), "/tmp: is not a file");
+    EXPECT_EQ(messageOf<InputError>([&] { source.addFile("/tmp"); }),
+              "/tmp: is not a file, it is a folder; expected a regular file");
 }
 
 } // namespace

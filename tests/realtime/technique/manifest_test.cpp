@@ -6,6 +6,7 @@
 #include "realtime/technique/technique_list.h"
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
+#include "scenes/toml/toml_table.h"
 #include "tests/errors.h"
 #include "tests/files.h"
 #include "tests/temporary_folder.h"
@@ -391,6 +392,38 @@ TEST(Manifest, UnusedParameter_IsRefused) {
               "technique.toml: parameter 'steps' doesn't occur in mine.glsl; expected a shader that uses "
               "every parameter "
               "of the manifest");
+}
+
+TEST(Manifest, DeepKeys_AreRefused) {
+    const auto repeated = [](const std::string& part, size_t count) {
+        std::string text;
+        for (size_t i = 0; i < count; ++i)
+            text += part;
+        return text;
+    };
+    const size_t deep = 100000;
+    for (const std::string& keys :
+         {"[" + repeated("a.", deep) + "a]", "[[" + repeated("a.", deep) + "a]]",
+          repeated("a.", deep) + "a = 1", repeated("\"a\" . ", deep) + "a = 1",
+          repeated("'a.b'.", deep) + "a = 1", "a = {" + repeated("a.", deep) + "a = 1}",
+          "a = " + repeated("{ a = ", deep) + "1", "a = " + repeated("[", deep) + repeated("]", deep),
+          "a = " + repeated("[{ a = ", deep)}) {
+        const std::string message = manifestMessage(kGood + ("\n" + keys + "\n"), kShader);
+        EXPECT_THAT(message, HasSubstr("technique.toml:")) << keys.substr(0, 20);
+        EXPECT_LT(message.size(), 1000u) << keys.substr(0, 20);
+    }
+    EXPECT_THAT(
+        messageOf<InputError>([&] {
+            TomlTable::parse("a.toml", "a = 1").change("--set", "a", "{" + repeated("b.", deep) + "b=1}");
+        }),
+        HasSubstr("more than 1000 parts"));
+}
+
+TEST(Manifest, LongShader_IsRefusedAtOnce) {
+    const std::string comment(kMostShaderBytes - std::string(kShader).size() - 3, '/');
+    EXPECT_EQ(manifestMessage(kGood, kShader + ("\n" + comment)), "");
+    EXPECT_THAT(manifestMessage(kGood, kShader + ("\n" + comment + "////")),
+                HasSubstr("bytes long; expected at most 4194304"));
 }
 
 TEST(Manifest, NonAsciiBytes_NameTheirLine) {
