@@ -1,7 +1,9 @@
 #include "validate/results/history.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "validate/results/flat_figures.h"
+#include "validate/results/json_text.h"
 #include "validate/results/results.h"
 
 #include <fmt/format.h>
@@ -25,11 +27,8 @@ class Source {
   public:
     Source(std::string where, const char* expected, const std::string& text)
         : where_(std::move(where)), expected_(expected) {
-        try {
-            json_ = json::parse(text);
-        } catch (const json::exception&) { // its message is about bytes and parser states
-            fail("is not valid JSON");
-        }
+        json_ = parseJson(where_, text);
+        if (json_.is_discarded()) fail("is not valid JSON");
         if (!json_.is_object()) fail("is not a JSON object");
     }
 
@@ -54,10 +53,7 @@ class Source {
         const json& found = field(object, key, path);
         if (orNull && found.is_null()) return {};
         if (!found.is_string()) fail(fmt::format("{}{} is not a text", path, key));
-        auto result = found.get<std::string>();
-        for (char& c : result) // it will be printed, so remove line ends and terminal escapes
-            if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-        return result;
+        return printable(found.get<std::string>());
     }
     std::map<std::string, double> numbers(const json& object, const char* key,
                                           const std::string& path) const {
@@ -164,7 +160,7 @@ std::string toLine(const HistoryRecord& record) {
         entry["error"] = technique.error.empty() ? ordered_json(nullptr) : ordered_json(technique.error);
         line["techniques"].push_back(std::move(entry));
     }
-    return line.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+    return line.dump(-1, ' ', true, ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::vector<HistoryRecord> readHistory(const std::string& where, const std::string& text) {

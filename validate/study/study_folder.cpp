@@ -3,13 +3,13 @@
 #include "scenes/core/error.h"
 #include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
+#include "validate/results/json_text.h"
 #include "validate/results/output_files.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <fstream>
 #include <initializer_list>
 
 namespace plumbline {
@@ -25,7 +25,7 @@ constexpr const char* kMark = "study.json";
 std::optional<std::string> studyIn(const fs::path& folder) {
     std::error_code error;
     if (!fs::is_regular_file(folder / kMark, error)) return std::nullopt;
-    const json mark = json::parse(readWholeFile(folder / kMark), nullptr, false);
+    const json mark = parseJson((folder / kMark).string(), readWholeFile(folder / kMark));
     const bool good = mark.is_object() && mark.contains("study") && mark["study"].is_string();
     if (!good) throw InputError((folder / kMark).string(), "is damaged", "another folder for the results");
     return mark["study"].get<std::string>();
@@ -84,12 +84,17 @@ fs::path StudyFolder::fileOf(const StudyCase& studyCase) const {
 }
 
 std::optional<json> StudyFolder::outcomeOf(const StudyCase& studyCase) const {
-    std::ifstream stream(fileOf(studyCase), std::ios::binary);
-    if (!stream) return std::nullopt;
-    json outcome = json::parse(stream, nullptr, false);
+    std::error_code error;
+    if (!fs::exists(fileOf(studyCase), error)) return std::nullopt;
     // Files are written atomically. One that is damaged anyway is computed again.
-    if (!isOutcome(outcome) || outcome.contains("again")) return std::nullopt;
-    return outcome;
+    try {
+        const fs::path file = fileOf(studyCase);
+        json outcome = parseJson(file.string(), readWholeFile(file));
+        if (!isOutcome(outcome) || outcome.contains("again")) return std::nullopt;
+        return outcome;
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
 }
 
 void StudyFolder::store(const StudyCase& studyCase, const json& outcome) const {

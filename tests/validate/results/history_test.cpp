@@ -105,13 +105,18 @@ TEST(HistoryFile, DamagedLine_IsNamed) {
     EXPECT_THAT(errorOf(changed("\"schema\":1", "\"schema\":2")), HasSubstr("schema is 2; expected 1"));
     const std::string deep = std::string(100000, '[') + std::string(100000, ']');
     EXPECT_THAT(errorOf(changed("\"schema\":1", "\"schema\":" + deep)),
-                HasSubstr("schema is array; expected 1"));
+                HasSubstr("h.jsonl:2: has values more than 100 deep within each other; expected a few"));
+    std::string nested = "{\"a\":";
+    for (int k = 0; k < 16; ++k)
+        nested += nested;
+    EXPECT_THAT(errorOf(nested), HasSubstr("more than 100 deep"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":NaN")), HasSubstr("is not valid JSON"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":1e999")), HasSubstr("is not valid JSON"));
     EXPECT_THAT(errorOf(changed("iou\":1", "iou\":\"1\"")), HasSubstr("silhouette.iou is not a number"));
     EXPECT_THAT(errorOf(changed("\"techniques\":[", "\"other\":[")), HasSubstr("has no techniques"));
     EXPECT_THAT(errorOf(changed("\"torus\"", "3")), HasSubstr("scene.name is not a text"));
-    EXPECT_THAT(errorOf(std::string(200000, '[')), HasSubstr("is not valid JSON"));
+    EXPECT_THAT(errorOf(std::string(50, '[')), HasSubstr("is not valid JSON"));
+    EXPECT_THAT(errorOf(std::string(200000, '[')), HasSubstr("more than 100 deep"));
 }
 
 TEST(HistoryFile, NoResults_AreRefused) {
