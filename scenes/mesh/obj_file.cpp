@@ -4,15 +4,16 @@
 #include "scenes/core/error.h"
 #include "scenes/core/numbers.h"
 #include "scenes/core/read_file.h"
+#include "scenes/mesh/obj_lines.h"
 #include "scenes/mesh/obj_tags.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
+#include <map>
 #include <string_view>
+#include <utility>
 
 namespace plumbline {
 namespace {
@@ -22,54 +23,6 @@ constexpr std::array<std::string_view, 19> kIgnored{
     "o",   "g",     "s",        "mg",       "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj",
     "lod", "bevel", "c_interp", "d_interp", "l",      "p",      "vp",     "ctech",  "stech"};
 constexpr std::array<std::string_view, 7> kFreeForm{"cstype", "curv", "curv2", "surf", "deg", "bmat", "fo"};
-
-/// The lines of a text without line endings (LF, CR LF or CR), comments and the byte-order mark. A backslash
-/// at the end of a line joins it with the next one.
-class LineReader {
-  public:
-    explicit LineReader(std::string_view text) : rest_(text) {
-        if (rest_.starts_with("\xef\xbb\xbf")) rest_.remove_prefix(3);
-    }
-
-    /// False at the end of the text.
-    bool next() {
-        number_ += linesTaken_;
-        linesTaken_ = 0;
-        if (rest_.empty()) return false;
-        bool continues = false;
-        line_ = take(continues);
-        if (!continues) return true;
-        joined_ = line_;
-        while (continues) {
-            joined_ += ' ';
-            joined_ += take(continues);
-        }
-        line_ = joined_;
-        return true;
-    }
-
-    std::string_view line() const { return line_; }
-    /// From 1; for joined lines, the number of the first one.
-    int number() const { return number_; }
-
-  private:
-    std::string_view take(bool& continues) {
-        const size_t end = std::min(rest_.find_first_of("\r\n"), rest_.size());
-        std::string_view line = rest_.substr(0, end);
-        const bool isLast = end == rest_.size();
-        rest_.remove_prefix(end);
-        if (!isLast) rest_.remove_prefix(rest_.starts_with("\r\n") ? 2 : 1);
-        ++linesTaken_;
-        const size_t comment = line.find('#');
-        continues = !isLast && comment == line.npos && line.ends_with('\\');
-        if (continues) line.remove_suffix(1);
-        return line.substr(0, comment);
-    }
-
-    std::string_view rest_, line_;
-    std::string joined_;
-    int number_ = 1, linesTaken_ = 0;
-};
 
 /// The format of a corner (v, v/vt, v//vn or v/vt/vn) and its indices as written.
 struct Corner {
@@ -96,8 +49,8 @@ struct OptionalIndices {
         any |= has;
         if (!has && lineWithout == 0) lineWithout = line;
     }
-    /// Moves the indices to `indices` if all faces have them. If only some faces do, reports one without them
-    /// in `missing`.
+    /// Clears the indices unless all faces have them. If only some faces do, reports one without them in
+    /// `missing`.
     void settle(std::vector<int>& indices, std::string& missing) const {
         if (lineWithout == 0) return;
         indices.clear();
@@ -112,6 +65,34 @@ void normalizeWherePossible(std::vector<Vec3>& normals) {
         if (const double length = glm::length(normal); length > 0) normal /= length;
 }
 
+/// Keywords that aren't OBJ's, with the lines that have them.
+class UnknownKeywords {
+  public:
+    void add(std::string_view keyword, int line) {
+        auto& [firstLine, count] = found_.try_emplace(std::string(keyword), line, 0).first->second;
+        ++count;
+    }
+    /// One warning for each keyword, in the order of the lines; those of a file that is hardly OBJ are
+    /// counted together from the eleventh on.
+    void addTo(std::vector<std::string>& warnings, const std::string& fileName) const {
+        constexpr size_t kShown = 10;
+        std::map<int, std::string> byLine;
+        for (const auto& [keyword, use] : found_)
+            byLine[use.first] = fmt::format(
+                "{}:{}: unknown keyword '{}': {} left out", fileName, use.first, shortened(keyword),
+                use.second == 1 ? "the line is" : fmt::format("{} lines are", use.second));
+        size_t shown = 0;
+        for (const auto& [line, warning] : byLine)
+            if (++shown <= kShown) warnings.push_back(warning);
+        if (shown > kShown)
+            warnings.push_back(
+                fmt::format("{}: lines of {} more unknown keywords are left out", fileName, shown - kShown));
+    }
+
+  private:
+    std::map<std::string, std::pair<int, int>, std::less<>> found_; // the first line, how many
+};
+
 class ObjReader {
   public:
     ObjReader(std::string fileName, std::string_view text) : lines_(text) {
@@ -119,17 +100,21 @@ class ObjReader {
     }
 
     ControlMesh read() {
+        if (const int line = lines_.lineWithZero(); line > 0)
+            throw InputError(fmt::format("{}:{}", mesh_.name, line), "a byte that is not text: zero",
+                             "a Wavefront OBJ text file");
         while (lines_.next())
             readLine(lines_.line());
-        for (const Elements* elements : {&vertices_, &uvs_, &normals_})
+        for (const Elements* elements : {&vertices_, &uvs_})
             checkLargest(*elements);
         if (mesh_.faceSizes.empty()) throw InputError(mesh_.name, "has no face", "lines that begin with 'f'");
         faceUvs_.settle(mesh_.faceUvs, mesh_.uvsMissing);
-        faceNormals_.settle(mesh_.faceNormals, mesh_.normalsMissing);
+        settleNormals();
         normalizeWherePossible(mesh_.normals);
         mesh_.tags = std::move(tags_.tags);
         mesh_.boundaryFacesSupportOnly = tags_.boundaryFacesSupportOnly;
         mesh_.warnings = std::move(tags_.warnings);
+        unknown_.addTo(mesh_.warnings, mesh_.name);
         return std::move(mesh_);
     }
 
@@ -144,16 +129,16 @@ class ObjReader {
     /// Splits into words_, whose memory is reused for every line.
     void split(std::string_view line) {
         words_.clear();
-        for (size_t i = line.find_first_not_of(" \t"); i < line.size();) {
-            const size_t end = std::min(line.find_first_of(" \t", i), line.size());
+        for (size_t i = line.find_first_not_of(kObjBlanks); i < line.size();) {
+            const size_t end = std::min(line.find_first_of(kObjBlanks, i), line.size());
             words_.push_back(line.substr(i, end - i));
-            i = line.find_first_not_of(" \t", end);
+            i = line.find_first_not_of(kObjBlanks, end);
         }
     }
 
     void readLine(std::string_view line) {
         for (const char c : line)
-            if (static_cast<unsigned char>(c) < 0x20 && c != '\t')
+            if (static_cast<unsigned char>(c) < 0x20 && !contains(kObjBlanks, c))
                 fail("a byte that is not text", "a Wavefront OBJ text file");
         split(line);
         if (words_.empty()) return;
@@ -167,7 +152,7 @@ class ObjReader {
         if (keyword == "t") return readObjTag(arguments, mesh_.name, lines_.number(), tags_);
         if (contains(kFreeForm, keyword))
             fail(fmt::format("'{}' is not supported", keyword), "polygons ('f')");
-        fail(fmt::format("unknown keyword '{}'", shortened(keyword)), "v, vt, vn, f or another OBJ keyword");
+        unknown_.add(keyword, lines_.number());
     }
 
     /// Additional values (a weight, a color) are ignored, but must be numbers.
@@ -185,22 +170,16 @@ class ObjReader {
         ++elements.count;
     }
 
-    /// Numbers too small for a double become 0; they need separate treatment because parseNumber rejects them
-    /// like numbers that are too large.
     double readNumber(std::string_view word) const {
-        const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-        double value = 0;
-        const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-        const bool tiny = error == std::errc::result_out_of_range && digits.find("e-") != digits.npos;
-        if (tiny) return 0;
-        if (error != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value))
-            fail(fmt::format("'{}' is not a finite number", shortened(word)), "a decimal number");
-        return value;
+        const auto value = parseSignedNumber<double>(word);
+        if (!value)
+            fail(fmt::format("'{}' is not a finite number", shortened(word)),
+                 "a decimal number, 0 or of a size from 5e-324 to 1.7e308");
+        return *value;
     }
 
     long long readIndex(std::string_view word, std::string_view corner) const {
-        const std::string_view digits = word.starts_with('+') ? word.substr(1) : word;
-        const auto index = parseNumber<long long>(digits);
+        const auto index = parseSignedNumber<long long>(word);
         if (!index)
             fail(fmt::format("'{}' is not a corner of a face", shortened(corner)),
                  "v, v/vt, v//vn or v/vt/vn");
@@ -235,6 +214,28 @@ class ObjReader {
         return static_cast<int>(index > 0 ? index - 1 : elements.count + index);
     }
 
+    /// Like resolve(), but for normals, which not every scheme uses: a bad index is kept for the message of
+    /// the one that does.
+    int resolveNormal(long long index) {
+        if (index != 0 && index >= -normals_.count) return resolve(normals_, index);
+        noteBadNormal(index, lines_.number());
+        return 0;
+    }
+
+    void noteBadNormal(long long index, int line) {
+        badNormal_ =
+            fmt::format("the face in line {} has the normal index {}, which is out of range", line, index);
+    }
+
+    void settleNormals() {
+        faceNormals_.settle(mesh_.faceNormals, mesh_.normalsMissing);
+        if (normals_.largestIndex > normals_.count)
+            noteBadNormal(normals_.largestIndex, normals_.lineOfLargest);
+        if (badNormal_.empty()) return;
+        mesh_.faceNormals.clear();
+        mesh_.normalsMissing = badNormal_;
+    }
+
     void checkLargest(const Elements& elements) const {
         if (elements.largestIndex > elements.count)
             throw InputError(fmt::format("{}:{}", mesh_.name, elements.lineOfLargest),
@@ -255,7 +256,7 @@ class ObjReader {
                      "the same kinds on each corner");
             mesh_.faceVertices.push_back(resolve(vertices_, corner.vertex));
             if (corner.hasUv) mesh_.faceUvs.push_back(resolve(uvs_, corner.uv));
-            if (corner.hasNormal) mesh_.faceNormals.push_back(resolve(normals_, corner.normal));
+            if (corner.hasNormal) mesh_.faceNormals.push_back(resolveNormal(corner.normal));
         }
         faceUvs_.note(first.hasUv, lines_.number());
         faceNormals_.note(first.hasNormal, lines_.number());
@@ -263,12 +264,14 @@ class ObjReader {
         mesh_.faceLines.push_back(lines_.number());
     }
 
-    LineReader lines_;
+    ObjLines lines_;
     std::vector<std::string_view> words_;
     ControlMesh mesh_;
     ObjTags tags_;
     Elements vertices_{"vertex"}, uvs_{"uv"}, normals_{"normal"};
     OptionalIndices faceUvs_{"uv"}, faceNormals_{"normal"};
+    std::string badNormal_; // a normal index that isn't one; empty if all are
+    UnknownKeywords unknown_;
 };
 
 } // namespace

@@ -52,8 +52,7 @@ class TagReader {
 
     template <class Number>
     Number parse(std::string_view word, const char* expected) const {
-        if (word.starts_with('+')) word.remove_prefix(1);
-        const auto number = parseNumber<Number>(word);
+        const auto number = parseSignedNumber<Number>(word);
         if (!number) fail(fmt::format("'{}' in a subdivision tag", shortened(word)), expected);
         return *number;
     }
@@ -153,9 +152,15 @@ class TagReader {
             fail(fmt::format("creasemethod '{}' is not supported", shortened(tag.texts[0])), "normal");
     }
 
+    /// OpenSubdiv's reader knows the words "catmark" and "smooth". RenderMan's number 0 means the first.
     void refuseSmoothTriangles(const Tag& tag) {
-        if (oneInteger(tag, 2, "0") != 0)
-            fail("smoothtriangles is not supported", "0: triangles are subdivided like other faces");
+        constexpr const char* kExpected = "catmark: triangles are subdivided like other faces";
+        const bool oneWord = tag.texts.size() == 1 && tag.integers.empty();
+        const bool oneNumber = tag.texts.empty() && tag.integers.size() == 1;
+        requireCounts(tag, tag.numbers.empty() && (oneWord || oneNumber), "one word: catmark");
+        const std::string value = oneWord ? tag.texts[0] : std::to_string(tag.integers[0]);
+        if (value != "catmark" && value != "0")
+            fail(fmt::format("smoothtriangles '{}' is not supported", shortened(value)), kExpected);
     }
 
     void warnOfFaceVarying(const Tag& tag) {

@@ -21,5 +21,13 @@ TEST(ParseNumber, AnyOtherText_IsNothing) {
     EXPECT_EQ(parseNumber<unsigned>("-1"), std::nullopt);
 }
 
+TEST(ParseSignedNumber, OnePlus_IsTaken) {
+    EXPECT_EQ(parseSignedNumber<double>("+0.5"), 0.5);
+    EXPECT_EQ(parseSignedNumber<double>("-0.5"), -0.5);
+    EXPECT_EQ(parseSignedNumber<int>("7"), 7);
+    for (const char* text : {"+", "+-1", "-+1", "++1", "--1", "+ 1", ""})
+        EXPECT_EQ(parseSignedNumber<double>(text), std::nullopt) << text;
+}
+
 } // namespace
 } // namespace plumbline
