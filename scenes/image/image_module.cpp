@@ -64,6 +64,15 @@ std::vector<int> orderChannels(const oiio::ImageSpec& spec) {
     return order;
 }
 
+/// OpenImageIO reserves memory for whole strips, and with sizes from 2^31 bytes on it doesn't come back.
+/// Strips may have more rows than the picture (many programs write the same number into every file).
+void checkStrips(const oiio::ImageSpec& spec) {
+    const int64_t rows = spec.get_int_attribute("tiff:RowsPerStrip");
+    if (rows > spec.height && rows * static_cast<int64_t>(spec.scanline_bytes(true)) >= int64_t(1) << 31)
+        throw Failure{
+            fmt::format("claims strips of {} rows; expected at most its {} rows", rows, spec.height)};
+}
+
 Layout checkSpec(const oiio::ImageSpec& spec) {
     const int64_t pixels = int64_t(spec.width) * spec.height;
     if (spec.width < 1 || spec.height < 1 || spec.depth > 1)
@@ -73,6 +82,7 @@ Layout checkSpec(const oiio::ImageSpec& spec) {
             fmt::format("is {} x {} pixels large; expected at most 2^30 pixels", spec.width, spec.height)};
     if (spec.nchannels < 1 || spec.nchannels > 64)
         throw Failure{fmt::format("has {} channels; expected 1 to 4", spec.nchannels)};
+    checkStrips(spec);
     Layout layout;
     layout.channels = orderChannels(spec);
     layout.integer8 = spec.format == oiio::TypeDesc::UINT8;
@@ -95,7 +105,8 @@ void readBand(oiio::ImageInput& input, const oiio::ImageSpec& spec, int begin, i
                                                                spec.nchannels, type, into);
     // Some readers (libtiff's among them) report damage without failing.
     if (!ok || input.has_error())
-        throw Failure{fmt::format("is damaged or truncated ({})", input.geterror())};
+        throw Failure{fmt::format("is damaged, truncated, or stored in a way that can't be read ({})",
+                                  input.geterror())};
 }
 
 /// Integers are divided in double, so that v / 255 is the nearest float; OpenImageIO's own conversion is 1
@@ -109,11 +120,22 @@ void convert(std::span<const Stored> stored, size_t fileChannels, const Layout& 
             values.push_back(static_cast<float>(plumbline::item(stored, channel) / divisor));
 }
 
+/// Rows to read at once. A TIFF that stores its channels apart and compresses them can only be read in whole
+/// strips: going to the next channel of a row means going back in the file.
+int rowsPerBand(const oiio::ImageSpec& spec) {
+    constexpr int kRows = 64;
+    if (spec.tile_width > 0) return std::max(1, spec.tile_height);
+    if (spec.get_string_attribute("planarconfig") != "separate") return kRows;
+    const int stripRows =
+        std::clamp(spec.get_int_attribute("tiff:RowsPerStrip", spec.height), 1, spec.height);
+    return (kRows + stripRows - 1) / stripRows * stripRows;
+}
+
 /// Reads band by band, so that a truncated file fails before memory for all of its claimed pixels is touched.
 template <class Stored>
 void readRows(oiio::ImageInput& input, const oiio::ImageSpec& spec, const Layout& layout, oiio::TypeDesc type,
               double divisor, const PlumblinePictureSink& sink) {
-    const int bandRows = spec.tile_width > 0 ? std::max(1, spec.tile_height) : 64;
+    const int bandRows = rowsPerBand(spec);
     const auto fileChannels = static_cast<size_t>(spec.nchannels);
     std::vector<Stored> stored;
     std::vector<float> values;
