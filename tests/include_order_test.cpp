@@ -115,6 +115,27 @@ TEST(IncludeOrder, EveryFile_IncludesOnlyFoldersBelow) {
     EXPECT_GT(files, 100u); // the sources were found
 }
 
+/// What opens a file for reading. Files of the system (/proc, cgroups) aren't inputs.
+TEST(OpenedFiles, Inputs_AreOpenedInOnePlace) {
+    constexpr std::array<std::string_view, 4> kWays{"ifstream", "std::fstream", "fopen(",
+                                                    "InputFile input(file.c_str"};
+    constexpr std::array<std::string_view, 2> kMay{"scenes/core/read_file.cpp",
+                                                   "scenes/core/free_memory.cpp"};
+    const std::filesystem::path root = PLUMBLINE_SOURCE_DIR;
+    for (const char* module : {"scenes", "reference", "realtime", "validate"})
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(root / module)) {
+            const std::string path = entry.path().lexically_relative(root).generic_string();
+            const std::string extension = entry.path().extension().string();
+            if ((extension != ".h" && extension != ".cpp") || std::ranges::find(kMay, path) != kMay.end())
+                continue;
+            std::ifstream stream(entry.path());
+            const std::string text{std::istreambuf_iterator<char>(stream), {}};
+            for (const std::string_view way : kWays)
+                EXPECT_EQ(text.find(way), std::string::npos)
+                    << path << ": " << way << ": open it with scenes/core/read_file.h";
+        }
+}
+
 /// Whether the files of a row are in the named folder, or the row contains the named header.
 bool covers(std::string_view name, const Folder& row) {
     return isWithin(row.name, name) || folderOf(name) == &row;

@@ -1,10 +1,12 @@
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/core/read_file.h"
 #include "scenes/core/replace_file.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
 #include "validate/cli/parsed_option.h"
 #include "validate/results/history_moves.h"
+#include "validate/results/number_text.h"
 #include "validate/results/output_files.h"
 #include "validate/results/text_table.h"
 
@@ -43,8 +45,7 @@ History readOrBegin(const Arguments& arguments) {
 
 std::string parseLabel(const std::string& label) {
     constexpr size_t kLongest = 200;
-    const auto isControl = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-    if (label.empty() || label.size() > kLongest || std::any_of(label.begin(), label.end(), isControl))
+    if (label.empty() || label.size() > kLongest || printable(label) != label)
         throw InputError("--label", fmt::format("is {} bytes long or more than one line", label.size()),
                          "a text of 1 to 200 bytes, for example a commit");
     return label;
@@ -78,7 +79,7 @@ std::vector<std::string> append(History& history, const Arguments& arguments) {
 }
 
 std::string shown(const std::optional<double>& value) {
-    return value ? fmt::format("{:.6g}", *value) : "-";
+    return value ? numberText("{:.6g}", *value) : "-";
 }
 
 const char* nameOf(Verdict verdict) {

@@ -19,6 +19,7 @@
 #include "validate/cli/thread_arguments.h"
 #include "validate/cli/trial.h"
 #include "validate/results/output_files.h"
+#include "validate/results/unique_file_names.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -47,7 +48,7 @@ constexpr double kTimingBudgetMs = 4000;
 /// The places a run writes to, checked when made.
 struct OutputFolder {
     std::filesystem::path folder, frames, report;
-    std::set<std::string> taken; // frames written, without their suffix
+    UniqueFileNames frameNames; // without their suffix
 
     OutputFolder(const std::optional<std::filesystem::path>& given, const Scene& scene)
         : folder(given ? *given : std::filesystem::path("plumbline-out") / safeFileName(scene.name)),
@@ -58,11 +59,7 @@ struct OutputFolder {
 
     /// A file of its own for each name, though two may be safe in the same way.
     std::filesystem::path newFrameFile(const std::string& technique) {
-        const std::string stem = safeFileName(technique);
-        std::string unique = stem;
-        for (int number = 2; !taken.insert(unique).second; ++number)
-            unique = fmt::format("{}_{}", stem, number);
-        return frames / (unique + ".exr");
+        return frames / (frameNames.add(safeFileName(technique)) + ".exr");
     }
 };
 

@@ -17,7 +17,7 @@ class Figure {
     /// A value that isn't finite becomes absent, so that no result file contains NaN or infinity.
     Figure(double value) { // NOLINT(google-explicit-constructor): a number is a figure
         if (std::isfinite(value))
-            value_ = value;
+            value_ = value + 0.0; // -0 becomes 0, whose text has no minus sign
         else
             reason_ = "the result is not finite";
     }

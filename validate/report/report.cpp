@@ -12,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 
 namespace plumbline {
 namespace {
@@ -32,7 +31,7 @@ void removeOldFrames(const std::filesystem::path& folder) {
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (!entry.is_regular_file() || entry.path().extension() != ".js") continue;
         std::string beginning(report::kFrameScriptBeginning.size(), ' ');
-        std::ifstream(entry.path()).read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+        InputFile(entry.path()).read(beginning);
         std::error_code ignored; // the page doesn't show files that remain
         if (beginning == report::kFrameScriptBeginning) std::filesystem::remove(entry.path(), ignored);
     }
@@ -48,10 +47,11 @@ Report::Report(std::filesystem::path folder, ReportOptions options)
     replaceFile(folder_ / "report.js", report::pageScript());
 }
 
-std::string Report::save(const std::string& stem, const std::string& what, const Picture& picture) const {
+std::string Report::save(const std::string& stem, const std::string& what, const Picture& picture) {
     // The parts are shortened separately, so that the images of a technique with a long name keep different
     // names.
-    std::string file = safeFileName(stem) + (what.empty() ? "" : safeFileName(what)) + ".png";
+    std::string file =
+        pictureNames_.add(safeFileName(stem) + (what.empty() ? "" : safeFileName(what))) + ".png";
     writePng(folder_ / file, picture.width, picture.height, picture.rgb);
     if (!options_.singleFile) return file;
     const std::string bytes = readWholeFile(folder_ / file);
@@ -90,7 +90,7 @@ void Report::addReference(const Frame& reference) {
 }
 
 std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, const Comparison& comparison,
-                                                   const FramePair& pair) const {
+                                                   const FramePair& pair) {
     const Frame& test = pair.test();
     std::vector<ReportPicture> entries;
     entries.push_back({save(stem, "_color", colorPicture(test)), "Color", Kind::Color});
@@ -121,8 +121,7 @@ std::vector<ReportPicture> Report::saveDifferences(const std::string& stem, cons
 
 /// Fig. 5.28 of Watt and Policarpo (2005), chapter 5: an image of the curvature along s and one along t with
 /// the same range, and one of the cross term if a base has one.
-void Report::saveCurvature(const std::string& stem, const Frame& test,
-                           std::vector<ReportPicture>& entries) const {
+void Report::saveCurvature(const std::string& stem, const Frame& test, std::vector<ReportPicture>& entries) {
     const std::vector<std::pair<std::string, std::string>> channels{
         {"curvature.a", "Base's curvature along s: A"},
         {"curvature.b", "Base's curvature along t: B"},

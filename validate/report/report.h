@@ -10,6 +10,7 @@
 #include "validate/report/frame_data.h"
 #include "validate/report/report_data.h"
 #include "validate/report/report_page.h"
+#include "validate/results/unique_file_names.h"
 
 #include <filesystem>
 #include <map>
@@ -41,10 +42,10 @@ class Report {
     void write(const Results& results, bool last);
 
   private:
-    std::string save(const std::string& stem, const std::string& what, const Picture& picture) const;
+    std::string save(const std::string& stem, const std::string& what, const Picture& picture);
     std::vector<ReportPicture> saveDifferences(const std::string& stem, const Comparison& comparison,
-                                               const FramePair& pair) const;
-    void saveCurvature(const std::string& stem, const Frame& test, std::vector<ReportPicture>& entries) const;
+                                               const FramePair& pair);
+    void saveCurvature(const std::string& stem, const Frame& test, std::vector<ReportPicture>& entries);
     void saveFrame(report::FrameEntry entry, const report::FrameData& frame);
     void saveReference(const FramePair& pair, std::span<const float> depth);
     void saveTest(const std::string& stem, report::FrameEntry entry, const Comparison& comparison,
@@ -52,6 +53,7 @@ class Report {
 
     std::filesystem::path folder_;
     ReportOptions options_;
+    UniqueFileNames pictureNames_; // without their suffix
     ReportPictures pictures_;
     report::ReportData data_;
     report::FailingPixels failing_;

@@ -1,6 +1,7 @@
 #include "validate/report/report_cells.h"
 
 #include "validate/metrics/metric_registry.h"
+#include "validate/results/number_text.h"
 
 #include <fmt/format.h>
 
@@ -17,8 +18,8 @@ data cellOf(const Column& column, const MetricSet& figures) {
     if (!figure) return entry;
     entry.set("value", fmt::format("{}", *figure));
     if (const Interval interval = figures.interval(*column.metric, column.light); interval.low)
-        entry.set("interval", fmt::format("{}–{}", fmt::format(fmt::runtime(format), *interval.low),
-                                          fmt::format(fmt::runtime(format), *interval.high)));
+        entry.set("interval", fmt::format("{}–{}", numberText(format, *interval.low),
+                                          numberText(format, *interval.high)));
     return entry;
 }
 
@@ -70,7 +71,7 @@ data listOfTexts(const std::vector<std::string>& texts) {
 
 data cell(const Figure& figure, const std::string& format) {
     data entry{data::type::object};
-    entry.set("text", figure ? fmt::format(fmt::runtime(format), *figure) : std::string("–"));
+    entry.set("text", figure ? numberText(format, *figure) : std::string("–"));
     setIfAny(entry, "reason", figure.reason());
     return entry;
 }

@@ -1,4 +1,6 @@
+#include "scenes/core/printable.h"
 #include "validate/metrics/metric_registry.h"
+#include "validate/results/number_text.h"
 #include "validate/results/results.h"
 #include "validate/results/text_table.h"
 
@@ -11,7 +13,7 @@ namespace plumbline {
 namespace {
 
 std::string shown(const Figure& figure, int decimals) {
-    return figure ? fmt::format("{:.{}f}", *figure, decimals) : std::string("-");
+    return figure ? numberText(fmt::format("{{:.{}f}}", decimals), *figure) : std::string("-");
 }
 
 /// The largest possible distance of the true figure from the one shown, rounded up so that it is never
@@ -21,7 +23,7 @@ std::string shownReach(const Interval& interval, const Figure& figure, int decim
     const Figure reach = interval.reach(figure);
     if (!reach) return "-";
     const double scale = std::pow(10.0, decimals);
-    return fmt::format("{:.{}f}", std::ceil(*reach * scale - kRounding) / scale, decimals);
+    return shown(std::ceil(*reach * scale - kRounding) / scale, decimals);
 }
 
 std::vector<MetricInfo> columnsWhere(bool (*wanted)(const MetricInfo&)) {
@@ -115,7 +117,7 @@ std::string toTable(const Results& results) {
     std::string errors;
     for (const TechniqueOutcome& technique : results.techniques) {
         if (technique.error) {
-            errors += fmt::format("{}: failed: {}\n", technique.name, *technique.error);
+            errors += fmt::format("{}: failed: {}\n", printable(technique.name), printable(*technique.error));
             continue;
         }
         const MetricSet metrics = pooledFigures(technique);

@@ -1,10 +1,12 @@
 #include "validate/study/study_report.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/printable.h"
 #include "scenes/core/program_name.h"
 #include "scenes/core/replace_file.h"
 #include "validate/report/page_template.h"
 #include "validate/report/report_cells.h"
+#include "validate/results/number_text.h"
 #include "validate/results/output_files.h"
 #include "validate/study/study_plot.h"
 
@@ -64,7 +66,7 @@ TableTexts textsOf(const Study& study, const StudyTable& table, const std::vecto
         std::vector<std::string> line{name};
         for (const std::string& column : columns) {
             const auto found = cells.values.find({name, column});
-            line.push_back(found == cells.values.end() ? "–" : fmt::format("{:.4g}", found->second));
+            line.push_back(found == cells.values.end() ? "–" : numberText("{:.4g}", found->second));
         }
         texts.rows.push_back(std::move(line));
     }
@@ -72,7 +74,8 @@ TableTexts textsOf(const Study& study, const StudyTable& table, const std::vecto
 }
 
 std::string markdownOf(const TableTexts& table) {
-    const auto cell = [](std::string text) {
+    const auto cell = [](const std::string& unsafe) {
+        std::string text = printable(unsafe);
         for (size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
             text.insert(at, "\\");
         for (size_t at = 0; (at = text.find('<', at)) != std::string::npos; at += 4)
