@@ -44,23 +44,28 @@ void checkMicroMeshes(const Technique& technique, const std::vector<MicroMesh>* 
 struct ProxyDrawer {
     ProxyDrawer(const Technique& technique, const Scene& scene, const GpuState& gpu, const GlContext& context)
         : relief(buildReliefProgram(technique, scene.lights.size())) {
+        if (gpu.objects.hasReliefBacks(&BackSides::toCamera))
+            reliefBack = buildReliefProgram(technique, scene.lights.size(), Side::Back);
         if (const Technique::Setting* bias = technique.harness("shadow_bias"))
             shadowBias = static_cast<float>(bias->value.number);
         if (!technique.readsShadowMaps()) return;
         plainWithMaps = buildPlainProgram(scene.lights.size(), true);
-        shadowMaps.emplace(technique, scene, gpu.objects.boundsWorld(), gpu.view.originWorld(), context);
+        shadowMaps.emplace(technique, scene, gpu.objects, gpu.view.originWorld(), context);
     }
 
     /// The camera's pass, into the framebuffer that is bound.
     void draw(const GpuState& gpu) const {
-        glEnable(GL_CULL_FACE);
         const GlProgram& plain = plainWithMaps ? *plainWithMaps : *gpu.plainProgram;
         use(plain, gpu.view);
-        glUniform1i(plain.uniform("uTwoSided"), 0);
-        gpu.objects.drawObjects(false, plain);
-        use(*relief, gpu.view);
-        glUniform1f(relief->uniform("uShadowBias"), shadowBias);
-        gpu.objects.drawObjects(true, *relief);
+        gpu.objects.drawPlain(plain);
+        drawReliefs(gpu, *relief, Side::Front);
+        if (reliefBack) drawReliefs(gpu, *reliefBack, Side::Back);
+    }
+
+    void drawReliefs(const GpuState& gpu, const GlProgram& program, Side side) const {
+        use(program, gpu.view);
+        glUniform1f(program.uniform("uShadowBias"), shadowBias);
+        gpu.objects.drawReliefs(program, side, &BackSides::toCamera);
     }
 
     void use(const GlProgram& program, const View& view) const {
@@ -70,17 +75,18 @@ struct ProxyDrawer {
     }
 
     std::unique_ptr<GlProgram> relief, plainWithMaps;
+    std::unique_ptr<GlProgram> reliefBack; // null: no back sides
     std::optional<ShadowMaps> shadowMaps;
     float shadowBias = 0;
 };
 
 void drawMicroTriangles(const GpuState& gpu, MicroTriangleDrawer& drawer,
                         const std::vector<MicroMesh>& meshes) {
-    glDisable(GL_CULL_FACE); // the reference sees both sides
     gpu.plainProgram->use();
     gpu.view.setUniforms(*gpu.plainProgram);
-    glUniform1i(gpu.plainProgram->uniform("uTwoSided"), 1);
     for (size_t i = 0; i < meshes.size(); ++i) {
+        // As the reference: it sees both sides, unless they are culled.
+        (gpu.objects.objects()[i].object->cull == Cull::Back ? glEnable : glDisable)(GL_CULL_FACE);
         gpu.objects.setUniforms(i, *gpu.plainProgram);
         drawer.draw(meshes[i], gpu.view.originWorld());
     }
@@ -137,8 +143,7 @@ struct RealtimeRenderer::Impl {
         const std::vector<Vec2> stOrigins = technique.drawsMicroTriangles()
                                                 ? std::vector<Vec2>(scene.objects.size(), Vec2(0))
                                                 : gpu->objects.stOrigins();
-        Frame frame = gpu->target.read(gpu->view.originWorld(), stOrigins, technique.search.channels,
-                                       technique.hasCurvedBase());
+        Frame frame = gpu->target.read(gpu->view.originWorld(), stOrigins, technique);
         // Not the driver: frames of different backends are equal byte for byte where their pixels are.
         frame.metadata = sceneMetadata(scene);
         frame.metadata[header::kRenderer] = "realtime";
@@ -171,7 +176,7 @@ TechniqueResult RealtimeRenderer::render(const Technique& technique,
         checkMicroMeshes(technique, microMeshes, impl_->scene.objects.size());
     const CurrentContext current(*impl_->context);
     GpuScene& objects = impl_->gpu->objects;
-    BakeCost bakes = objects.prepareBaked(technique.bakedKinds());
+    BakeCost bakes = objects.prepareBaked(technique);
     if (technique.hasCurvedBase()) objects.useCurvature(technique.curvatureSet());
     if (onPhase) onPhase(kPhaseDrawing);
     FrameTime time = impl_->drawTechnique(technique, microMeshes);

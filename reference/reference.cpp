@@ -79,7 +79,10 @@ struct ReferenceScene::Impl {
             meshes.push_back(tessellate(*surfaces[i], reliefOf(i), plan.rates[i], options.microAttributes));
         stats.tessellateMs += tessellateWatch.elapsedMs();
         const Stopwatch buildWatch;
-        embree = std::make_unique<EmbreeScene>(meshes);
+        std::vector<bool> culled;
+        for (const SceneObject& object : scene.objects)
+            culled.push_back(object.cull == Cull::Back);
+        embree = std::make_unique<EmbreeScene>(meshes, LeakGuard::On, culled);
         stats.buildMs += buildWatch.elapsedMs();
     }
 

@@ -94,6 +94,17 @@ class ChannelSplitter {
         forEachHit(target, [&](size_t i, const float* p) { a[i] = p[1], b[i] = p[2], cross[i] = p[3]; });
     }
 
+    /// What no manifest can leave out: the side that is seen, and faults of a search.
+    void addFlags(const std::vector<float>& target, bool ofSearch) {
+        const auto facing = frame_.add("facing");
+        const auto fault = ofSearch ? frame_.add("fault") : std::span<float>(unwanted_);
+        forEachHit(target, [&](size_t i, const float* p) {
+            const auto flags = static_cast<unsigned>(p[0]) >> kMaxLights;
+            facing[i] = flags & 1u ? -1.0f : 1.0f;
+            fault[i] = static_cast<float>(flags >> 1);
+        });
+    }
+
     void addShadows(const std::vector<float>& target, const std::vector<Light>& lights) {
         if (!wanted("shadow.<light>")) return;
         for (size_t light = 0; light < lights.size(); ++light) {
@@ -188,16 +199,17 @@ std::vector<float> FrameTarget::readTarget(int target) const {
 }
 
 Frame FrameTarget::read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-                        const std::vector<std::string>& channels, bool curvedBase) const {
+                        const Technique& technique) const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());
     const std::vector<float> texture = readTarget(kTexture);
-    ChannelSplitter splitter(width_, height_, channels, texture);
+    ChannelSplitter splitter(width_, height_, technique.search.channels, texture);
     splitter.addColor(readTarget(kColor));
     splitter.addPosition(readTarget(kPosition), originWorld);
     splitter.addNormal(readTarget(kNormal));
     splitter.addTexture(texture, stOrigins);
     const std::vector<float> surface = readTarget(kSurface);
-    if (curvedBase) splitter.addCurvature(surface);
+    if (technique.hasCurvedBase()) splitter.addCurvature(surface);
+    splitter.addFlags(surface, !technique.drawsMicroTriangles());
     splitter.addShadows(surface, scene_.lights);
     return splitter.takeFrame();
 }

@@ -3,6 +3,7 @@
 
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_objects.h"
+#include "realtime/technique/technique.h"
 #include "scenes/frame/frame.h"
 #include "scenes/scene/scene.h"
 
@@ -11,7 +12,8 @@
 
 namespace plumbline {
 
-/// The limit of scene files. Shadows share one float with one bit per light; integers up to 2^24 are exact.
+/// The limit of scene files. Shadows share one float with the flags of shaders/shading.glsl, one bit per
+/// light; integers up to 2^24 are exact.
 inline constexpr int kMaxLights = 16;
 
 class FrameTarget {
@@ -22,10 +24,9 @@ class FrameTarget {
     /// Binds the targets and clears all pixels to a miss.
     void begin() const;
     /// Reads the channels back. `originWorld` is added to positions and, per object, `stOrigins` to st.
-    /// `channels` selects rows of the channel table, all if empty. Curvature channels are only present for a
-    /// curved base.
-    Frame read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins,
-               const std::vector<std::string>& channels, bool curvedBase) const;
+    /// The channels are those of the technique's manifest and the flags; curvature only for a curved base,
+    /// faults only where there is a search.
+    Frame read(const Vec3& originWorld, const std::vector<Vec2>& stOrigins, const Technique& technique) const;
 
   private:
     std::vector<float> readTarget(int target) const;

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -29,6 +30,11 @@ struct VertexData {
     Vec3f ringTwoTerms, ringThreeTerms, limit;
     Vec2f cornerA, cornerB, cornerC;
 };
+
+/// Into the arrays that have an element for each side.
+size_t indexOf(Side side) {
+    return side == Side::Front ? 0 : 1;
+}
 
 Vec3f asVector(const QuadricCoefficients& quadric) {
     return {quadric.a, quadric.b, quadric.c};
@@ -100,10 +106,10 @@ void describeAttribute(GLuint location, GLint components, size_t offset) {
 GpuScene::GpuScene(const Scene& scene, const GlContext& context) {
     clearGlErrors();
     for (const SceneObject& object : scene.objects)
-        addObject(object, context);
+        addObject(scene, object, context);
 }
 
-void GpuScene::addObject(const SceneObject& object, const GlContext& context) {
+void GpuScene::addObject(const Scene& scene, const SceneObject& object, const GlContext& context) {
     ProxyMesh proxy = buildProxyMesh(object);
     GpuObject& gpu = objects_.emplace_back();
     gpu.object = &object;
@@ -118,9 +124,22 @@ void GpuScene::addObject(const SceneObject& object, const GlContext& context) {
     gpu.hasRelief = object.relief && object.relief->depth > kShallowestRelief * bounds.diagonal();
     gpu.stOrigin = wholeTiles(proxy, object);
     gpu.extents = reliefExtents(proxy);
-    if (gpu.hasRelief) gpu.heightMap = heightMapTexture(*object.relief->map, context);
+    gpu.backs = backSidesOf(object, proxy, scene);
+    if (gpu.hasRelief) addReliefMaps(gpu, context);
     if (object.colorMap) gpu.colorMap = colorMapTexture(*object.colorMap, context);
     proxies_.push_back(std::move(proxy));
+}
+
+void GpuScene::addReliefMaps(GpuObject& gpu, const GlContext& context) {
+    const HeightMap& map = *gpu.object->relief->map;
+    gpu.maps[indexOf(Side::Front)] = &map;
+    if (gpu.backs.toCamera || gpu.backs.toLight) {
+        std::unique_ptr<const HeightMap>& complement = complements_[&map];
+        if (!complement) complement = std::make_unique<const HeightMap>(complementOf(map));
+        gpu.maps[indexOf(Side::Back)] = complement.get();
+    }
+    for (size_t side = 0; side < gpu.maps.size(); ++side)
+        if (gpu.maps[side]) gpu.heightMaps[side] = heightMapTexture(*gpu.maps[side], context);
 }
 
 GLuint GpuScene::heightMapTexture(const HeightMap& map, const GlContext& context) {
@@ -160,22 +179,28 @@ const GpuScene::BakedTexture& GpuScene::bakedTexture(const HeightMap& map, const
     return *baked_.emplace_back(std::move(texture));
 }
 
-BakeCost GpuScene::prepareBaked(const std::vector<std::string>& kinds) {
+BakeCost GpuScene::prepareBaked(const Technique& technique) {
     BakeCost cost;
     std::set<const BakedTexture*> counted;
     bindings_.assign(objects_.size(), {});
+    const auto prepare = [&](size_t index, const std::string& kind, Side side) {
+        const GpuObject& gpu = objects_[index];
+        BakeRequest request;
+        request.kind = kind;
+        if (bakeKind(kind).needsScale) request.scale = bakeScale(gpu.extents, *gpu.object, kind);
+        const BakedTexture& texture = bakedTexture(*gpu.maps[indexOf(side)], request, cost);
+        bindings_[index][indexOf(side)].push_back({&bakedFamily(kind), &texture});
+        if (!counted.insert(&texture).second) return;
+        cost.ms += texture.ms;
+        cost.bytes += texture.bytes;
+    };
     for (size_t i = 0; i < objects_.size(); ++i) {
         if (!objects_[i].hasRelief) continue;
-        const SceneObject& object = *objects_[i].object;
-        for (const std::string& kind : kinds) {
-            BakeRequest request;
-            request.kind = kind;
-            if (bakeKind(kind).needsScale) request.scale = bakeScale(objects_[i].extents, object, kind);
-            const BakedTexture& texture = bakedTexture(*object.relief->map, request, cost);
-            bindings_[i].push_back({&bakedFamily(kind), &texture});
-            if (!counted.insert(&texture).second) continue;
-            cost.ms += texture.ms;
-            cost.bytes += texture.bytes;
+        const BackSides& backs = objects_[i].backs;
+        for (const std::string& kind : technique.bakedKinds()) {
+            prepare(i, kind, Side::Front);
+            if (backs.toCamera || (backs.toLight && technique.readsShadowMaps()))
+                prepare(i, kind, Side::Back);
         }
     }
     return cost;
@@ -230,7 +255,7 @@ void GpuScene::useCurvature(CurvatureSet set) const {
     glBindVertexArray(0);
 }
 
-void GpuScene::setUniforms(size_t index, const GlProgram& program) const {
+void GpuScene::setUniforms(size_t index, const GlProgram& program, Side side) const {
     const GpuObject& gpu = objects_[index];
     const Vec3f color(gpu.object->color);
     glUniform3f(program.uniform("uColor"), color.x, color.y, color.z);
@@ -240,7 +265,7 @@ void GpuScene::setUniforms(size_t index, const GlProgram& program) const {
     glActiveTexture(GL_TEXTURE0 + kColorMapUnit);
     glBindTexture(GL_TEXTURE_2D, gpu.colorMap);
     glActiveTexture(GL_TEXTURE0 + kHeightMapUnit);
-    glBindTexture(GL_TEXTURE_2D, gpu.heightMap);
+    glBindTexture(GL_TEXTURE_2D, gpu.heightMaps[indexOf(side)]);
     if (!gpu.hasRelief) return;
     const Relief& relief = *gpu.object->relief;
     glUniform1i(program.uniform("uHeightMap"), kHeightMapUnit);
@@ -248,7 +273,7 @@ void GpuScene::setUniforms(size_t index, const GlProgram& program) const {
                 relief.map->wrapT() == Wrap::Clamp);
     glUniform1f(program.uniform("uReliefDepthWorld"), static_cast<float>(relief.depth));
     if (bindings_.empty()) return;
-    for (const auto& [family, baked] : bindings_[index]) {
+    for (const auto& [family, baked] : bindings_[index][indexOf(side)]) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(family->unit));
         glBindTexture(GL_TEXTURE_2D_ARRAY, baked->texture.get());
         glUniform1i(program.uniform(family->sampler), family->unit);
@@ -259,15 +284,38 @@ void GpuScene::setUniforms(size_t index, const GlProgram& program) const {
     }
 }
 
-void GpuScene::draw(size_t index, const GlProgram& program) const {
-    setUniforms(index, program);
+void GpuScene::draw(size_t index, const GlProgram& program, Side side) const {
+    setUniforms(index, program, side);
     glBindVertexArray(objects_[index].vertexArray.get());
     glDrawArrays(GL_TRIANGLES, 0, objects_[index].vertexCount);
 }
 
-void GpuScene::drawObjects(bool withRelief, const GlProgram& program) const {
+void GpuScene::drawPlain(const GlProgram& program) const {
+    for (size_t i = 0; i < objects_.size(); ++i) {
+        if (objects_[i].hasRelief) continue;
+        (objects_[i].backs.toCamera ? glDisable : glEnable)(GL_CULL_FACE);
+        draw(i, program);
+    }
+}
+
+void GpuScene::drawPlainFromLight(const GlProgram& program) const {
+    glDisable(GL_CULL_FACE); // both sides cast shadows, as in the reference
     for (size_t i = 0; i < objects_.size(); ++i)
-        if (objects_[i].hasRelief == withRelief) draw(i, program);
+        if (!objects_[i].hasRelief) draw(i, program);
+}
+
+void GpuScene::drawReliefs(const GlProgram& program, Side side, bool BackSides::*viewer) const {
+    glEnable(GL_CULL_FACE);
+    glCullFace(side == Side::Front ? GL_BACK : GL_FRONT);
+    for (size_t i = 0; i < objects_.size(); ++i)
+        if (objects_[i].hasRelief && (side == Side::Front || objects_[i].backs.*viewer))
+            draw(i, program, side);
+    glCullFace(GL_BACK);
+}
+
+bool GpuScene::hasReliefBacks(bool BackSides::*viewer) const {
+    return std::any_of(objects_.begin(), objects_.end(),
+                       [&](const GpuObject& gpu) { return gpu.hasRelief && gpu.backs.*viewer; });
 }
 
 std::vector<Vec2> GpuScene::stOrigins() const {

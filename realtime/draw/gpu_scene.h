@@ -1,15 +1,18 @@
 // The scene's objects on the GPU: proxy meshes, height maps and color maps. Shared by all techniques.
 #pragma once
 
+#include "realtime/draw/back_sides.h"
 #include "realtime/draw/baked_input.h"
 #include "realtime/gl/gl_context.h"
 #include "realtime/gl/gl_objects.h"
 #include "realtime/gl/gl_program.h"
 #include "realtime/technique/baked_family.h"
+#include "realtime/technique/stage_sources.h"
 #include "realtime/technique/technique.h"
 #include "scenes/scene/scene.h"
 #include "scenes/surface/proxy_mesh.h"
 
+#include <array>
 #include <map>
 #include <memory>
 #include <vector>
@@ -24,7 +27,11 @@ struct GpuObject {
     GLsizei vertexCount = 0;
     Vec2 stOrigin{0, 0};    // whole tiles subtracted from st to preserve precision
     bool hasRelief = false; // false also for a relief too shallow for floats
-    GLuint heightMap = 0, colorMap = 0;
+    /// A relief's map for each Side; the back's is its complement, null if no back side is drawn.
+    std::array<const HeightMap*, 2> maps{};
+    std::array<GLuint, 2> heightMaps{};
+    GLuint colorMap = 0;
+    BackSides backs;
     ReliefExtents extents;
 };
 
@@ -41,18 +48,24 @@ class GpuScene {
     /// the data exceeds GL's limits. A context must be current.
     GpuScene(const Scene& scene, const GlContext& context);
 
-    /// Provides each relief's baked map of each kind, from this renderer, from the cache or by baking; draw()
-    /// binds these until the next call. Throws InputError for an object whose map can't be baked,
-    /// MachineError for a map that exceeds GL's limits.
-    BakeCost prepareBaked(const std::vector<std::string>& kinds);
+    /// Provides each relief's baked map of each kind, from this renderer, from the cache or by baking, and
+    /// those of its complement where back sides are drawn; draw() binds these until the next call. Throws
+    /// InputError for an object whose map can't be baked, MachineError for a map that exceeds GL's limits.
+    BakeCost prepareBaked(const Technique& technique);
     const Bounds& boundsWorld() const { return bounds_; }
     const std::vector<GpuObject>& objects() const { return objects_; }
     /// Sets the uniforms of one object and draws its proxy with the program in use.
-    void draw(size_t index, const GlProgram& program) const;
-    /// Draws the objects with a relief, or those without.
-    void drawObjects(bool withRelief, const GlProgram& program) const;
+    void draw(size_t index, const GlProgram& program, Side side = Side::Front) const;
+    /// Draws the objects without a relief, with the sides that the camera sees.
+    void drawPlain(const GlProgram& program) const;
+    /// The same with both sides, from a light.
+    void drawPlainFromLight(const GlProgram& program) const;
+    /// Draws one side of the objects with a relief: `program` is one for that side.
+    void drawReliefs(const GlProgram& program, Side side, bool BackSides::*viewer) const;
+    /// Whether a relief has back sides to draw.
+    bool hasReliefBacks(bool BackSides::*viewer) const;
     /// Sets color, id and textures of one object.
-    void setUniforms(size_t index, const GlProgram& program) const;
+    void setUniforms(size_t index, const GlProgram& program, Side side = Side::Front) const;
     std::vector<Vec2> stOrigins() const;
     /// Uploads the vertices relative to the view's origin.
     void upload(const Vec3& originWorld);
@@ -60,7 +73,8 @@ class GpuScene {
     void useCurvature(CurvatureSet set) const;
 
   private:
-    void addObject(const SceneObject& object, const GlContext& context);
+    void addObject(const Scene& scene, const SceneObject& object, const GlContext& context);
+    void addReliefMaps(GpuObject& gpu, const GlContext& context);
     GLuint heightMapTexture(const HeightMap& map, const GlContext& context);
     GLuint colorMapTexture(const ColorMap& map, const GlContext& context);
 
@@ -83,7 +97,8 @@ class GpuScene {
         const BakedFamily* family;
         const BakedTexture* texture;
     };
-    std::vector<std::vector<Binding>> bindings_;
+    std::vector<std::array<std::vector<Binding>, 2>> bindings_; // for each Side
+    std::map<const HeightMap*, std::unique_ptr<const HeightMap>> complements_;
 };
 
 } // namespace plumbline

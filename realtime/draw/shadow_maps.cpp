@@ -31,13 +31,15 @@ float numberOf(const Technique& technique, const char* setting) {
 
 } // namespace
 
-ShadowMaps::ShadowMaps(const Technique& technique, const Scene& scene, const Bounds& boundsWorld,
+ShadowMaps::ShadowMaps(const Technique& technique, const Scene& scene, const GpuScene& objects,
                        const Vec3& originWorld, const GlContext& context)
     : size_(static_cast<int>(numberOf(technique, "shadow_map_size"))),
       bias_(numberOf(technique, "shadow_map_bias")),
-      lights_(shadowProjections(scene.lights, boundsWorld, originWorld, size_)) {
+      lights_(shadowProjections(scene.lights, objects.boundsWorld(), originWorld, size_)) {
     if (lights_.empty()) return;
-    reliefProgram_ = buildReliefLightProgram(technique);
+    reliefProgram_ = buildReliefLightProgram(technique, Side::Front);
+    if (objects.hasReliefBacks(&BackSides::toLight))
+        reliefBackProgram_ = buildReliefLightProgram(technique, Side::Back);
     plainProgram_ = buildPlainLightProgram();
     allocate(context);
 }
@@ -76,14 +78,16 @@ void ShadowMaps::draw(const GpuScene& objects) const {
             glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, layers_.get(), 0,
                                       light.firstLayer + static_cast<GLint>(i));
             glClearBufferfv(GL_DEPTH, 0, &farthest);
-            glDisable(GL_CULL_FACE); // both sides cast shadows, as in the reference
             plainProgram_->use();
             light.layers[i].set(*plainProgram_);
-            objects.drawObjects(false, *plainProgram_);
-            glEnable(GL_CULL_FACE); // a relief is behind the front faces of its proxy
+            objects.drawPlainFromLight(*plainProgram_);
             reliefProgram_->use();
             light.layers[i].set(*reliefProgram_);
-            objects.drawObjects(true, *reliefProgram_);
+            objects.drawReliefs(*reliefProgram_, Side::Front, &BackSides::toLight);
+            if (!reliefBackProgram_) continue;
+            reliefBackProgram_->use();
+            light.layers[i].set(*reliefBackProgram_);
+            objects.drawReliefs(*reliefBackProgram_, Side::Back, &BackSides::toLight);
         }
 }
 

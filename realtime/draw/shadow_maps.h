@@ -18,11 +18,11 @@ class ShadowMaps {
   public:
     /// Size and bias are the technique's `shadow_map_size` and `shadow_map_bias`. Throws InputError for
     /// shader errors, MachineError if the maps exceed GL's limits.
-    ShadowMaps(const Technique& technique, const Scene& scene, const Bounds& boundsWorld,
+    ShadowMaps(const Technique& technique, const Scene& scene, const GpuScene& objects,
                const Vec3& originWorld, const GlContext& context);
 
-    /// Draws the light passes: reliefs with the technique's hits and back-face culling, other objects with
-    /// both sides. Leaves its own framebuffer bound.
+    /// Draws the light passes: reliefs with the technique's hits, their back sides only where they aren't
+    /// hidden from the lights; other objects with both sides. Leaves its own framebuffer bound.
     void draw(const GpuScene& objects) const;
     /// Sets the uniforms of a receiver; its program must be in use.
     void setUniforms(const GlProgram& receiver) const;
@@ -34,6 +34,7 @@ class ShadowMaps {
     float bias_;
     std::vector<ShadowProjection> lights_;
     std::unique_ptr<GlProgram> reliefProgram_, plainProgram_;
+    std::unique_ptr<GlProgram> reliefBackProgram_; // null: no back sides
     GlFramebuffer framebuffer_;
     GlTexture layers_;
 };

@@ -43,11 +43,11 @@ void checkUniforms(const GlProgram& program, const StageSources& sources, const 
 
 } // namespace
 
-std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount) {
+std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount, Side side) {
     const std::string author = technique.search.shaderFile().string();
     if (!namesIdentifier(readShader(technique.search.shaderFile()), "traceRelief"))
         throw InputError(author, "doesn't define traceRelief", "ReliefHit traceRelief(ReliefRay ray) { … }");
-    const StageSources sources = reliefSources(technique, lightCount);
+    const StageSources sources = reliefSources(technique, lightCount, side);
     auto program = buildReceiver(sources);
     checkUniforms(*program, sources, author);
     for (const std::string& kind : technique.bakedKinds())
@@ -62,8 +62,8 @@ std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount, bool shadowMaps)
     return buildReceiver(plainSources(lightCount, shadowMaps));
 }
 
-std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique) {
-    const StageSources sources = reliefLightSources(technique);
+std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique, Side side) {
+    const StageSources sources = reliefLightSources(technique, side);
     return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
 }
 

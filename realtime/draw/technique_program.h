@@ -11,9 +11,10 @@ namespace plumbline {
 /// Compiles, links and checks that the technique declares no uniform the harness doesn't set. Throws
 /// InputError. Programs for the camera's view have the unit of the shadow maps set, unitBehindBaked() of
 /// baked_family.h, and are left in use.
-std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount);
+std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t lightCount,
+                                              Side side = Side::Front);
 std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount, bool shadowMaps);
-std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique);
+std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique, Side side);
 std::unique_ptr<GlProgram> buildPlainLightProgram();
 
 } // namespace plumbline

@@ -4,14 +4,11 @@ in vec3 vPosition;
 in vec3 vNormal;
 in vec2 vSt;
 
-// Both sides are visible, as in the reference: shading and shadows use the side that faces the camera.
-uniform bool uTwoSided;
-
 void main() {
     vec3 toCamera = directionToCamera(vPosition);
     vec3 normal = directionOr(vNormal, toCamera);
-    bool away = uTwoSided && !gl_FrontFacing;
-    SurfacePoint point = SurfacePoint(vPosition, away ? -normal : normal, vSt);
+    // Shading and shadows are of the side that is seen, as in the reference.
+    SurfacePoint point = SurfacePoint(vPosition, gl_FrontFacing ? normal : -normal, vSt, !gl_FrontFacing);
     float shadow[kLightSlots];
     for (int i = 0; i < kLightCount; ++i) {
         vec3 toLight = directionToLight(i, vPosition);

@@ -20,20 +20,23 @@ struct ReliefRay {
     // If st is linear and d is a polynomial in t: d(t) = endDepth t + bend t (1 - t); 0 on a flat base.
     float bend;
     float lengthWorld; // from t = 0 to t = 1, world units
-    float cosine;      // between the ray and the base's normal at the entry, > 0
+    float cosine;      // between the ray and the base's normal at the entry, >= 0
     vec2 scaleWorld;   // sx, sy: world units per unit of s and t
     float depthWorld;  // sz: world units per unit of d
     vec4 surfaceA;     // private to the surface, like surfaceB; not read by a search
     vec4 surfaceB;
 };
 
+// What a hit must keep to: t is in [0, 1] and st is the ray's there, both within rounding (checkHit in
+// relief_main.glsl). A hit that doesn't is drawn as it is, and its pixel is marked and counted.
 struct ReliefHit {
-    bool hit;
+    bool hit; // false: the other two are ignored
     float t;  // on the ray: determines position and depth
     vec2 st;  // on the map: determines normal and color
 };
 
 // --- available to a search -----------------------------------------------------------------------
+// From behind, rays enter at the bottom of the relief, and all depths are counted from there: relief_side.glsl.
 vec3 reliefPosition(ReliefRay ray, float t); // (s, t, d)
 float descentAt(ReliefRay ray, float t);     // dd/dt
 // Upper bound of dd/dt on [t, 1], 0 if d only decreases, for conservative steps. Only on surfaces that offer
@@ -45,6 +48,7 @@ vec4 reliefCell(ivec2 cell);
 // One iteration of the search, for cost.iterations; not counted for shadow rays.
 void countIteration();
 ReliefHit hitAt(ReliefRay ray, float t) { return ReliefHit(true, t, reliefPosition(ray, t).xy); }
+float polygonT(); // t of the polygon that is drawn: 0, from behind 1
 ReliefHit missed() { return ReliefHit(false, 1.0, vec2(0.0)); }
 
 // --- provided by the search ----------------------------------------------------------------------
@@ -70,6 +74,13 @@ vec2 reliefScale(ReliefFrame frame) { return vec2(length(frame.positionS), lengt
 // is then discarded.
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray);
 
-// The frame of the base at the hit at t. positionS and positionT are the derivatives of P = base - depthWorld
+// The ray's way and its descent, without regard to the side that is drawn: t from 0 at the polygon to 1 at the
+// bottom of the relief or the end of the ray.
+vec3 surfacePosition(ReliefRay ray, float t); // (s, t, d)
+float surfaceDescent(ReliefRay ray, float t); // dd/dt
+// Upper bound of dd/dt on [t, 1]; only if the surface offers bounded_descent.
+float surfaceSteepestDescent(ReliefRay ray, float t);
+
+// The frame of the base at the hit at t of the surface. positionS and positionT are the derivatives of P = base - depthWorld
 // d normal at constant d; normal is the direction along which depth is measured.
 ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t);

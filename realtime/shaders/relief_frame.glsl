@@ -11,7 +11,7 @@ uniform float uReliefDepthWorld;
 
 ReliefFrame fragmentFrame() {
     ReliefFrame frame;
-    frame.normal = directionOr(vNormal, directionToCamera(vPosition));
+    frame.normal = directionOr(vNormal, directionToCamera(vPosition) * (kFromBehind ? -1.0 : 1.0));
     frame.positionS = vPositionS - frame.normal * dot(frame.normal, vPositionS);
     frame.positionT = vPositionT - frame.normal * dot(frame.normal, vPositionT);
     frame.st = vSt;

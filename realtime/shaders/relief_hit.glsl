@@ -5,7 +5,7 @@ flat in vec2 vTriangleStC;
 
 struct FragmentHit {
     ReliefFrame frame;
-    ReliefRay ray;
+    ReliefRay ray; // as the search sees it
     ReliefHit hit;
     vec3 position; // of the hit, relative
 };
@@ -23,12 +23,12 @@ bool insideTriangle(vec2 st) {
 
 // Returns false if the fragment must be discarded.
 bool traceFragment(out FragmentHit found) {
-    vec3 toCamera = directionToCamera(vPosition);
+    vec3 inward = directionToCamera(vPosition) * (kFromBehind ? 1.0 : -1.0);
     found.frame = fragmentFrame();
     found.hit = missed();
     found.position = vPosition;
-    if (!enterRelief(found.frame, found.frame.st, reliefDirection(found.frame, -toCamera), found.ray)) return false;
+    if (!enterSide(found.frame, found.frame.st, reliefDirection(found.frame, inward), found.ray)) return false;
     found.hit = traceRelief(found.ray);
-    found.position = vPosition - toCamera * (found.hit.t * found.ray.lengthWorld);
+    found.position = vPosition + inward * (surfaceT(found.hit.t) * found.ray.lengthWorld);
     return found.hit.hit && !(kTriangleBounds && !insideTriangle(found.hit.st));
 }

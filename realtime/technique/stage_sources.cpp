@@ -18,20 +18,26 @@ struct HarnessUse {
     bool hardwareFilter = false, reliefShadows = false, shadowMaps = false, triangleBounds = false,
          depthCorrection = false;
     std::vector<std::string> bakedKinds;
-    bool curvedBase = false;
+    bool curvedBase = false, boundedDescent = false;
+    Side side = Side::Front;
 };
 
-HarnessUse useBy(const Technique& technique) {
-    return {technique.hardwareFilter(),  technique.castsReliefShadows(),
-            technique.readsShadowMaps(), technique.discardsOutsideTriangle(),
-            technique.correctsDepth(),   technique.bakedKinds(),
-            technique.hasCurvedBase()};
+HarnessUse useBy(const Technique& technique, Side side) {
+    return {technique.hardwareFilter(),
+            technique.castsReliefShadows(),
+            technique.readsShadowMaps(),
+            technique.discardsOutsideTriangle(),
+            technique.correctsDepth(),
+            technique.bakedKinds(),
+            technique.hasCurvedBase(),
+            technique.surface->hasOffer("bounded_descent"),
+            side};
 }
 
 /// A use of every file there is.
 HarnessUse useOfAll() {
     HarnessUse use;
-    use.curvedBase = true;
+    use.curvedBase = use.boundedDescent = true;
     for (const BakedFamily& family : bakedFamilies())
         use.bakedKinds.emplace_back(family.kinds.front());
     return use;
@@ -40,9 +46,9 @@ HarnessUse useOfAll() {
 std::string settingsText(const HarnessUse& use) {
     return fmt::format("const bool kHardwareFilter = {};\nconst bool kReliefShadows = {};\n"
                        "const bool kShadowMaps = {};\nconst bool kTriangleBounds = {};\n"
-                       "const bool kDepthCorrection = {};\n",
+                       "const bool kDepthCorrection = {};\nconst bool kFromBehind = {};\n",
                        use.hardwareFilter, use.reliefShadows, use.shadowMaps, use.triangleBounds,
-                       use.depthCorrection);
+                       use.depthCorrection, use.side == Side::Back);
 }
 
 std::string lightDeclarations(size_t lightCount) {
@@ -75,6 +81,8 @@ ShaderSource reliefHarness(const HarnessUse& use, std::optional<size_t> lightCou
         addLightPass(fragment);
     fragment.addFile(harnessShader("height_map.glsl"));
     fragment.addFile(harnessShader("relief_contract.glsl"));
+    fragment.addFile(harnessShader("relief_side.glsl"));
+    if (use.boundedDescent) fragment.addFile(harnessShader("relief_descent.glsl"));
     fragment.addFile(harnessShader("relief_walk.glsl"));
     for (const std::string& kind : use.bakedKinds)
         fragment.addFile(harnessShader(bakedFamily(kind).shader));
@@ -85,10 +93,10 @@ ShaderSource reliefHarness(const HarnessUse& use, std::optional<size_t> lightCou
     return fragment;
 }
 
-StageSources reliefStages(const Technique& technique, std::optional<size_t> lightCount) {
+StageSources reliefStages(const Technique& technique, Side side, std::optional<size_t> lightCount) {
     StageSources sources;
     sources.vertex.addFile(harnessShader("proxy_vertex.glsl"));
-    sources.fragment = reliefHarness(useBy(technique), lightCount);
+    sources.fragment = reliefHarness(useBy(technique, side), lightCount);
     sources.fragment.addText("(parameters)", technique.glslConstants());
     sources.fragment.addFile(technique.surface->shaderFile());
     sources.fragment.addFile(technique.search.shaderFile());
@@ -110,8 +118,8 @@ StageSources plainSources(size_t lightCount, bool shadowMaps) {
     return sources;
 }
 
-StageSources reliefSources(const Technique& technique, size_t lightCount) {
-    return reliefStages(technique, lightCount);
+StageSources reliefSources(const Technique& technique, size_t lightCount, Side side) {
+    return reliefStages(technique, side, lightCount);
 }
 
 StageSources plainLightSources() {
@@ -122,8 +130,8 @@ StageSources plainLightSources() {
     return sources;
 }
 
-StageSources reliefLightSources(const Technique& technique) {
-    return reliefStages(technique, std::nullopt);
+StageSources reliefLightSources(const Technique& technique, Side side) {
+    return reliefStages(technique, side, std::nullopt);
 }
 
 const std::set<std::string>& harnessNames() {

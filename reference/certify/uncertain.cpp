@@ -77,7 +77,7 @@ class CoverageMarker {
     /// Id and planar depth of what is seen at a pixel.
     int look(const Vec3& pixel, double& depth) const {
         const Ray ray = rays_.ray(pixel.x, pixel.y);
-        const auto hit = embree_.intersect(ray.origin, ray.direction);
+        const auto hit = embree_.intersectSeen(ray.origin, ray.direction);
         if (!hit) return 0;
         depth = rays_.planarDepth(ray.at(hit->distance));
         return static_cast<int>(hit->object) + 1;

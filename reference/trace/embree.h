@@ -23,6 +23,18 @@ inline void embreeIntersect(RTCScene scene, RTCRayHit& rayHit) {
 #endif
 }
 
+/// Makes queries for a nearest hit skip the back sides of a geometry, for rays whose `id` is kSkipsBacks. The
+/// back of a micro-triangle is the side that a ray along its normal meets.
+inline constexpr unsigned kSkipsBacks = 1;
+inline void embreeSkipBacks(RTCGeometry geometry) {
+    rtcSetGeometryIntersectFilterFunction(geometry, [](const RTCFilterFunctionNArguments* arguments) {
+        const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray); // N is 1: single rays are traced
+        const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+        const float along = hit->Ng_x * ray->dir_x + hit->Ng_y * ray->dir_y + hit->Ng_z * ray->dir_z;
+        if (ray->id == kSkipsBacks && !(along < 0)) arguments->valid[0] = 0;
+    });
+}
+
 /// Sets ray.tfar to -inf if there is any hit between tnear and tfar.
 inline void embreeOccluded(RTCScene scene, RTCRay& ray) {
 #if RTC_VERSION_MAJOR >= 4

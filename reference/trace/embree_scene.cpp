@@ -68,15 +68,16 @@ struct EmbreeScene::Impl {
     LeakGuard guard;
     float largestCoordinate = 0; // of all vertices
 
-    Impl(const std::vector<MicroMesh>& meshes, LeakGuard guardGiven) : guard(guardGiven) {
+    Impl(const std::vector<MicroMesh>& meshes, LeakGuard guardGiven, const std::vector<bool>& culled)
+        : guard(guardGiven) {
         // The low bits of a hit depend on the instruction set, so it is fixed to give the same results on all
         // machines.
         device = rtcNewDevice("isa=avx2");
         if (!device) fail(rtcGetDeviceError(nullptr), "no device");
         scene = rtcNewScene(device);
         rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-        for (const MicroMesh& mesh : meshes)
-            attach(mesh);
+        for (size_t i = 0; i < meshes.size(); ++i)
+            attach(meshes[i], !culled.empty() && culled[i]);
         rtcCommitScene(scene);
         check(device);
         RTCBounds bounds;
@@ -90,7 +91,7 @@ struct EmbreeScene::Impl {
         if (device) rtcReleaseDevice(device);
     }
 
-    void attach(const MicroMesh& mesh) {
+    void attach(const MicroMesh& mesh, bool culled) {
         RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_GRID);
         rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                    mesh.positionsWorld.data(), 0, sizeof(Vec3f), mesh.positionsWorld.size());
@@ -101,6 +102,7 @@ struct EmbreeScene::Impl {
             const MicroGrid& grid = mesh.grids[i];
             grids[i] = {grid.firstVertex, grid.columns, grid.columns, grid.rows};
         }
+        if (culled) embreeSkipBacks(geometry);
         rtcCommitGeometry(geometry);
         rtcAttachGeometry(scene, geometry);
         rtcReleaseGeometry(geometry);
@@ -113,9 +115,10 @@ struct EmbreeScene::Impl {
         bool outerSide = false; // the facet faces the ray
         Hit at{};
     };
-    Trace trace(const Vec3f& origin, const Vec3f& direction) const {
+    Trace trace(const Vec3f& origin, const Vec3f& direction, unsigned rayId) const {
         RTCRayHit rayHit{};
         rayHit.ray = makeRay(origin, direction, kInfinityF);
+        rayHit.ray.id = rayId;
         rayHit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
         embreeIntersect(scene, rayHit);
         const RTCHit& hit = rayHit.hit;
@@ -123,6 +126,9 @@ struct EmbreeScene::Impl {
         const bool outerSide = glm::dot(Vec3f(hit.Ng_x, hit.Ng_y, hit.Ng_z), direction) < 0;
         return {true, outerSide, {hit.geomID, hit.primID, hit.u, hit.v, rayHit.ray.tfar}};
     }
+
+    /// The nearest hit; a ray that may have leaked is retraced.
+    std::optional<Hit> nearest(const Vec3f& origin, const Vec3f& direction, unsigned rayId) const;
 
     bool blocked(const Vec3f& origin, const Vec3f& direction, float maxDistance) const {
         RTCRay ray = makeRay(origin, direction, maxDistance);
@@ -150,31 +156,42 @@ struct EmbreeScene::Impl {
     }
 };
 
-EmbreeScene::EmbreeScene(const std::vector<MicroMesh>& meshes, LeakGuard guard)
-    : impl_(std::make_unique<Impl>(meshes, guard)) {}
+EmbreeScene::EmbreeScene(const std::vector<MicroMesh>& meshes, LeakGuard guard,
+                         const std::vector<bool>& culled)
+    : impl_(std::make_unique<Impl>(meshes, guard, culled)) {}
 EmbreeScene::~EmbreeScene() = default;
 
 float EmbreeScene::largestCoordinate() const {
     return impl_->largestCoordinate;
 }
 
-std::optional<EmbreeScene::Hit> EmbreeScene::intersect(const Vec3f& origin, const Vec3f& direction) const {
-    const Impl::Trace straight = impl_->trace(origin, direction);
-    const auto result = [](const Impl::Trace& trace) {
+std::optional<EmbreeScene::Hit> EmbreeScene::Impl::nearest(const Vec3f& origin, const Vec3f& direction,
+                                                           unsigned rayId) const {
+    const Trace straight = trace(origin, direction, rayId);
+    const auto result = [](const Trace& trace) {
         return trace.hit ? std::optional<Hit>(trace.at) : std::nullopt;
     };
     // A ray that leaks into a closed surface hits its far wall from inside.
-    if (straight.outerSide || impl_->guard == LeakGuard::Off) return result(straight);
-    const auto inTheWay = [&](const Impl::Trace& side) {
+    if (straight.outerSide || guard == LeakGuard::Off) return result(straight);
+    const auto inTheWay = [&](const Trace& side) {
         return side.hit && (!straight.hit || (side.outerSide && side.at.distance < straight.at.distance));
     };
-    const std::array<Vec3f, 4> origins = impl_->beside(origin, direction);
-    const Impl::Trace first = impl_->trace(origins[0], direction);
+    const std::array<Vec3f, 4> origins = beside(origin, direction);
+    const Trace first = trace(origins[0], direction, rayId);
     if (!inTheWay(first)) return result(straight);
-    if (inTheWay(impl_->trace(origins[1], direction))) return result(first);
+    if (inTheWay(trace(origins[1], direction, rayId))) return result(first);
     // Next to a silhouette, or one ray of the pair has leaked too.
-    const Impl::Trace second = impl_->trace(origins[2], direction);
-    return result(inTheWay(second) && inTheWay(impl_->trace(origins[3], direction)) ? second : straight);
+    const Trace second = trace(origins[2], direction, rayId);
+    return result(inTheWay(second) && inTheWay(trace(origins[3], direction, rayId)) ? second : straight);
+}
+
+std::optional<EmbreeScene::Hit> EmbreeScene::intersect(const Vec3f& origin, const Vec3f& direction) const {
+    return impl_->nearest(origin, direction, 0);
+}
+
+std::optional<EmbreeScene::Hit> EmbreeScene::intersectSeen(const Vec3f& origin,
+                                                           const Vec3f& direction) const {
+    return impl_->nearest(origin, direction, kSkipsBacks);
 }
 
 bool EmbreeScene::occluded(const Vec3f& origin, const Vec3f& direction, float maxDistance) const {

@@ -21,9 +21,10 @@ enum class LeakGuard { Off, On };
 
 class EmbreeScene {
   public:
-    /// The meshes must outlive the scene: their vertices are shared, not copied. Throws MachineError on
-    /// Embree's errors.
-    explicit EmbreeScene(const std::vector<MicroMesh>& meshes, LeakGuard guard = LeakGuard::On);
+    /// The meshes must outlive the scene: their vertices are shared, not copied. `culled`: per mesh, whether
+    /// intersectSeen skips its back sides; empty: none. Throws MachineError on Embree's errors.
+    explicit EmbreeScene(const std::vector<MicroMesh>& meshes, LeakGuard guard = LeakGuard::On,
+                         const std::vector<bool>& culled = {});
     ~EmbreeScene();
     EmbreeScene(const EmbreeScene&) = delete;
     EmbreeScene& operator=(const EmbreeScene&) = delete;
@@ -40,6 +41,8 @@ class EmbreeScene {
     /// Nearest hit with distance in [0, inf). A retraced ray returns the hit of an offset ray, from which
     /// resolveHit computes the ray's own hit. The calling thread must flush denormals (FlushDenormals).
     std::optional<Hit> intersect(const Vec3f& origin, const Vec3f& direction) const;
+    /// The same as the camera sees it: without the back sides of culled meshes.
+    std::optional<Hit> intersectSeen(const Vec3f& origin, const Vec3f& direction) const;
     /// Whether there is a hit with distance in [0, maxDistance].
     bool occluded(const Vec3f& origin, const Vec3f& direction, float maxDistance) const;
 

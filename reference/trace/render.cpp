@@ -59,8 +59,8 @@ class FrameTracer {
     FrameTracer(const Scene& scene, const std::vector<TracedObject>& objects, const EmbreeScene& embree)
         : scene_(scene), objects_(objects), embree_(embree), rays_(scene.camera),
           frame_(scene.camera.width, scene.camera.height), largestCoordinate_(embree.largestCoordinate()) {
-        for (const char* name :
-             {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S", "st.T", "id"})
+        for (const char* name : {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S",
+                                 "st.T", "id", "facing"})
             channels_.push_back(frame_.add(name).data());
         for (const Light& light : scene.lights)
             shadows_.push_back(frame_.add(shadowChannel(light.name)).data());
@@ -92,7 +92,7 @@ class FrameTracer {
     }
 
   private:
-    enum Plane { R, G, B, A, Z, PX, PY, PZ, NX, NY, NZ, S, T, Id };
+    enum Plane { R, G, B, A, Z, PX, PY, PZ, NX, NY, NZ, S, T, Id, Facing };
 
     void fillBackground() {
         for (int k = 0; k < 3; ++k)
@@ -121,7 +121,7 @@ class FrameTracer {
 
     bool tracePixel(size_t pixel, PixelHit& result) const {
         const Ray ray = rayOf(pixel);
-        const auto hit = embree_.intersect(ray.origin, ray.direction);
+        const auto hit = embree_.intersectSeen(ray.origin, ray.direction);
         if (!hit) return false;
         const MicroMesh& mesh = *objects_[hit->object].mesh;
         const MicroGrid& grid = mesh.grids[hit->grid];
@@ -191,7 +191,7 @@ class FrameTracer {
             const double left = hit.distance + farthest - start;
             if (!(left > 0) || !embree_.occluded(ray.at(start), ray.direction, static_cast<float>(left)))
                 return false;
-            const auto next = embree_.intersect(ray.at(start), ray.direction);
+            const auto next = embree_.intersectSeen(ray.at(start), ray.direction);
             if (!next) return false;
             if (next->object == hit.object) {
                 from = start + next->distance;
@@ -238,7 +238,8 @@ class FrameTracer {
         const SceneObject& object = *objects_[hit.object].object;
         // The visible side is that of the facet: near a silhouette, the true normal may face away from the
         // camera although the facet is front-facing.
-        const double side = glm::dot(hit.facetNormal, rays_.towardCamera(hit.position)) < 0 ? -1 : 1;
+        const bool away = glm::dot(hit.facetNormal, rays_.towardCamera(hit.position)) < 0;
+        const double side = away && object.cull != Cull::Back ? -1 : 1;
         const SurfaceSample sampled = surfaceAt(hit, refiner, side);
         const DisplacedSample& surface = sampled.displaced;
         evidence_.errorWorld[hit.pixel] = static_cast<float>(errorOf(hit));
@@ -255,6 +256,7 @@ class FrameTracer {
         channels_[S][hit.pixel] = static_cast<float>(surface.st.x);
         channels_[T][hit.pixel] = static_cast<float>(surface.st.y);
         channels_[Id][hit.pixel] = static_cast<float>(hit.object + 1);
+        channels_[Facing][hit.pixel] = static_cast<float>(side);
     }
 
     /// The light received by the visible side from all lights. Writes the pixel's shadow channels.

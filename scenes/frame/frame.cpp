@@ -16,7 +16,7 @@ constexpr std::string_view kLightPlaceholder = "<light>";
 
 // On a miss there is no point, normal, coordinate or shadow to speak of: NaN says so, and can't be averaged
 // by mistake. R G B hold the scene's background there; the renderer writes it over the 0 of this table.
-constexpr std::array<ChannelInfo, 24> kChannels{{
+constexpr std::array<ChannelInfo, 26> kChannels{{
     {"R", "", "linear", 0, "red of the shaded color; the background's on a miss"},
     {"G", "", "linear", 0, "green of the shaded color; the background's on a miss"},
     {"B", "", "linear", 0, "blue of the shaded color; the background's on a miss"},
@@ -31,6 +31,7 @@ constexpr std::array<ChannelInfo, 24> kChannels{{
     {"st.S", "map widths", "texture", kNanF, "texture coordinate s, tiled, unwrapped"},
     {"st.T", "map heights", "texture", kNanF, "texture coordinate t, tiled, unwrapped"},
     {"id", "", "", 0, "object index + 1"},
+    {"facing", "", "", kNanF, "1 where the outer side of the surface is seen, -1 where its back side is"},
     {"shadow.<light>", "", "", kNanF, "1 in shadow of the light, cast or attached (N.L <= 0); 0 lit"},
     {"cost.fetches", "look-ups", "", 0,
      "look-ups of height and baked maps, view and shadow rays (real time only)"},
@@ -39,6 +40,9 @@ constexpr std::array<ChannelInfo, 24> kChannels{{
      "those of a baked map: cone ratios, distances, normals, bounds (real time only)"},
     {"cost.iterations", "iterations", "", 0,
      "rounds of the view ray's search until it stopped (real time only)"},
+    {"fault", "", "", 0,
+     "what is wrong with the hits a technique's search returned here, a sum: 1 t or st isn't finite, 2 t is "
+     "outside [0, 1], 4 st is off the ray (real time only)"},
     {"curvature.a", "1 / world unit", "fragment", kNanF,
      "A of the base z = -(A x^2 + C x y + B y^2) a technique was given, x along s; 0 on plain objects (real "
      "time only)"},

@@ -70,6 +70,14 @@ size_t MeshEdges::indexOf(int vertex, int otherVertex) const {
     return lowerBound(low, high);
 }
 
+bool isClosed(const ControlMesh& mesh) {
+    if (!mesh.tags.holes.empty()) return false;
+    const MeshEdges edges(mesh);
+    return std::ranges::all_of(edges.edges(), [](const std::span<const HalfEdge>& edge) {
+        return 2 * std::ranges::count(edge, true, &HalfEdge::forward) == std::ssize(edge);
+    });
+}
+
 std::vector<int> pinchedVertices(const ControlMesh& mesh, const MeshEdges& edges) {
     DisjointSets fans(mesh.faceVertices.size()); // of corners of faces
     for (const auto& edge : edges.edges())

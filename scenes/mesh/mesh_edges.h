@@ -34,6 +34,9 @@ class MeshEdges {
     std::vector<std::span<const HalfEdge>> edges_;
 };
 
+/// Whether the faces enclose a space: along each edge as many go one way as the other, and no face is a hole.
+bool isClosed(const ControlMesh& mesh);
+
 /// Non-manifold vertices whose faces form several fans that share no edge at the vertex. Ascending.
 std::vector<int> pinchedVertices(const ControlMesh& mesh, const MeshEdges& edges);
 

@@ -20,14 +20,22 @@ namespace plumbline {
 /// techniques draw (proxy_mesh.h).
 enum class Base { Limit, Proxy };
 
+/// Whether the camera sees an object's back sides, those its faces turn away from. Either way, both sides
+/// receive light and cast shadows.
+///
+/// Auto: the reference shows them; techniques draw them too, unless the mesh is closed and its fronts hide
+/// them from the camera. Back: they are transparent, for reference and techniques. None: both draw them.
+enum class Cull { Auto, Back, None };
+
 struct SceneObject {
     std::string name;
     ControlMesh mesh; // object space
     Scheme scheme = Scheme::CatmullClark;
-    int proxyRate = 1;                        // segments of the proxy per control edge
-    Vec3 translate{0, 0, 0};                  // world units
-    Vec3 rotateDegrees{0, 0, 0};              // about x, then y, then z
-    double scale = 1;                         // > 0
+    int proxyRate = 1;           // segments of the proxy per control edge
+    Vec3 translate{0, 0, 0};     // world units
+    Vec3 rotateDegrees{0, 0, 0}; // about x, then y, then z
+    double scale = 1;            // > 0
+    Cull cull = Cull::Auto;
     std::optional<Relief> relief;             // none: not displaced
     Vec3 color{0.8, 0.8, 0.8};                // linear
     std::shared_ptr<const ColorMap> colorMap; // null: `color`

@@ -194,6 +194,8 @@ class SceneReader {
                         : scheme == "none" ? Scheme::None
                                            : Scheme::CatmullClark;
         object.proxyRate = table.integer("proxy_rate", 1, kMaxProxyRate, 1);
+        const std::string cull = table.choice("cull", {"auto", "back", "none"}, "auto");
+        object.cull = cull == "back" ? Cull::Back : cull == "none" ? Cull::None : Cull::Auto;
         if (table.has("mesh") == table.has("shape"))
             table.fail({}, table.has("mesh") ? "has both mesh and shape" : "has neither mesh nor shape",
                        "mesh or shape");

@@ -74,11 +74,15 @@ StageSources bareSources(const Technique& technique) {
     ShaderSource& fragment = sources.fragment;
     sources.vertex.addFile(harnessShader("proxy_vertex.glsl"));
     fragment.addText("(settings)",
-                     fmt::format("const bool kHardwareFilter = {};\nlayout(location = 0) out vec4 outHit;\n",
+                     fmt::format("const bool kHardwareFilter = {};\nconst bool kFromBehind = false;\n"
+                                 "layout(location = 0) out vec4 outHit;\n",
                                  technique.hardwareFilter()));
     fragment.addFile(harnessShader("camera.glsl"));
-    for (const char* name : {"height_map.glsl", "relief_contract.glsl", "relief_walk.glsl"})
+    for (const char* name :
+         {"height_map.glsl", "relief_contract.glsl", "relief_side.glsl", "relief_walk.glsl"})
         addUncounted(fragment, harnessShader(name));
+    if (technique.surface->hasOffer("bounded_descent"))
+        addUncounted(fragment, harnessShader("relief_descent.glsl"));
     for (const std::string& kind : technique.bakedKinds())
         addUncounted(fragment, harnessShader(bakedFamily(kind).shader));
     fragment.addFile(harnessShader("relief_frame.glsl"));
@@ -155,7 +159,7 @@ class Harness {
         }
         for (int run = 0; run <= kRuns; ++run)
             for (Entry& entry : entries) {
-                objects_.prepareBaked(entry.technique.bakedKinds());
+                objects_.prepareBaked(entry.technique);
                 if (entry.technique.hasCurvedBase()) objects_.useCurvature(entry.technique.curvatureSet());
                 const double full = milliseconds([&] { target_.begin(), draw(*entry.full); });
                 const double bare = milliseconds([&] { bare_.begin(), draw(*entry.bare); });

@@ -58,6 +58,48 @@ TEST(Reference, PlaneAtConstantDepth_HasExactDepth) {
     EXPECT_EQ(covered, 400);
 }
 
+// The square of PlaneAtConstantDepth_HasExactDepth from behind, 5 - 0.125 away. Its normal stays outward.
+TEST(Reference, SquareFromBehind_ShowsBackSideUnlessCulled) {
+    const auto map = std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f));
+    Scene scene = squareScene(map, 0.25);
+    const Frame front = renderReference(scene, 8);
+    scene.camera.positionWorld = {0, 0, -5};
+    const Frame back = renderReference(scene, 8);
+    const PixelReader inFront{front}, behind{back};
+    EXPECT_EQ(inFront("facing", 20, 20), 1.0f);
+    EXPECT_TRUE(std::isnan(behind("facing", 5, 20)));
+    EXPECT_EQ(behind("facing", 20, 20), -1.0f);
+    EXPECT_FLOAT_EQ(behind("Z", 20, 20), 4.875f);
+    EXPECT_EQ(behind("N.Z", 20, 20), 1.0f);
+    EXPECT_EQ(behind("shadow.sun", 20, 20), 1.0f);
+    scene.objects[0].cull = Cull::Back;
+    for (const float covered : renderReference(scene, 8).channel("A"))
+        EXPECT_EQ(covered, 0.0f);
+    scene.camera.positionWorld = {0, 0, 5};
+    const Frame culled = renderReference(scene, 8);
+    for (const std::string& name : front.channelNames())
+        EXPECT_EQ(std::memcmp(culled.channel(name).data(), front.channel(name).data(),
+                              front.pixelCount() * sizeof(float)),
+                  0)
+            << name;
+}
+
+// Two squares, the nearer seen from behind. It is transparent, and shadows the other one all the same.
+TEST(Reference, CulledBackSide_CastsShadow) {
+    Scene scene = squareScene(nullptr, 0);
+    scene.objects.push_back(scene.objects[0]);
+    scene.objects[1].name = "turned";
+    scene.objects[1].translate = {0, 0, 1};
+    scene.objects[1].rotateDegrees = {180, 0, 0};
+    scene.objects[1].cull = Cull::Back;
+    const Frame frame = renderReference(scene, 1);
+    const PixelReader at{frame};
+    EXPECT_EQ(at("id", 20, 20), 1.0f);
+    EXPECT_FLOAT_EQ(at("Z", 20, 20), 5.0f);
+    EXPECT_EQ(at("shadow.sun", 20, 20), 1.0f);
+    EXPECT_EQ(at("uncertain", 20, 20), 0.0f);
+}
+
 // A ramp d = s over the whole square: texel centers of a 2-texel clamped map at s = 1/4 and 3/4; between them
 // d = 2 s - 1/2. With depth 1 and x = 2 s - 1 the surface is z = -(x + 1/2) for |x| <= 1/2, 0 to the left and
 // -1 to the right. Its normal on the slope is (1, 0, 1) / sqrt 2.

@@ -5,11 +5,11 @@ bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) 
     return enterVertical(frame, st, direction, ray);
 }
 
-vec3 reliefPosition(ReliefRay ray, float t) { return verticalPosition(ray, t); }
+vec3 surfacePosition(ReliefRay ray, float t) { return verticalPosition(ray, t); }
 
-float descentAt(ReliefRay ray, float t) { return verticalDescent(ray, t); }
+float surfaceDescent(ReliefRay ray, float t) { return verticalDescent(ray, t); }
 
-float steepestDescent(ReliefRay ray, float t) { return verticalSteepest(ray, t); }
+float surfaceSteepestDescent(ReliefRay ray, float t) { return verticalSteepest(ray, t); }
 
 // The frame at the hit differs from the fragment's.
 ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t) { return tiltedFrame(frame, ray.stTravel * t); }

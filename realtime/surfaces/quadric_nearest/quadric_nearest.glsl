@@ -104,7 +104,7 @@ bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) 
                                                 stPer.x * direction.y - stPer.y * direction.x) / determinant;
     vec2 end = cosine > kGrazingCosine ? nearestEnd(k, vec3(way, cosine), frame.depthWorld) : vec2(0.0);
     ray = ReliefRay(st, vec2(0.0), end.y, 0.0, end.x, cosine, scale, frame.depthWorld, vec4(k, way), stPer);
-    ray.stTravel = reliefPosition(ray, 1.0).xy - st;
+    ray.stTravel = surfacePosition(ray, 1.0).xy - st;
     return cosine > kGrazingCosine;
 }
 
@@ -115,13 +115,13 @@ vec3 nearestAt(ReliefRay ray, float t) {
 vec2 stAlong(ReliefRay ray, vec2 principal) { return ray.surfaceB.xy * principal.x + ray.surfaceB.zw * principal.y; }
 
 // d is exactly endDepth at t = 1.
-vec3 reliefPosition(ReliefRay ray, float t) {
+vec3 surfacePosition(ReliefRay ray, float t) {
     vec3 nearest = nearestAt(ray, t);
     vec2 principal = texture_from == texture_from_foot ? nearest.xy : ray.surfaceA.zw * (ray.lengthWorld * t);
     return vec3(ray.st + stAlong(ray, principal), t >= 1.0 ? ray.endDepth : nearest.z / ray.depthWorld);
 }
 
-float descentAt(ReliefRay ray, float t) {
+float surfaceDescent(ReliefRay ray, float t) {
     float fall = fallOf(ray.surfaceA.xy, nearestAt(ray, t).xy, vec3(ray.surfaceA.zw, ray.cosine));
     return fall * ray.lengthWorld / ray.depthWorld;
 }

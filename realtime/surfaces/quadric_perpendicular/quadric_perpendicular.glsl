@@ -55,13 +55,13 @@ bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) 
 }
 
 // d is exactly endDepth at t = 1.
-vec3 reliefPosition(ReliefRay ray, float t) {
+vec3 surfacePosition(ReliefRay ray, float t) {
     float depth = depthAlong(ray.surfaceA.x, ray.cosine, ray.surfaceA.y, ray.lengthWorld * t) / ray.depthWorld;
     return vec3(ray.st + ray.stTravel * t, t >= 1.0 ? ray.endDepth : depth);
 }
 
 // From the derivative of A sigma^2 + B sigma + C = 0 with respect to tau, or of Eq. 7 where it is used.
-float descentAt(ReliefRay ray, float t) {
+float surfaceDescent(ReliefRay ray, float t) {
     float s = ray.surfaceA.x, k = ray.surfaceA.y, c = ray.cosine, tau = ray.lengthWorld * t;
     float discriminant = s * s + 4.0 * k * c * tau;
     float descent = c - 2.0 * k * s * s * tau;

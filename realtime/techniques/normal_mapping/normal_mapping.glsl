@@ -1,3 +1,3 @@
 // The polygon with the relief's normals, without displacement.
 
-ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, 0.0); }
+ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, polygonT()); }

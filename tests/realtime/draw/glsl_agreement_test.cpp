@@ -138,9 +138,10 @@ TEST(LookUpOfNonsense, NonFiniteSt_StaysInsideMap) {
 std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
     const CurrentContext current(*testContext());
     ShaderSource source;
-    source.addText("(settings)", "const bool kHardwareFilter = false;");
+    source.addText("(settings)", "const bool kHardwareFilter = false;\nconst bool kFromBehind = false;");
     source.addFile(harnessShader("height_map.glsl"));
     source.addFile(harnessShader("relief_contract.glsl"));
+    source.addFile(harnessShader("relief_side.glsl"));
     source.addFile(harnessShader("quadric_base.glsl"));
     source.addFile(surfacesFolder() / "quadric" / "quadric.glsl");
     source.addText("(test)",
@@ -148,7 +149,7 @@ std::vector<glm::vec4> searchEnds(const std::vector<glm::vec4>& descentAndF) {
                    "  vec2 end = searchEnd(a.x, a.y);\n"
                    "  ReliefRay ray = ReliefRay(vec2(0.0), vec2(0.0), end.y, a.y * end.x * end.x, end.x, "
                    "1.0, vec2(1.0), 1.0, vec4(0.0), vec4(0.0));\n"
-                   "  return vec4(end, reliefPosition(ray, 1.0).z, reliefPosition(ray, 0.5).z);\n}");
+                   "  return vec4(end, surfacePosition(ray, 1.0).z, surfacePosition(ray, 0.5).z);\n}");
     return evaluateGlsl(source, descentAndF);
 }
 

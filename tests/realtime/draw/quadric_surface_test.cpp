@@ -93,9 +93,12 @@ double trueDepth(const std::string& surface, const Case& at, double tau) {
 ShaderSource surfaceSource(const std::string& surface, const std::string& evaluate) {
     const Technique technique = resolveTechnique("linear_binary@" + surface);
     ShaderSource source;
-    source.addText("(settings)", "const bool kHardwareFilter = false;\nuniform sampler2D uCases;");
+    source.addText(
+        "(settings)",
+        "const bool kHardwareFilter = false;\nconst bool kFromBehind = false;\nuniform sampler2D uCases;");
     source.addFile(harnessShader("height_map.glsl"));
     source.addFile(harnessShader("relief_contract.glsl"));
+    source.addFile(harnessShader("relief_side.glsl"));
     source.addFile(harnessShader("quadric_base.glsl"));
     source.addText("(parameters)", technique.glslConstants());
     source.addFile(technique.surface->shaderFile());
@@ -141,12 +144,12 @@ constexpr const char* kPosition =
     "vec4 evaluate(vec4 a) {\n"
     "  ReliefRay ray;\n"
     "  bool enters = enterRelief(frameOf(a), vec2(0.0), texel(a, 1).xyz, ray);\n"
-    "  return vec4(reliefPosition(ray, a.y).z, ray.lengthWorld, ray.endDepth, "
-    "descentAt(ray, a.y));\n}";
+    "  return vec4(surfacePosition(ray, a.y).z, ray.lengthWorld, ray.endDepth, "
+    "surfaceDescent(ray, a.y));\n}";
 constexpr const char* kTexture = "vec4 evaluate(vec4 a) {\n"
                                  "  ReliefRay ray;\n"
                                  "  bool enters = enterRelief(frameOf(a), vec2(0.0), texel(a, 1).xyz, ray);\n"
-                                 "  return vec4(reliefPosition(ray, a.y).xy, ray.stTravel);\n}";
+                                 "  return vec4(surfacePosition(ray, a.y).xy, ray.stTravel);\n}";
 
 double radians(double degrees) {
     return degrees * kPi / 180;
@@ -441,7 +444,7 @@ TEST(QuadricFrameAtTheHit, ConstantDepth_GivesFrameFromDerivatives) {
                            "  ReliefRay ray;\n"
                            "  bool enters = enterRelief(frameOf(a), vec2(0.0), texel(a, 1).xyz, ray);\n"
                            "  return vec4(frameAt(frameOf(a), ray, a.y).") +
-               value + ", reliefPosition(ray, a.y).z);\n}";
+               value + ", surfacePosition(ray, a.y).z);\n}";
     };
     for (const std::string surface : kAllQuadrics) {
         const bool nearest = surface == "quadric_nearest";

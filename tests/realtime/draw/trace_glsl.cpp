@@ -18,13 +18,17 @@ constexpr size_t kMaxRaysAtOnce = 4096; // a row of a texture
 ShaderSource searchSource(const std::string& name, const ReliefPath& path) {
     const Technique technique = resolveTechnique(name);
     ShaderSource source;
-    source.addText("(settings)", fmt::format("const bool kHardwareFilter = {};", technique.hardwareFilter()));
+    source.addText("(settings)",
+                   fmt::format("const bool kHardwareFilter = {};\nconst bool kFromBehind = false;",
+                               technique.hardwareFilter()));
     source.addFile(harnessShader("height_map.glsl"));
     source.addFile(harnessShader("relief_contract.glsl"));
+    source.addFile(harnessShader("relief_side.glsl"));
+    source.addFile(harnessShader("relief_descent.glsl"));
     source.addFile(harnessShader("relief_walk.glsl"));
     source.addFile(harnessShader("quadric_base.glsl"));
     source.addText("(parameters)", technique.glslConstants());
-    // Its reliefPosition is bit-identical to that of `flat` if endDepth is 1 and bend 0.
+    // Its surfacePosition is bit-identical to that of `flat` if endDepth is 1 and bend 0.
     source.addFile(surfacesFolder() / "quadric" / "quadric.glsl");
     source.addFile(technique.search.shaderFile());
     source.addText(

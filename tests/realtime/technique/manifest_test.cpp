@@ -307,7 +307,7 @@ TEST(Composition, OfferedBound_IsDefinedByShader) {
     for (const std::string& name : surfaceNames()) {
         const Manifest surface = readSurfaceManifest(surfacesFolder() / name);
         EXPECT_EQ(surface.hasOffer("bounded_descent"),
-                  namesIdentifier(readWholeFile(surface.shaderFile()), "steepestDescent"))
+                  namesIdentifier(readWholeFile(surface.shaderFile()), "surfaceSteepestDescent"))
             << name;
     }
 }

@@ -22,6 +22,8 @@ TEST(Frame, EveryChannelName_HasRow) {
                              "st.S",
                              "st.T",
                              "id",
+                             "facing",
+                             "fault",
                              "cost.fetches",
                              "cost.fetches.height",
                              "cost.fetches.baked",
@@ -33,7 +35,7 @@ TEST(Frame, EveryChannelName_HasRow) {
         EXPECT_EQ(channelInfo(name).name, name);
     EXPECT_EQ(channelInfo("shadow.sun").name, "shadow.<light>");
     EXPECT_EQ(channelInfo("uncertain.shadow.sun").name, "uncertain.shadow.<light>");
-    EXPECT_EQ(channelTable().size(), 24u); // 22 above and the two families
+    EXPECT_EQ(channelTable().size(), 26u); // 24 above and the two families
 }
 
 TEST(Frame, UnknownName_IsRefused) {

@@ -210,6 +210,8 @@ TEST_F(SceneFile, Faults_NameLineFieldAndHint) {
         {"proxy_rate = 2", "proxy_rate = 65",
          "object.proxy_rate: is 65; expected a whole number from 1 to 64"},
         {"proxy_rate = 2", "proxy_rate = 1.5", "object.proxy_rate: is 1.5"},
+        {"proxy_rate = 2", "cull = \"front\"",
+         "object.cull: is the string \"front\"; expected auto, back or none"},
         {"scale = 1.5", "scale = 0", "object.scale: is 0"},
         {"scale = 1.5", "scale = -1", "object.scale: is -1"},
         {"translate = [1, 2, 3]", "translate = [1, 2]", "object.translate: is an array of 2"},

@@ -1,13 +1,13 @@
 bool enterRelief(ReliefFrame frame, vec2 st, vec3 direction, out ReliefRay ray) {
-    float cosine = direction.z * frame.depthWorld;
+    float cosine = max(direction.z * frame.depthWorld, 0.0);
     float lengthWorld = cosine > kGrazingCosine ? 1.0 / direction.z : 0.0;
     ray = ReliefRay(st, direction.xy * lengthWorld, 1.0, 0.0, lengthWorld, cosine, reliefScale(frame), frame.depthWorld,
                     vec4(0.0), vec4(0.0));
     return true;
 }
 
-vec3 reliefPosition(ReliefRay ray, float t) { return vec3(ray.st + ray.stTravel * t, t); }
+vec3 surfacePosition(ReliefRay ray, float t) { return vec3(ray.st + ray.stTravel * t, t); }
 
-float descentAt(ReliefRay ray, float t) { return 1.0; }
+float surfaceDescent(ReliefRay ray, float t) { return 1.0; }
 
 ReliefFrame frameAt(ReliefFrame frame, ReliefRay ray, float t) { return frame; }
