@@ -417,6 +417,74 @@ TEST_F(Validate, NanHits_AreReported) {
     EXPECT_THAT(resultsOf("out")["techniques"][0]["notes"].dump(), HasSubstr("figures leave them out"));
 }
 
+// What a search may not return is counted by kind, and said.
+TEST_F(Validate, HitsOffTheRay_AreReported) {
+    writeSmallScene();
+    struct Case {
+        const char *body, *figure, *sentence;
+    };
+    const Case cases[] = {
+        {"return hitAt(ray, 2.0);", "t_outside_px", "covered pixels have a hit with t outside [0, 1]"},
+        {"return hitAt(ray, -0.01);", "t_outside_px", "covered pixels have a hit with t outside [0, 1]"},
+        {"return ReliefHit(true, 0.5, ray.st + 0.01);", "off_ray_px", "have a hit whose st isn't the ray's"},
+        {"return ReliefHit(true, 0.5, vec2(0.0) / 0.0 * ray.st);", "not_finite_px", "st that isn't a number"},
+        {"return ReliefHit(true, 1.0 / 0.0, ray.st);", "not_finite_px", "isn't a number"},
+        {"return ReliefHit(true, 1e30, ray.st);", "t_outside_px", "t outside [0, 1]"},
+    };
+    for (const Case& each : cases) {
+        fs::create_directories(folder_ / "odd");
+        writeFile(folder_ / "odd/technique.toml",
+                  "title = 'Odd'\ncitation = 'me'\ninputs = ['height']\nneeds = []\nlimits = []\n");
+        writeFile(folder_ / "odd/odd.glsl",
+                  std::string("ReliefHit traceRelief(ReliefRay ray) {\n    ") + each.body + "\n}\n");
+        const Outcome outcome = validate("out", {"--technique", "odd", "--technique", "exact_cells"});
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_THAT(outcome.err, HasSubstr("warning: odd: ")) << each.body;
+        EXPECT_THAT(outcome.err, HasSubstr(each.sentence)) << each.body;
+        EXPECT_THAT(outcome.err, Not(HasSubstr("exact_cells: "))) << each.body;
+        const json techniques = resultsOf("out")["techniques"];
+        EXPECT_GT(techniques[0]["fault"][each.figure], 0) << each.body;
+        EXPECT_THAT(techniques[0]["notes"].dump(), HasSubstr(each.sentence)) << each.body;
+        for (const char* figure : {"not_finite_px", "t_outside_px", "off_ray_px"})
+            EXPECT_EQ(techniques[1]["fault"][figure], 0) << figure;
+    }
+}
+
+// A sheet seen from behind; its technique shows it as the reference does.
+TEST_F(Validate, SheetFromBehind_IsDrawnAndSaid) {
+    const auto write = [&](const std::string& cull) {
+        writeFile(folder_ / "small.toml", R"(purpose = "A sheet from behind"
+[camera]
+position = [0.4, -2.0, 0.9]
+width = 96
+height = 72
+[[light]]
+name = "sun"
+to_light = [0.4, -0.8, 0.5]
+[[object]]
+name = "sheet"
+shape = { kind = "plane" }
+scheme = "none"
+)" + cull);
+    };
+    write("");
+    const Outcome shown = validate("out", {"--technique", "linear_binary", "--technique", "linear"});
+    ASSERT_EQ(shown.exitCode, 0);
+    const std::string said = "warning: the reference shows the back side of 'sheet' in ";
+    EXPECT_THAT(shown.err, HasSubstr(said));
+    EXPECT_EQ(shown.err.find(said), shown.err.rfind(said)) << "once for all techniques";
+    json technique = resultsOf("out")["techniques"][0];
+    EXPECT_GT(technique["silhouette"]["back_px"], 1000);
+    EXPECT_EQ(technique["silhouette"]["missing_back_px"], 0);
+    EXPECT_GT(technique["silhouette"]["iou"], 0.99);
+    EXPECT_THAT(technique["notes"].dump(), HasSubstr("the reference shows the back side of 'sheet' in "));
+    write("cull = \"back\"\n");
+    ASSERT_EQ(validate("culled", {"--technique", "linear_binary"}).exitCode, 0);
+    technique = resultsOf("culled")["techniques"][0];
+    EXPECT_EQ(technique["silhouette"]["union_px"], 0);
+    EXPECT_EQ(technique["silhouette"]["absent"]["iou"], "neither frame shows it");
+}
+
 TEST_F(Validate, RefusedSurface_HasReason) {
     writeSmallScene();
     const Outcome outcome = validate("out", {"--technique", "sphere_tracing@quadric"});

@@ -12,6 +12,7 @@
 #include "validate/cli/scene_arguments.h"
 #include "validate/cli/technique_drawer.h"
 #include "validate/cli/thread_arguments.h"
+#include "validate/metrics/hit_faults.h"
 #include "validate/results/output_files.h"
 
 #include <CLI/CLI.hpp>
@@ -76,6 +77,7 @@ int runRealtime(const Arguments& arguments) {
     const TechniqueResult result =
         drawer.draw(chosen.resolved(), reference ? &reference->microMeshes() : nullptr);
     printWarnings(result.warnings);
+    printWarnings(faultSentences(result.frame));
     writeFrame(result.frame, file);
     fmt::print("{}\n{} on {} ({}): {:.2f} ms, median of {} ({})\n", printable(file.string()),
                printable(result.name), result.renderer, result.backend, result.msMedian, result.msRuns,

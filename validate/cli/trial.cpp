@@ -2,11 +2,9 @@
 
 #include "scenes/core/error.h"
 #include "scenes/frame/object_info.h"
+#include "validate/metrics/hit_faults.h"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
 
 namespace plumbline {
 namespace {
@@ -31,18 +29,17 @@ void fail(Trial& trial, const std::string& error, int exitCode) {
     trial.exitCode = exitCode;
 }
 
-/// Covered pixels with a value that isn't finite: a technique could hide its errors there.
-size_t brokenPixels(const Frame& frame) {
-    const bool hasCoverage = frame.has("A");
-    const auto covered = frame.channel(hasCoverage ? "A" : "id");
-    std::vector<bool> broken(frame.pixelCount(), false);
-    for (const char* name : {"Z", "P.X", "P.Y", "P.Z", "N.X", "N.Y", "N.Z", "st.S", "st.T"}) {
-        if (!frame.has(name)) continue;
-        const auto plane = frame.channel(name);
-        for (size_t i = 0; i < plane.size(); ++i)
-            if (covered[i] > 0 && !std::isfinite(plane[i])) broken[i] = true;
-    }
-    return static_cast<size_t>(std::count(broken.begin(), broken.end(), true));
+/// What is to be known of the pixels, beside the figures. What the reference shows is the same for all
+/// techniques and is said once.
+std::vector<std::string> pixelWarnings(const Trial& trial) {
+    std::vector<std::string> warnings;
+    for (const std::string& sentence : faultSentences(trial.frame))
+        warnings.push_back(fmt::format("{}: {}", trial.outcome.name, sentence));
+    for (const auto& [object, metrics] : trial.outcome.comparison.objects)
+        if (const Figure& back = metrics.figure("silhouette.back_px"); back && *back > 0)
+            warnings.push_back(
+                fmt::format("the reference shows the back side of '{}' in {} pixels", object.name, *back));
+    return warnings;
 }
 
 } // namespace
@@ -65,13 +62,10 @@ Trial tryTechnique(const ChosenTechnique& chosen, TechniqueDrawer& drawer,
 
 void compareTrial(Trial& trial, const Frame& reference, const Scene& scene) {
     trial.outcome.comparison = compareFrames(reference, trial.frame, objectsOf(scene), scene.camera);
-    if (const size_t broken = brokenPixels(trial.frame); broken > 0)
-        trial.warnings.push_back(
-            fmt::format("{}: {} covered pixels have a position, depth, normal or st that isn't a number; "
-                        "figures leave them out",
-                        trial.outcome.name, broken));
     trial.outcome.comparison.notes.insert(trial.outcome.comparison.notes.end(), trial.warnings.begin(),
                                           trial.warnings.end());
+    const std::vector<std::string> warnings = pixelWarnings(trial); // in the notes already
+    trial.warnings.insert(trial.warnings.end(), warnings.begin(), warnings.end());
 }
 
 } // namespace plumbline

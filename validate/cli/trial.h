@@ -20,7 +20,8 @@ struct Trial {
 Trial tryTechnique(const ChosenTechnique& chosen, TechniqueDrawer& drawer,
                    const std::vector<MicroMesh>* microMeshes);
 
-/// Compares a frame that was drawn with the reference, and warns of pixels with values that aren't finite.
+/// Compares a frame that was drawn with the reference, and warns of faulty hits and of back sides that are
+/// missing.
 void compareTrial(Trial& trial, const Frame& reference, const Scene& scene);
 
 } // namespace plumbline

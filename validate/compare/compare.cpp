@@ -1,6 +1,7 @@
 #include "validate/compare/compare.h"
 
 #include "scenes/frame/frame_header.h"
+#include "validate/metrics/hit_faults.h"
 #include "validate/metrics/metric_registry.h"
 
 #include <fmt/format.h>
@@ -66,6 +67,17 @@ void noteReliefs(const FramePair& pair, std::vector<std::string>& notes) {
         if (!object.reliefDepth)
             notes.push_back(fmt::format(
                 "the relief depth of '{}' is not known: no depth figures relative to it", object.name));
+}
+
+/// Where the reference shows back sides, and whether the test does.
+void noteBackSides(const std::vector<ObjectComparison>& objects, std::vector<std::string>& notes) {
+    for (const auto& [object, metrics] : objects) {
+        const Figure& back = metrics.figure("silhouette.back_px");
+        if (back && *back > 0)
+            notes.push_back(
+                fmt::format("the reference shows the back side of '{}' in {} pixels; {} of them are missing",
+                            object.name, *back, *metrics.figure("silhouette.missing_back_px")));
+    }
 }
 
 /// What is missing and which figures need it.
@@ -170,6 +182,9 @@ Comparison compareFrames(const Frame& reference, const Frame& test, const std::v
         comparison.pooledObjects.push_back(input.pair.objects()[index].name);
     measureAll(input, comparison);
     comparison.notes = notesOn(input);
+    noteBackSides(comparison.objects, comparison.notes);
+    for (const std::string& sentence : faultSentences(test))
+        comparison.notes.push_back(sentence);
     comparison.referenceDepth = std::move(input.referenceDepth.depth);
     comparison.testDepth = std::move(input.testDepth.depth);
     return comparison;

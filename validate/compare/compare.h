@@ -19,7 +19,7 @@ struct Comparison {
     MetricSet pooled;                       // including those of the whole image
     std::vector<ObjectComparison> objects;  // in the order of the scene
     std::vector<std::string> pooledObjects; // names of the pooled objects
-    std::vector<std::string> notes;         // what is missing and which figures need it; a sentence each
+    std::vector<std::string> notes; // what is missing and which figures need it, and faults; a sentence each
     /// Planar depths that were compared; empty if a frame has none.
     std::vector<float> referenceDepth, testDepth;
 };

@@ -4,6 +4,7 @@
 #include "validate/metrics/contour_distance.h"
 #include "validate/metrics/depth_error.h"
 #include "validate/metrics/fetch_cost.h"
+#include "validate/metrics/hit_faults.h"
 #include "validate/metrics/image_error.h"
 #include "validate/metrics/normal_angle.h"
 #include "validate/metrics/run_cost.h"
@@ -47,6 +48,7 @@ std::span<const Metric> metricRegistry() {
         normalAngleMetric(),      // normal
         stErrorMetric(),          // st
         imageErrorMetric(),       // image
+        hitFaultsMetric(),        // fault
         fetchCostMetric(),        // cost
         searchIterationsMetric(), // cost
         runCostMetric(),          // cost

@@ -61,6 +61,9 @@ RatioRange rangeOfIou(const FramePair& pair, ObjectSelection selection) {
 
 SilhouetteIou computeSilhouetteIou(const FramePair& pair, ObjectSelection selection) {
     SilhouetteIou result;
+    const std::string noSides = pair.missingInReference("facing");
+    const auto facing = noSides.empty() ? pair.reference().channel("facing") : std::span<const float>();
+    uint64_t backPx = 0, missingBackPx = 0;
     for (const size_t index : selection) {
         const int id = pair.objects()[index].id;
         for (const uint32_t pixel : pair.pixelsOf(index)) {
@@ -70,10 +73,16 @@ SilhouetteIou computeSilhouetteIou(const FramePair& pair, ObjectSelection select
             result.intersectionPx += inReference && inTest;
             result.missingPx += inReference && !inTest;
             result.extraPx += inTest && !inReference;
+            const bool back = inReference && !facing.empty() && facing[pixel] < 0;
+            backPx += back;
+            missingBackPx += back && !inTest;
         }
     }
     result.unionPx = result.intersectionPx + result.missingPx + result.extraPx;
     result.iou = Figure::ratio(result.intersectionPx, result.unionPx, "neither frame shows it");
+    result.backPx = noSides.empty() ? Figure(static_cast<double>(backPx)) : Figure::absent(noSides);
+    result.missingBackPx =
+        noSides.empty() ? Figure(static_cast<double>(missingBackPx)) : Figure::absent(noSides);
 
     if (const std::string reason = pair.missingInReference("uncertain"); !reason.empty()) {
         result.iouRange = Interval::absent(reason);
@@ -121,6 +130,19 @@ Metric silhouetteIouMetric() {
                    .table = {{"extra", 0}},
                    .report = {{"extra", "px", "{:.0f}"}}},
                   &SilhouetteIou::extraPx},
+                 {{.key = "back_px",
+                   .label = "back side",
+                   .unit = Unit::PixelCount,
+                   .meaning = "pixels that show the back side of the object in the reference",
+                   .formula = "Σ|B|, B: pixels of R that face away"},
+                  &SilhouetteIou::backPx},
+                 {{.key = "missing_back_px",
+                   .label = "missing, back side",
+                   .unit = Unit::PixelCount,
+                   .goal = Goal::Zero,
+                   .meaning = "those of missing_px at which the reference shows the back side",
+                   .formula = "Σ|B∖T|"},
+                  &SilhouetteIou::missingBackPx},
                  {{.key = "reference_px",
                    .label = "in the reference",
                    .unit = Unit::PixelCount,

@@ -14,6 +14,9 @@
 //                                                object of the selection; two misses if it shows another one
 //                                                (missing there, extra in k)
 //     the test shows none of the selection:      nothing, or a miss
+// Back sides: pixels at which the reference sees the back of the surface (its channel `facing` is below 0)
+// are in all sums above, and counted apart as well. A technique that culls back faces lacks them.
+//
 // interval.h has the closed form and its proof. Channels `uncertain` of the test frame are ignored.
 #pragma once
 
@@ -26,8 +29,9 @@ struct SilhouetteIou {
     uint64_t referencePx = 0, testPx = 0;     // sum |R_k|, sum |T_k|
     uint64_t intersectionPx = 0, unionPx = 0; // the two sums of the ratio
     uint64_t missingPx = 0, extraPx = 0;
-    Interval iouRange;  // absent without the channel `uncertain`, and where iou is absent
-    Figure uncertainPx; // uncertain pixels of the whole frame
+    Figure backPx, missingBackPx; // of sum |R_k| and of missing; absent without the channel `facing`
+    Interval iouRange;            // absent without the channel `uncertain`, and where iou is absent
+    Figure uncertainPx;           // uncertain pixels of the whole frame
 };
 
 SilhouetteIou computeSilhouetteIou(const FramePair& pair, ObjectSelection selection);

@@ -43,6 +43,23 @@ TEST(SilhouetteIou, SquareShiftedByOne_EqualsHandComputed) {
     EXPECT_EQ(result.extraPx, 4u);
 }
 
+// Of a square of 4 x 4, columns 4 to 6 show the back; the test lacks the first two columns.
+TEST(SilhouetteIou, BackSides_AreCountedApart) {
+    Frame reference = emptyFrame(10, 10), test = emptyFrame(10, 10);
+    paintRectangle(reference, 3, 2, 7, 6);
+    paintRectangle(test, 5, 2, 7, 6);
+    SilhouetteIou result = pooled(reference, test);
+    EXPECT_THAT(result.backPx.reason(), HasSubstr("the reference frame has no channel facing"));
+    reference.add("facing");
+    for (int y = 2; y < 6; ++y)
+        for (int x = 3; x < 7; ++x)
+            set(reference, "facing", x, y, x >= 4 ? -1.0f : 1.0f);
+    result = pooled(reference, test);
+    EXPECT_EQ(*result.backPx, 12);
+    EXPECT_EQ(result.missingPx, 8u);
+    EXPECT_EQ(*result.missingBackPx, 4);
+}
+
 TEST(SilhouetteIou, NeighboringPixels_AreZero) {
     Frame left = emptyFrame(2, 1), right = emptyFrame(2, 1);
     paintPixel(left, 0, 0, 1, 2);

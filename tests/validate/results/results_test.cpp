@@ -283,7 +283,7 @@ TEST(MetricTable, Rows_EqualJsonKeys) {
     std::set<std::string> documented, written;
     for (const MetricInfo& metric : metricTable())
         documented.emplace(metric.key);
-    for (const char* group : {"silhouette", "depth", "normal", "st", "image", "cost"})
+    for (const char* group : {"silhouette", "depth", "normal", "st", "image", "fault", "cost"})
         collectKeys(technique.at(group), group, written);
     collectKeys(technique.at("shadow").at("sun"), "shadow", written);
     for (const char* more : {"cost.ms_runs", "cost.timer"}) // of the run, no figures
