@@ -1,6 +1,7 @@
 #include "realtime/gl/gl_context.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/free_memory.h"
 
 #include <fmt/format.h>
 #include <glad/gl.h>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <thread>
 #include <vector>
 
 #ifdef __SANITIZE_ADDRESS__
@@ -114,9 +116,16 @@ bool GlContext::softwareRasterizer() const {
                        [this](std::string_view name) { return renderer_.find(name) != std::string::npos; });
 }
 
+void requireDriverSpace() {
+    // Measured with llvmpipe of Mesa 22.3: 480 MB and for each thread its stack and a piece of the heap.
+    constexpr double kLibraries = 512e6, kThread = 16e6;
+    requireAddressSpace("OpenGL", kLibraries + kThread * std::thread::hardware_concurrency());
+}
+
 std::unique_ptr<GlContext> createGlContext(const GlOptions& options) {
     if (options.backend == GlBackend::Osmesa && options.device >= 0)
         throw InputError("--device", "OSMesa has no devices", "--gl egl or --gl auto");
+    requireDriverSpace();
     std::string reasons;
     const std::vector<Attempt> list = attempts(options);
     for (const Attempt& attempt : list) {

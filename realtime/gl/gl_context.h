@@ -68,6 +68,9 @@ std::unique_ptr<GlContext> createGlContext(const GlOptions& options);
 /// Context versions requested, best first: 4.5 down to 4.1, all core.
 inline constexpr int kNewestMinorVersion = 5, kOldestMinorVersion = 1;
 
+/// Throws MachineError if a limit leaves too little address space for a software driver.
+void requireDriverSpace();
+
 // The backends. Each throws MachineError that names what is missing.
 /// `device` -1: the surfaceless platform; otherwise the EGL device of that number.
 std::unique_ptr<GlContext> createEglContext(int device);

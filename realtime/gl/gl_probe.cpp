@@ -11,6 +11,7 @@ namespace {
 template <class Open>
 GlProbe probe(std::string backend, Open open) {
     try {
+        requireDriverSpace();
         const std::unique_ptr<GlContext> context = open();
         return {std::move(backend), true,
                 fmt::format("{}, OpenGL {}", context->renderer(), context->version())};

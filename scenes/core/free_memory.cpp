@@ -8,6 +8,8 @@
 #include <fstream>
 #include <optional>
 #include <string>
+#include <sys/resource.h>
+#include <unistd.h>
 
 namespace plumbline {
 
@@ -38,13 +40,31 @@ std::optional<uint64_t> leftUnder(const char* limitFile, const char* usageFile) 
     return *limit > *usage ? *limit - *usage : 0;
 }
 
+/// The field of /proc/self/statm, pages: 0 address space, 5 data and stack.
+std::optional<uint64_t> ownBytes(int field) {
+    std::ifstream stream("/proc/self/statm");
+    uint64_t pages = 0;
+    for (int i = 0; i <= field; ++i)
+        stream >> pages;
+    if (!stream) return std::nullopt;
+    return pages * static_cast<uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+std::optional<uint64_t> leftUnder(__rlimit_resource_t resource, int statmField) {
+    rlimit limit{};
+    if (::getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
+    const uint64_t used = ownBytes(statmField).value_or(0);
+    return limit.rlim_cur > used ? limit.rlim_cur - used : 0;
+}
+
 } // namespace
 
 uint64_t freeMemoryBytes() {
     std::optional<uint64_t> free = availableBytes();
     for (const auto& left : {leftUnder("/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory.current"),
                              leftUnder("/sys/fs/cgroup/memory/memory.limit_in_bytes",
-                                       "/sys/fs/cgroup/memory/memory.usage_in_bytes")})
+                                       "/sys/fs/cgroup/memory/memory.usage_in_bytes"),
+                             leftUnder(RLIMIT_AS, 0), leftUnder(RLIMIT_DATA, 5)})
         if (left) free = std::min(free.value_or(*left), *left);
     constexpr uint64_t kUnknown = uint64_t(1) << 30;
     return free.value_or(kUnknown);
@@ -55,6 +75,15 @@ void requireMemory(std::string_view what, double bytes) {
     if (bytes > free)
         throw MachineError(
             "memory", fmt::format("{} needs {:.1f} GB, {:.1f} GB are free", what, bytes / 1e9, free / 1e9));
+}
+
+void requireAddressSpace(std::string_view what, double bytes) {
+    const std::optional<uint64_t> left = leftUnder(RLIMIT_AS, 0);
+    if (left && bytes > static_cast<double>(*left))
+        throw MachineError("memory",
+                           fmt::format("{} takes {:.2f} GB of address space, the limit leaves {:.2f} GB",
+                                       what, bytes / 1e9, static_cast<double>(*left) / 1e9),
+                           "a higher limit (ulimit -v)");
 }
 
 } // namespace plumbline
