@@ -67,7 +67,7 @@ void keep(const fs::path& file, const std::string& key, BakeOutcome& outcome) {
     try {
         writeBakedMap(file, key, stored);
         outcome.file = file;
-    } catch (const InputError& error) {
+    } catch (const std::runtime_error& error) { // InputError or MachineError
         addWarning(outcome, fmt::format("a baked map isn't kept: {}", error.what()));
     }
     outcome.map = std::move(stored.map);

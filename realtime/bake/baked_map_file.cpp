@@ -105,19 +105,16 @@ bool readInto(InputFile& input, std::span<char> bytes) {
 } // namespace
 
 void writeBakedMap(const std::filesystem::path& file, const std::string& key, const StoredMap& stored) {
-    replaceFile(file, [&](const std::filesystem::path& temporary) {
-        std::ofstream stream(temporary, std::ios::binary);
+    replaceFile(file, [&](OutputStream& stream) {
         ContentHash hash;
         const auto write = [&](std::string_view bytes) {
             hash.add(bytes);
-            stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+            stream.write(bytes);
         };
         write(headerOf(key, stored));
         for (const BakedMap::Level& level : stored.map.levels)
             write(bytesOf(level.values));
-        stream << hash.hexadecimal();
-        stream.close();
-        if (!stream) throw InputError(file.string(), "can't be written: no space or no permission");
+        stream.write(hash.hexadecimal());
     });
 }
 

@@ -7,9 +7,6 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <limits>
 
 namespace plumbline {
@@ -24,9 +21,7 @@ bool isObj(const std::filesystem::path& file) {
 /// Buffers output and writes it in pieces.
 class PieceWriter {
   public:
-    explicit PieceWriter(const std::filesystem::path& file) : stream_(file, std::ios::binary) {
-        piece_.reserve(kPieceBytes + 1024);
-    }
+    explicit PieceWriter(OutputStream& stream) : stream_(stream) { piece_.reserve(kPieceBytes + 1024); }
     std::string& piece() { return piece_; }
     /// Must be called after each small addition to the piece.
     void flushIfFull() {
@@ -36,26 +31,14 @@ class PieceWriter {
     void binary(const T& value) {
         piece_.append(reinterpret_cast<const char*>(&value), sizeof value);
     }
-    uint64_t close(const std::filesystem::path& file) {
-        flush();
-        stream_.close();
-        if (!stream_)
-            throw InputError(file.string(), fmt::format("can't be written: {}", std::strerror(errno)));
-        return bytes_;
+    void flush() {
+        stream_.write(piece_);
+        piece_.clear();
     }
 
   private:
-    void flush() {
-        if (stream_) { // report the first failure's errno
-            errno = 0;
-            stream_.write(piece_.data(), static_cast<std::streamsize>(piece_.size()));
-        }
-        bytes_ += piece_.size();
-        piece_.clear();
-    }
-    std::ofstream stream_;
+    OutputStream& stream_;
     std::string piece_;
-    uint64_t bytes_ = 0;
 };
 
 std::vector<MeshNumbers> numberObjects(std::span<const MeshFileObject> objects) {
@@ -160,13 +143,14 @@ MeshFileSize writeMeshFile(const std::filesystem::path& file, std::span<const Me
         throw InputError(file.string(),
                          fmt::format("{} vertices are too many for a mesh file", size.vertices),
                          "at most 2^31 - 1", "a lower --rate");
-    replaceFile(file, [&](const std::filesystem::path& temporary) {
-        PieceWriter out(temporary);
+    replaceFile(file, [&](OutputStream& stream) {
+        PieceWriter out(stream);
         if (isObj(file))
             writeObj(out, objects, numbers, comments);
         else
             writePly(out, objects, numbers, size, comments);
-        size.bytes = out.close(file);
+        out.flush();
+        size.bytes = stream.position();
     });
     return size;
 }

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <Iex.h>
 #include <ImfChannelList.h>
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -20,7 +21,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <fstream>
 #include <mutex>
 #include <stdexcept>
 #include <string_view>
@@ -58,21 +58,17 @@ void useAllThreads() {
                    [] { Imf::setGlobalThreadCount(static_cast<int>(std::thread::hardware_concurrency())); });
 }
 
-/// A stream that records write failures, because OutputFile's destructor swallows them.
-class CheckedStream : public Imf::OStream {
+/// What OpenEXR writes to. Its OutputFile swallows a failure in its destructor; the stream keeps it.
+class ExrStream : public Imf::OStream {
   public:
-    explicit CheckedStream(const std::filesystem::path& file)
-        : OStream(file.c_str()), stream_(file, std::ios::binary) {}
-    void write(const char bytes[], int count) override { stream_.write(bytes, count); }
-    uint64_t tellp() override { return static_cast<uint64_t>(std::streamoff(stream_.tellp())); }
-    void seekp(uint64_t position) override { stream_.seekp(static_cast<std::streamoff>(position)); }
-    bool closeAndCheck() {
-        stream_.close();
-        return stream_.good();
-    }
+    ExrStream(OutputStream& stream, const std::filesystem::path& file)
+        : OStream(file.c_str()), stream_(stream) {}
+    void write(const char bytes[], int count) override { stream_.write({bytes, static_cast<size_t>(count)}); }
+    uint64_t tellp() override { return stream_.position(); }
+    void seekp(uint64_t position) override { stream_.seek(position); }
 
   private:
-    std::ofstream stream_;
+    OutputStream& stream_;
 };
 
 /// What OpenEXR reads from. The file that it reads is the one whose header was checked.
@@ -230,19 +226,17 @@ void writeExr(const std::filesystem::path& file, int width, int height,
         buffer.insert(name,
                       planeSlice(const_cast<float*>(plane.data()), header.dataWindow())); // only read from
     }
-    replaceFile(file, [&](const std::filesystem::path& temporary) {
-        CheckedStream stream(temporary);
+    replaceFile(file, [&](OutputStream& written) {
+        ExrStream stream(written, file);
         try {
             Imf::OutputFile output(stream, header);
             output.setFrameBuffer(buffer);
             output.writePixels(height);
         } catch (const std::bad_alloc&) {
             throw MachineError(file.string(), "not enough memory to write it");
-        } catch (const std::exception& error) {
+        } catch (const Iex::BaseExc& error) {
             throw InputError(file.string(), fmt::format("can't be written ({})", error.what()));
         }
-        if (!stream.closeAndCheck())
-            throw InputError(file.string(), "can't be written: no space or no permission");
     });
 }
 

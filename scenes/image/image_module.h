@@ -21,12 +21,22 @@ struct PlumblinePictureSink {
 
 using PlumblineReadPicture = void(const char* file, const PlumblinePictureSink* sink);
 
-/// `rgb`: width x height x 3, the top row first. On failure calls `fail` once.
-using PlumblineWritePng = void(const char* file, int width, int height, const uint8_t* rgb, void* user,
-                               void (*fail)(void* user, const char* what));
+/// Receives a picture's file.
+struct PlumblineFileSink {
+    void* user;
+    /// Called once with all of its bytes, unless fail() is.
+    void (*contents)(void* user, const uint8_t* bytes, size_t count);
+    /// Called at most once, with the reason why there are none.
+    void (*fail)(void* user, const char* what);
+};
+
+/// `rgb`: width x height x 3, the top row first.
+using PlumblineEncodePng = void(int width, int height, const uint8_t* rgb, const PlumblineFileSink* sink);
 }
 
 namespace plumbline {
 /// Largest number of pixels in an image: 1 Gpixel.
 inline constexpr int64_t kMaxPicturePixels = int64_t(1) << 30;
+/// The reason given to fail() when memory runs out.
+inline constexpr const char* kOutOfMemory = "needs more memory than there is";
 } // namespace plumbline

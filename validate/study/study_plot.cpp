@@ -1,15 +1,18 @@
 #include "validate/study/study_plot.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/folder_handle.h"
 #include "scenes/core/numbers.h"
 #include "scenes/core/replace_file.h"
+#include "scenes/core/write_error.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
-#include <fcntl.h>
 #include <spawn.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -129,21 +132,31 @@ std::string panelScript(const StudyPlot& plot, const StudyRows& choice, const st
     return data + command + "\n";
 }
 
-/// Runs gnuplot on a script and writes its output to a file.
-bool runGnuplot(const std::filesystem::path& script, const std::filesystem::path& output) {
-    std::string program = "gnuplot", file = std::filesystem::absolute(script).string();
-    char* const arguments[] = {program.data(), file.data(), nullptr};
+/// The script as a file without a name, as stdin of gnuplot: it may be too long for a pipe's buffer.
+Descriptor scriptFile(const std::string& script) {
+    Descriptor file(::memfd_create("gnuplot", MFD_CLOEXEC));
+    if (file.get() < 0) failWrite("the plot's script", errno);
+    OutputStream stream(file.get(), "the plot's script");
+    stream.write(script);
+    stream.seek(0);
+    return file;
+}
+
+/// Runs gnuplot on a script and writes its output to an empty file.
+bool runGnuplot(const std::string& script, int output) {
+    const Descriptor input = scriptFile(script);
+    std::string program = "gnuplot";
+    char* const arguments[] = {program.data(), nullptr};
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), O_WRONLY | O_CREAT | O_TRUNC,
-                                     0666);
+    posix_spawn_file_actions_adddup2(&actions, input.get(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
     pid_t process = -1;
     int status = 0;
     const bool done = ::posix_spawnp(&process, "gnuplot", &actions, nullptr, arguments, environ) == 0 &&
                       ::waitpid(process, &status, 0) == process && status == 0;
     posix_spawn_file_actions_destroy(&actions);
-    std::error_code error;
-    return done && std::filesystem::file_size(output, error) > 0 && !error;
+    return done && ::lseek(output, 0, SEEK_END) > 0;
 }
 
 } // namespace
@@ -203,13 +216,8 @@ bool drawPlot(const Study& study, const StudyPlot& plot, const std::vector<Study
               const std::filesystem::path& file) {
     const std::string script = gnuplotScript(study, plot, rows);
     if (script.empty()) return false;
-    replaceFile(file, [&](const std::filesystem::path& temporary) {
-        const std::filesystem::path scriptFile = temporary.string() + ".gnuplot";
-        replaceFile(scriptFile, script);
-        const bool drawn = runGnuplot(scriptFile, temporary);
-        std::error_code ignored;
-        std::filesystem::remove(scriptFile, ignored);
-        if (!drawn)
+    replaceFile(file, [&](OutputStream& stream) {
+        if (!runGnuplot(script, stream.descriptor()))
             throw MachineError("gnuplot", fmt::format("plot '{}' failed", plot.name), "gnuplot 5 or later");
     });
     return true;

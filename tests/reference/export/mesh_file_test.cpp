@@ -223,7 +223,7 @@ TEST_F(MeshFile, FullDisk_KeepsOldFile) {
     rlimit small = old;
     small.rlim_cur = 4096; // less than the mesh
     setrlimit(RLIMIT_FSIZE, &small);
-    const std::string error = inputErrorOf([&] { write("a.ply"); });
+    const std::string error = messageOf<MachineError>([&] { write("a.ply"); });
     setrlimit(RLIMIT_FSIZE, &old);
     EXPECT_THAT(error, HasSubstr("a.ply: can't be written: File too large"));
     EXPECT_EQ(readFile(folder_ / "a.ply"), "old");

@@ -153,7 +153,7 @@ TEST(FrameExr, FullDisk_KeepsOldFile) {
     rlimit small = old;
     small.rlim_cur = 4096; // less than the frame
     setrlimit(RLIMIT_FSIZE, &small);
-    EXPECT_THROW(writeFrame(noisyFrame(), folder / "a.exr"), InputError);
+    EXPECT_THROW(writeFrame(noisyFrame(), folder / "a.exr"), MachineError);
     setrlimit(RLIMIT_FSIZE, &old);
     EXPECT_EQ(readFile(folder / "a.exr"), "old");
     EXPECT_EQ(folder.fileCount(), 1u);
