@@ -156,8 +156,10 @@ int runBake(const Arguments& arguments) {
     const ThreadLimit limit(arguments.threads.threads);
     const BakeRequest request = parseRequest(arguments);
     requireCheckable(arguments);
+    std::optional<FileClaim> claim;
     if (arguments.output)
-        requireWritableFile(*arguments.output, {arguments.map.substr(0, arguments.map.rfind('#'))});
+        claim.emplace(
+            claimFile(*arguments.output, {arguments.map, arguments.map.substr(0, arguments.map.rfind('#'))}));
     Progress progress;
     progress.step("reading the map");
     const std::shared_ptr<const HeightMap> map = readMap(arguments);

@@ -8,16 +8,21 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <atomic>
 #include <chrono>
+#include <deque>
 #include <exception>
 #include <mutex>
+#include <set>
+#include <system_error>
 #include <thread>
 
 namespace plumbline {
 namespace {
 
 using nlohmann::json;
+
+/// Before a case that another run is computing is looked at again.
+constexpr std::chrono::milliseconds kBetweenLooks(200);
 
 /// "again": a later run is to try it again, for the reason may have gone.
 json failure(const std::string& text, bool again) {
@@ -55,30 +60,87 @@ json outcomeOf(const StudyCase& studyCase, const CaseOptions& options) {
     return outcome;
 }
 
+/// Cases in order; those that another run is computing go to the end, for it may not finish them.
+class CaseQueue {
+  public:
+    explicit CaseQueue(const std::vector<StudyCase>& cases) {
+        for (const StudyCase& each : cases)
+            waiting_.push_back(&each);
+    }
+    /// Null: none is left.
+    const StudyCase* next() {
+        std::unique_lock lock(mutex_);
+        if (waiting_.empty()) return nullptr;
+        const StudyCase* first = waiting_.front();
+        waiting_.pop_front();
+        const bool taken = putBack_.erase(first) > 0;
+        lock.unlock();
+        if (taken) std::this_thread::sleep_for(kBetweenLooks);
+        return first;
+    }
+    void putBack(const StudyCase* taken) {
+        const std::lock_guard lock(mutex_);
+        if (stopped_) return;
+        waiting_.push_back(taken);
+        putBack_.insert(taken);
+    }
+    void stop() {
+        const std::lock_guard lock(mutex_);
+        waiting_.clear();
+        stopped_ = true;
+    }
+
+  private:
+    std::mutex mutex_;
+    std::deque<const StudyCase*> waiting_;
+    std::set<const StudyCase*> putBack_; // of those waiting
+    bool stopped_ = false;
+};
+
+/// The case's outcome, computed and stored unless another run did that first; nullopt while it does.
+std::optional<FinishedCase> finish(const StudyFolder& folder, const StudyCase& studyCase,
+                                   const CaseOptions& options) {
+    const std::optional<FileLock> claim = folder.claim(studyCase);
+    if (!claim) return std::nullopt;
+    if (std::optional<json> stored = folder.outcomeOf(studyCase))
+        return FinishedCase{std::move(*stored), false};
+    FinishedCase finished{outcomeOf(studyCase, options), true};
+    folder.store(studyCase, finished.outcome);
+    return finished;
+}
+
 } // namespace
 
-void runCases(const std::vector<StudyCase>& cases, int jobs, const CaseOptions& options,
-              const CaseDone& done) {
-    std::atomic<size_t> next{0};
+void runCases(const StudyFolder& folder, const std::vector<StudyCase>& cases, int jobs,
+              const CaseOptions& options, const CaseDone& done) {
+    CaseQueue queue(cases);
     std::mutex mutex;
     std::exception_ptr problem;
     // Linux ends a process with the thread that started it: each stays until its processes are done.
     const auto work = [&] {
-        for (size_t i = next++; i < cases.size(); i = next++) {
+        while (const StudyCase* next = queue.next()) {
             try {
-                const json outcome = outcomeOf(cases[i], options);
+                const std::optional<FinishedCase> finished = finish(folder, *next, options);
+                if (!finished) {
+                    queue.putBack(next);
+                    continue;
+                }
                 const std::lock_guard lock(mutex);
-                if (!problem) done(cases[i], outcome);
+                if (!problem) done(*next, *finished);
             } catch (...) {
                 const std::lock_guard lock(mutex);
                 problem = std::current_exception();
-                next = cases.size();
+                queue.stop();
             }
         }
     };
     std::vector<std::thread> threads;
-    for (int i = 0; i < jobs; ++i)
-        threads.emplace_back(work);
+    try {
+        for (int i = 0; i < jobs; ++i)
+            threads.emplace_back(work);
+    } catch (const std::system_error&) { // no more threads: those there are do
+        if (threads.empty()) throw;
+    }
     for (std::thread& thread : threads)
         thread.join();
     if (problem) std::rethrow_exception(problem);

@@ -3,6 +3,9 @@
 #pragma once
 
 #include "validate/cli/study_case.h"
+#include "validate/study/study_folder.h"
+
+#include <nlohmann/json.hpp>
 
 #include <functional>
 
@@ -11,12 +14,19 @@ namespace plumbline {
 /// The command with which the program starts itself for a case; --help doesn't list it.
 inline constexpr const char* kStudyCaseCommand = "study-case";
 
-/// Called with each case when it is done, one call at a time. `outcome`: as StudyFolder stores it.
-using CaseDone = std::function<void(const StudyCase& studyCase, const nlohmann::json& outcome)>;
+struct FinishedCase {
+    nlohmann::json outcome; // as StudyFolder stores it
+    bool computedHere;      // not by another run in the same folder
+};
 
-/// Computes `jobs` cases in parallel. An exception of `done` ends the pool and is rethrown.
-void runCases(const std::vector<StudyCase>& cases, int jobs, const CaseOptions& options,
-              const CaseDone& done);
+/// Called with each case when it is done and stored, one call at a time.
+using CaseDone = std::function<void(const StudyCase& studyCase, const FinishedCase& finished)>;
+
+/// Computes `jobs` cases in parallel and stores them. Each is claimed first, so that of several runs in one
+/// folder one computes it; the others wait for it, and compute it themselves if that run ends before. An
+/// exception, also of `done`, ends the pool and is rethrown.
+void runCases(const StudyFolder& folder, const std::vector<StudyCase>& cases, int jobs,
+              const CaseOptions& options, const CaseDone& done);
 
 /// The process of a case: runs the internal command. Returns an exit code.
 int serveStudyCase(int parent);

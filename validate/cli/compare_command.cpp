@@ -123,16 +123,17 @@ int runCompare(const Arguments& arguments) {
     const std::vector<Requirement>& requirements = arguments.requirements.require;
     ImportedFrame referenceFile = readImportedFrame(arguments.reference, {});
     ImportedFrame testFile = readImportedFrame(arguments.test, arguments.channelMap);
+    std::optional<FileLock> claim;
+    if (arguments.output) {
+        claim.emplace(claimFolder(*arguments.output));
+        requireWritableFolder(*arguments.output / "report");
+    }
     const std::vector<std::string> assumed = convertFrames(referenceFile, testFile);
     const Frame &reference = referenceFile.frame, &test = testFile.frame;
     Results results = compareFiles(arguments, referenceFile, testFile, assumed);
     checkNames(requirements, results.techniques[0]);
     const int exitCode = holdRequirements(requirements, results.techniques[0]) ? kExitDone : kExitThreshold;
-    if (arguments.output) {
-        requireWritableFolder(*arguments.output);
-        requireWritableFolder(*arguments.output / "report");
-        writeComparison(arguments, results, reference, test);
-    }
+    if (arguments.output) writeComparison(arguments, results, reference, test);
     if (arguments.json) {
         fmt::print("{}", toJson(results));
         return exitCode;

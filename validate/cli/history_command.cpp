@@ -30,6 +30,29 @@ struct History {
     std::vector<HistoryRecord> records;
 };
 
+/// Those of the results, oldest first.
+std::vector<HistoryRecord> readResults(const Arguments& arguments) {
+    std::vector<HistoryRecord> records;
+    for (const std::filesystem::path& file : arguments.results)
+        records.push_back(recordOf(file.string(), readWholeFile(file), arguments.label));
+    return records;
+}
+
+/// Of two runs that read the history and replace it at once, one would lose the other's records.
+FileLock lockHistory(const std::filesystem::path& file) {
+    constexpr std::chrono::seconds kUntilMessage(1), kLimit(60); // an addition takes milliseconds
+    const std::filesystem::path target = linkTarget(file);
+    const auto lockFor = [&](std::chrono::milliseconds wait) {
+        return FileLock::acquire(folderOf(target), target.filename(), LockKind::Exclusive, wait);
+    };
+    if (auto lock = lockFor(kUntilMessage)) return std::move(*lock);
+    fmt::print(stderr, "{}: waiting for another run that is adding to it\n", file.string());
+    if (auto lock = lockFor(kLimit)) return std::move(*lock);
+    throw MachineError(file.string(),
+                       fmt::format("another run has been adding to it for {} s", kLimit.count()),
+                       "one that ends");
+}
+
 /// A missing or empty file is a history without records, if there is something to put in.
 History readOrBegin(const Arguments& arguments) {
     std::error_code error;
@@ -58,17 +81,18 @@ bool sameRun(HistoryRecord a, const HistoryRecord& b) {
 }
 
 /// Adds the results but those that are the latest of their scene already; returns their scenes.
-std::vector<std::string> append(History& history, const Arguments& arguments) {
+std::vector<std::string> append(History& history, const std::vector<HistoryRecord>& records,
+                                const Arguments& arguments) {
     if (!history.text.empty() && !history.text.ends_with('\n')) history.text += '\n';
     std::vector<std::string> scenes;
-    for (const std::filesystem::path& file : arguments.results) {
-        const HistoryRecord record = recordOf(file.string(), readWholeFile(file), arguments.label);
+    for (size_t i = 0; i < records.size(); ++i) {
+        const HistoryRecord& record = records[i];
         scenes.push_back(record.scene);
         const auto latest =
             std::find_if(history.records.rbegin(), history.records.rend(),
                          [&](const HistoryRecord& other) { return other.scene == record.scene; });
         if (latest != history.records.rend() && sameRun(*latest, record)) {
-            fmt::print("{}: nothing new, it is record {} ('{}')\n", file.string(),
+            fmt::print("{}: nothing new, it is record {} ('{}')\n", arguments.results[i].string(),
                        history.records.rend() - latest, latest->label);
             continue;
         }
@@ -120,15 +144,25 @@ void print(const SceneMoves& scene) {
                        move.after ? shown(move.after) : "no value", move.tolerated);
 }
 
+/// Adds the results to the history in the file, unless that is to stay as it is; returns their scenes.
+std::vector<std::string> update(History& history, const Arguments& arguments) {
+    const std::vector<HistoryRecord> records = readResults(arguments);
+    std::optional<FileLock> lock; // while it is read and replaced
+    if (!records.empty() && !arguments.dryRun) {
+        requireWritableFile(arguments.file, arguments.results);
+        lock.emplace(lockHistory(arguments.file));
+    }
+    history = readOrBegin(arguments);
+    const size_t known = history.records.size();
+    std::vector<std::string> scenes = append(history, records, arguments);
+    if (lock && history.records.size() > known) replaceFile(arguments.file, history.text);
+    return scenes;
+}
+
 /// kExitThreshold if a figure is worse than tolerated.
 int runHistory(const Arguments& arguments) {
-    History history = readOrBegin(arguments);
-    const size_t known = history.records.size();
-    const std::vector<std::string> scenes = append(history, arguments);
-    if (history.records.size() > known && !arguments.dryRun) {
-        requireWritableFile(arguments.file, {arguments.results.begin(), arguments.results.end()});
-        replaceFile(arguments.file, history.text);
-    }
+    History history;
+    const std::vector<std::string> scenes = update(history, arguments);
     bool regression = false;
     for (const SceneMoves& scene : latestMoves(history.records, scenes, arguments.tolerances)) {
         print(scene);

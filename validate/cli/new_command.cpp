@@ -62,6 +62,7 @@ void requireNewName(const Arguments& arguments) {
 
 int runNew(const Arguments& arguments) {
     requireNewName(arguments);
+    requireWritableFile(arguments.output, {arguments.mesh, arguments.height});
     const ControlMesh mesh = readObj(arguments.mesh);
     const HeightMap map =
         readHeightMap(arguments.height, arguments.stores, arguments.wraps.first, arguments.wraps.second);
@@ -69,7 +70,6 @@ int runNew(const Arguments& arguments) {
         sceneText(draftScene(mesh, map, arguments.wishes), relativeTo(arguments.output, arguments.mesh),
                   relativeTo(arguments.output, arguments.height), map, arguments.stores == Stores::Height);
     const Scene scene = parseScene(arguments.output, text); // nothing is written that can't be read
-    requireWritableFile(arguments.output, {arguments.mesh, arguments.height});
     replaceFile(arguments.output, text);
     printWarnings(scene.warnings);
     fmt::print("{}\nnext: plumbline validate {}\n", arguments.output.string(), arguments.output.string());

@@ -35,14 +35,11 @@ void requireOneTechnique(const Arguments& arguments) {
                          "exactly one --technique", "'plumbline validate' takes several");
 }
 
-/// Where the frame goes, checked before any work.
-std::filesystem::path writableFile(const Arguments& arguments, const Scene& scene,
-                                   const ChosenTechnique& chosen) {
-    std::filesystem::path file =
-        arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
-                                  "frames" / (safeFileName(chosen.name) + ".exr"));
-    requireWritableFile(file, scene.files);
-    return file;
+/// Where the frame goes.
+std::filesystem::path frameFile(const Arguments& arguments, const Scene& scene,
+                                const ChosenTechnique& chosen) {
+    return arguments.output.value_or(std::filesystem::path("plumbline-out") / safeFileName(scene.name) /
+                                     "frames" / (safeFileName(chosen.name) + ".exr"));
 }
 
 /// What a control technique draws.
@@ -64,7 +61,8 @@ int runRealtime(const Arguments& arguments) {
     const auto techniques = chosenTechniques(arguments.realtime.techniques, arguments.realtime.settings);
     if (techniques.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
     const ChosenTechnique& chosen = techniques[0];
-    const std::filesystem::path file = writableFile(arguments, scene, chosen);
+    const std::filesystem::path file = frameFile(arguments, scene, chosen);
+    const FileClaim claim = claimFile(file, scene.files);
 
     std::optional<ReferenceScene> reference;
     if (chosen.isControl()) {

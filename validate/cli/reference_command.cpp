@@ -31,16 +31,21 @@ struct Arguments {
     ThreadArguments threads;
 };
 
-/// Before any work: every file has a name of its own and can be written.
-void requireOutputs(const Arguments& arguments, const std::filesystem::path& frameFile, const Scene& scene) {
+/// Before any work: every file has a name of its own and can be written, and no other run writes it.
+std::vector<FileClaim> claimOutputs(const Arguments& arguments, const std::filesystem::path& frameFile,
+                                    const Scene& scene) {
     if (arguments.meshFile) requireMeshFileName(*arguments.meshFile);
     std::set<std::filesystem::path> names;
+    std::vector<FileClaim> claims;
     for (const auto& file : {std::optional(frameFile), arguments.meshFile, arguments.cameraFile}) {
         if (!file) continue;
         requireWritableFile(*file, scene.files);
-        if (!names.insert(std::filesystem::weakly_canonical(std::filesystem::absolute(*file))).second)
+        const std::filesystem::path target = linkTarget(*file);
+        if (!names.insert(std::filesystem::canonical(folderOf(target)) / target.filename()).second)
             throw InputError(file->string(), "is used for two results", "a separate file for each");
+        claims.push_back(claimFile(*file, scene.files));
     }
+    return claims;
 }
 
 void exportMesh(const std::filesystem::path& file, const Scene& scene, const ReferenceScene& reference) {
@@ -87,7 +92,7 @@ int runReference(const Arguments& arguments) {
     printWarnings(scene.warnings);
     const std::filesystem::path file = arguments.output.value_or(
         std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
-    requireOutputs(arguments, file, scene);
+    const std::vector<FileClaim> claims = claimOutputs(arguments, file, scene);
 
     progress.step("tessellating");
     ReferenceScene reference(scene, referenceOptions(arguments));

@@ -91,6 +91,7 @@ struct StudyState {
     std::vector<StudyRow> rows;
     std::vector<StudyCase> open; // not worked out, or not for a reason that may have gone
     size_t failed = 0;           // also in part: a technique
+    size_t computed = 0;         // by this run
 
     void add(const StudyCase& studyCase, const json& outcome) {
         bool anyError = false;
@@ -143,25 +144,26 @@ void runOpenCases(const StudyFolder& folder, StudyState& state, int jobs, const 
     size_t done = 0;
     std::set<std::string> said;
     progress.step(fmt::format("{} cases, {} at a time", state.open.size(), jobs));
-    runCases(state.open, jobs, options, [&](const StudyCase& studyCase, const json& outcome) {
-        folder.store(studyCase, outcome);
-        const size_t before = state.rows.size();
-        state.add(studyCase, outcome);
-        ++done;
-        tell(studyCase, std::span<const StudyRow>(state.rows).subspan(before), said, progress);
-        progress.step(fmt::format("{} of {} cases, {} failed, about {} left", done, state.open.size(),
-                                  state.failed, timeLeft(start, done, state.open.size())));
-        const auto now = std::chrono::steady_clock::now();
-        if (now - lastTable < kBetweenTables) return;
-        writeTable(folder, state);
-        lastTable = now;
-    });
+    runCases(
+        folder, state.open, jobs, options, [&](const StudyCase& studyCase, const FinishedCase& finished) {
+            const size_t before = state.rows.size();
+            state.add(studyCase, finished.outcome);
+            state.computed += finished.computedHere;
+            ++done;
+            tell(studyCase, std::span<const StudyRow>(state.rows).subspan(before), said, progress);
+            progress.step(fmt::format("{} of {} cases, {} failed, about {} left", done, state.open.size(),
+                                      state.failed, timeLeft(start, done, state.open.size())));
+            const auto now = std::chrono::steady_clock::now();
+            if (now - lastTable < kBetweenTables) return;
+            writeTable(folder, state);
+            lastTable = now;
+        });
 }
 
-void printSummary(const StudyState& state, size_t cases, size_t known, double seconds,
+void printSummary(const StudyState& state, size_t cases, size_t computed, double seconds,
                   const std::filesystem::path& table) {
-    fmt::print("{} cases: {} computed in {:.0f} s, {} already stored, {} failed\n{}\n", cases, cases - known,
-               seconds, known, state.failed + state.open.size(), table.string());
+    fmt::print("{} cases: {} computed in {:.0f} s, {} already stored, {} failed\n{}\n", cases, computed,
+               seconds, cases - computed, state.failed + state.open.size(), table.string());
 }
 
 int exitCodeOf(const StudyState& state) {
@@ -181,14 +183,14 @@ int runStudy(const Arguments& arguments) {
     const StudyFolder folder(outputFolder(study, arguments), study);
     const std::vector<StudyCase> cases = casesOf(study, techniquesHash);
     StudyState state = readState(folder, cases);
-    const size_t known = cases.size() - state.open.size();
     const auto start = std::chrono::steady_clock::now();
     if (!state.open.empty()) runOpenCases(folder, state, jobs, options, progress);
+    const size_t computed = state.computed;
     // In the study's order, whatever order they were done in.
     state = readState(folder, cases);
     writeTable(folder, state);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-    printSummary(state, cases.size(), known, spent.count(), tableFile(folder));
+    printSummary(state, cases.size(), computed, spent.count(), tableFile(folder));
     return exitCodeOf(state);
 }
 

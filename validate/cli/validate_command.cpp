@@ -45,16 +45,19 @@ struct Arguments {
 // For timing all techniques of a run together: a third of what comparing and painting them takes.
 constexpr double kTimingBudgetMs = 4000;
 
-/// The places a run writes to, checked when made.
+/// The places a run writes to, checked and claimed when made.
 struct OutputFolder {
     std::filesystem::path folder, frames, report;
-    UniqueFileNames frameNames; // without their suffix
+    FileLock claim, framesClaim; // while the run lasts
+    UniqueFileNames frameNames;  // without their suffix
 
     OutputFolder(const std::optional<std::filesystem::path>& given, const Scene& scene)
         : folder(given ? *given : std::filesystem::path("plumbline-out") / safeFileName(scene.name)),
-          frames(folder / "frames"), report(folder / "report") {
-        for (const auto& each : {folder, frames, report})
-            requireWritableFolder(each);
+          frames(folder / "frames"), report(folder / "report"), claim(claimFolder(folder)),
+          framesClaim(claimFolder(frames)) {
+        requireWritableFolder(report);
+        for (const char* name : {"results.json", "results.csv", "report/index.html", "frames/reference.exr"})
+            requireWritableFile(folder / name, scene.files);
     }
 
     /// A file of its own for each name, though two may be safe in the same way.

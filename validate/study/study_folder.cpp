@@ -20,6 +20,7 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* kMark = "study.json";
+constexpr std::chrono::seconds kSetupLimit(60); // it takes milliseconds
 
 /// Name of the study whose results the folder contains; nullopt if there are none.
 std::optional<std::string> studyIn(const fs::path& folder) {
@@ -36,6 +37,27 @@ void refuseOther(const fs::path& folder, const std::string& found, const Study& 
         throw InputError(folder.string(), fmt::format("contains the results of study '{}'", found),
                          fmt::format("those of '{}', or an empty folder", study.name),
                          "choose another with -o");
+}
+
+/// Whether a file is there though no study is: what a killed run leaves before it marks the folder is none.
+bool holdsOtherFiles(const fs::path& folder) {
+    std::error_code error;
+    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
+         entry.increment(error))
+        if (!isRunsOwnFile(entry->path())) return true;
+    return false;
+}
+
+/// Throws if the folder contains anything else than results of this study. Returns whether it is marked.
+bool requireStudyOrEmpty(const fs::path& folder, const Study& study) {
+    const bool others = holdsOtherFiles(folder); // first: another run may be marking it
+    const std::optional<std::string> found = studyIn(folder);
+    if (found)
+        refuseOther(folder, *found, study);
+    else if (others)
+        throw InputError(folder.string(), "contains files that don't belong to a study",
+                         "an empty folder, or a new one");
+    return found.has_value();
 }
 
 bool areResults(const json& outcome, const char* part, std::initializer_list<const char*> names) {
@@ -59,15 +81,16 @@ bool isOutcome(const json& value) {
 } // namespace
 
 StudyFolder::StudyFolder(fs::path folder, const Study& study) : folder_(std::move(folder)) {
-    std::error_code error;
-    if (const auto found = studyIn(folder_))
-        refuseOther(folder_, *found, study);
-    else if (fs::is_directory(folder_, error) && !fs::is_empty(folder_, error))
-        throw InputError(folder_.string(), "contains files that don't belong to a study",
-                         "an empty folder, or a new one");
+    requireStudyOrEmpty(folder_, study); // before anything is created in it
+    // Two runs may begin at once: the second waits until the first has marked it.
     requireWritableFolder(folder_);
+    const auto setup = FileLock::acquire(folder_, kMark, LockKind::Exclusive, kSetupLimit);
+    if (!setup)
+        throw MachineError(folder_.string(), "another run doesn't stop setting it up", "one that ends");
+    // The mark comes first: a run killed after it finds its own folder again.
+    if (!requireStudyOrEmpty(folder_, study))
+        replaceFile(folder_ / kMark, json{{"study", study.name}}.dump() + "\n");
     requireWritableFolder(folder_ / "cases");
-    replaceFile(folder_ / kMark, json{{"study", study.name}}.dump() + "\n");
 }
 
 StudyFolder StudyFolder::open(fs::path folder, const Study& study) {
@@ -95,6 +118,10 @@ std::optional<json> StudyFolder::outcomeOf(const StudyCase& studyCase) const {
     } catch (const InputError&) {
         return std::nullopt;
     }
+}
+
+std::optional<FileLock> StudyFolder::claim(const StudyCase& studyCase) const {
+    return FileLock::acquire(folder_ / "cases", studyCase.id);
 }
 
 void StudyFolder::store(const StudyCase& studyCase, const json& outcome) const {

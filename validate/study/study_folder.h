@@ -2,10 +2,12 @@
 //
 //     FOLDER/study.json           the name of the study
 //     FOLDER/cases/ID.json        one for each case, written atomically when it is done
+//     FOLDER/cases/.plumbline-*   claims of cases that are being computed, and files being written
 //     FOLDER/results.csv          made of the cases: a row for each case, technique and frame compared with
 //     FOLDER/report/              made of the rows
 #pragma once
 
+#include "scenes/core/file_lock.h"
 #include "validate/study/study_cases.h"
 
 #include <nlohmann/json_fwd.hpp>
@@ -32,6 +34,9 @@ class StudyFolder {
     /// may no longer apply (`again`).
     std::optional<nlohmann::json> outcomeOf(const StudyCase& studyCase) const;
     void store(const StudyCase& studyCase, const nlohmann::json& outcome) const;
+    /// Keeps other runs, also those of other hosts, from computing the case until it is destroyed or this
+    /// process ends. nullopt if another has it.
+    std::optional<FileLock> claim(const StudyCase& studyCase) const;
 
   private:
     explicit StudyFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}
