@@ -20,7 +20,8 @@ struct ThreadArguments {
 /// Limits the threads of this program while it lives.
 class ThreadLimit {
   public:
-    /// 0: no limit. Before GL starts: llvmpipe reads its limit then.
+    /// 0: no limit. Before GL starts: llvmpipe reads its limit then. Throws MachineError if this process
+    /// can't have as many threads: TBB ends the process where one of its threads can't start another.
     explicit ThreadLimit(int threads);
 
   private:
