@@ -7,6 +7,7 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/frame_memory.h"
 #include "validate/cli/progress.h"
 #include "validate/cli/realtime_arguments.h"
 #include "validate/cli/scene_arguments.h"
@@ -61,6 +62,7 @@ int runRealtime(const Arguments& arguments) {
     const auto techniques = chosenTechniques(arguments.realtime.techniques, arguments.realtime.settings);
     if (techniques.size() != 1) throw InputError("--technique", "found 'all'", "the name of one technique");
     const ChosenTechnique& chosen = techniques[0];
+    requireFrameMemory(scene, FrameUse::Drawn);
     const std::filesystem::path file = frameFile(arguments, scene, chosen);
     const FileClaim claim = claimFile(file, scene.files);
 

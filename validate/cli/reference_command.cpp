@@ -7,6 +7,7 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/frame_memory.h"
 #include "validate/cli/progress.h"
 #include "validate/cli/reference_arguments.h"
 #include "validate/cli/run_summaries.h"
@@ -90,6 +91,7 @@ int runReference(const Arguments& arguments) {
     progress.step("reading the scene");
     const Scene scene = readScene(findScene(arguments.scene.scene), arguments.scene.changes);
     printWarnings(scene.warnings);
+    requireFrameMemory(scene, FrameUse::Reference);
     const std::filesystem::path file = arguments.output.value_or(
         std::filesystem::path("plumbline-out") / safeFileName(scene.name) / "frames" / "reference.exr");
     const std::vector<FileClaim> claims = claimOutputs(arguments, file, scene);

@@ -8,6 +8,7 @@
 #include "scenes/core/program_name.h"
 #include "scenes/frame/object_info.h"
 #include "scenes/surface/proxy_mesh.h"
+#include "validate/cli/frame_memory.h"
 #include "validate/cli/option_values.h"
 #include "validate/cli/run_summaries.h"
 #include "validate/cli/trial.h"
@@ -133,6 +134,7 @@ json caseRequest(const StudyCase& studyCase, const CaseOptions& options) {
 json runCase(const json& request) {
     const fs::path sceneFile = request.at("scene").get<std::string>();
     const Scene scene = readScene(sceneFile, request.at("changes").get<SceneChanges>());
+    requireFrameMemory(scene, FrameUse::Compared);
     const auto names = request.at("techniques").get<std::vector<std::string>>();
     const auto settings = parseSettings(request.at("settings").get<std::vector<std::string>>());
     const std::vector<ChosenTechnique> techniques = chosenTechniques(names, settings);

@@ -9,6 +9,7 @@
 #include "scenes/scene_file/scene_library.h"
 #include "validate/cli/command.h"
 #include "validate/cli/exit_codes.h"
+#include "validate/cli/frame_memory.h"
 #include "validate/cli/progress.h"
 #include "validate/cli/realtime_arguments.h"
 #include "validate/cli/reference_arguments.h"
@@ -81,6 +82,7 @@ Task readTask(const Arguments& arguments) {
     printWarnings(task.scene.warnings);
     task.requirements = requirementsOf(arguments.requirements, task.scene);
     task.techniques = chosenTechniques(arguments.realtime.techniques, arguments.realtime.settings);
+    requireFrameMemory(task.scene, FrameUse::Compared);
     return task;
 }
 
