@@ -42,7 +42,7 @@ std::map<std::string, std::string> parseSettings(const std::vector<std::string>&
     return settings;
 }
 
-uint64_t parseMemorySize(const std::string& text) {
+uint64_t parseMemorySize(const char* option, const std::string& text) {
     constexpr uint64_t kSmallest = uint64_t(1) << 20, kLargest = uint64_t(1) << 46;
     uint64_t number = 0;
     const char* end = text.data() + text.size();
@@ -52,7 +52,7 @@ uint64_t parseMemorySize(const std::string& text) {
     const bool fits = error == std::errc() && shift >= 0 && number <= (kLargest >> shift);
     if (!fits || (number << shift) < kSmallest)
         throw InputError(
-            "--memory", fmt::format("'{}' is not a size of memory", text),
+            option, fmt::format("'{}' is not a size of memory", text),
             "an integer number of bytes, optionally with the suffix K, M or G, from 1M to 65536G");
     return number << shift;
 }

@@ -21,8 +21,9 @@ std::pair<std::string, std::string> parsePair(const char* option, const std::str
 /// Texts "key=value" of --set to a map. Not without '=', without a key, or with a key given twice.
 std::map<std::string, std::string> parseSettings(const std::vector<std::string>& texts);
 
-/// --memory: "268435456", "256M", "2G", "512K" (powers of 1024) to bytes; at least 1M, at most 64T.
-uint64_t parseMemorySize(const std::string& text);
+/// --memory and the like: "268435456", "256M", "2G", "512K" (powers of 1024) to bytes; at least 1M, at most
+/// 64T.
+uint64_t parseMemorySize(const char* option, const std::string& text);
 
 /// --error-px: a number of pixels from 1e-6 to 1000.
 double parseErrorPx(const std::string& text);

@@ -7,6 +7,15 @@
 
 namespace plumbline {
 
+void DrawMemoryArguments::addTo(CLI::App& command) {
+    addParsed(
+        command, "--draw-memory", bytes,
+        [](const std::string& text) { return parseMemorySize("--draw-memory", text); },
+        fmt::format("Limit of the process that draws, for example 2G (default: {:.0f} % of the free memory)",
+                    100 * kMemoryShare))
+        ->type_name("SIZE");
+}
+
 void RealtimeArguments::addTo(CLI::App& command) {
     constexpr int kLongestTimeLimitSeconds = 86400;
     command
@@ -26,6 +35,7 @@ void RealtimeArguments::addTo(CLI::App& command) {
                                 kDefaultTimeLimitSeconds))
         ->check(CLI::Range(1, kLongestTimeLimitSeconds))
         ->type_name("SECONDS");
+    drawMemory.addTo(command);
 }
 
 } // namespace plumbline

@@ -1,4 +1,4 @@
-// Options of techniques: --technique, --set, --gl, --device, --time-limit.
+// Options of techniques: --technique, --set, --gl, --device, --time-limit, --draw-memory.
 #pragma once
 
 #include "validate/cli/gl_arguments.h"
@@ -13,11 +13,18 @@ class App;
 
 namespace plumbline {
 
+struct DrawMemoryArguments {
+    uint64_t bytes = 0; // of the drawing process; 0: a share of what is free
+
+    void addTo(CLI::App& command);
+};
+
 struct RealtimeArguments {
     std::vector<std::string> techniques; // texts: they are resolved together (chosen_techniques.h)
     Settings settings;                   // for all of them
     GlArguments gl;
     int timeLimitSeconds = kDefaultTimeLimitSeconds; // a technique
+    DrawMemoryArguments drawMemory;
 
     void addTo(CLI::App& command);
 };

@@ -30,8 +30,10 @@ void ReferenceArguments::addTo(CLI::App& command, bool bothIsAChoice) {
         .add_option("--rate", options.rate, "Segments per control edge, a power of two (default: automatic)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-    addParsed(command, "--memory", options.memoryBytes, parseMemorySize,
-              "Memory for micro-triangles, for example 256M or 2G (default: half of the free memory)")
+    addParsed(
+        command, "--memory", options.memoryBytes,
+        [](const std::string& text) { return parseMemorySize("--memory", text); },
+        "Memory for micro-triangles, for example 256M or 2G (default: half of the free memory)")
         ->type_name("SIZE");
 }
 

@@ -67,6 +67,7 @@ WorkerOptions workerOptions(const json& request, const fs::path& sceneFile, cons
     realtime.gl.options.backend = request.at("gl_backend");
     realtime.gl.options.device = request.at("gl_device");
     realtime.gl.options.timingBudgetMs = request.at("timing_budget_ms");
+    realtime.drawMemory.bytes = request.at("draw_bytes");
     realtime.timeLimitSeconds = request.at("time_limit");
     return workerOptions(sceneFile, scene, realtime, request.at("threads"));
 }
@@ -125,6 +126,7 @@ json caseRequest(const StudyCase& studyCase, const CaseOptions& options) {
             {"timing_budget_ms", studyCase.grid->timingBudgetMs},
             {"reference_bytes", options.referenceBytes},
             {"reference_error_px", options.referenceErrorPx},
+            {"draw_bytes", options.drawBytes},
             {"gl_backend", options.gl.backend},
             {"gl_device", options.gl.device},
             {"threads", options.threads},

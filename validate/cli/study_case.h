@@ -14,6 +14,7 @@ namespace plumbline {
 struct CaseOptions {
     uint64_t referenceBytes = 0; // budget of the reference
     double referenceErrorPx = 0; // its aim
+    uint64_t drawBytes = 0;      // limit of the drawing process
     GlOptions gl;                // but for the time spent on timing, which is the grid's
     int threads = 1;
     int timeLimitSeconds = 60; // a technique

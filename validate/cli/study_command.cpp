@@ -1,6 +1,7 @@
 #include "realtime/gl/gl_probe.h"
 #include "reference/reference.h"
 #include "scenes/core/error.h"
+#include "scenes/core/free_memory.h"
 #include "scenes/core/replace_file.h"
 #include "validate/cli/case_pool.h"
 #include "validate/cli/chosen_techniques.h"
@@ -9,6 +10,7 @@
 #include "validate/cli/gl_arguments.h"
 #include "validate/cli/option_values.h"
 #include "validate/cli/progress.h"
+#include "validate/cli/realtime_arguments.h"
 #include "validate/cli/thread_arguments.h"
 #include "validate/study/study_report.h"
 
@@ -31,7 +33,8 @@ struct Arguments {
     int jobs = 0;                                // cases at a time; 0: as many as there are cores
     bool yes = false;                            // also very many cases
     GlArguments gl;
-    ThreadArguments threads; // all of them together
+    DrawMemoryArguments drawMemory; // of each drawing process
+    ThreadArguments threads;        // all of them together
 };
 
 using nlohmann::json;
@@ -73,10 +76,17 @@ void checkTechniques(const Study& study) {
     }
 }
 
+/// Cases that are computed at a time share what is free.
+uint64_t drawMemory(const Arguments& arguments, int jobs) {
+    if (arguments.drawMemory.bytes > 0) return arguments.drawMemory.bytes;
+    return static_cast<uint64_t>(kMemoryShare * static_cast<double>(freeMemoryBytes()) / jobs);
+}
+
 /// Throws for what would be wrong in every case.
 CaseOptions caseOptions(const Study& study, const Arguments& arguments, int jobs) {
     CaseOptions options;
-    options.referenceBytes = parseMemorySize(study.memory);
+    options.referenceBytes = parseMemorySize("memory", study.memory);
+    options.drawBytes = drawMemory(arguments, jobs);
     options.referenceErrorPx =
         study.errorPx.empty() ? ReferenceOptions().errorPx : parseErrorPx(study.errorPx);
     options.gl = arguments.gl.options;
@@ -225,6 +235,7 @@ CommandRun addOptions(CLI::App& command) {
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
     arguments->gl.addTo(*run);
+    arguments->drawMemory.addTo(*run);
     arguments->threads.addTo(*run);
     CLI::App* report =
         command.add_subcommand("report", "Write tables and plots of the cases computed so far");

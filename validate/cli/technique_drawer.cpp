@@ -13,6 +13,7 @@ WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene&
     options.sceneHash = scene.hash;
     options.gl = arguments.gl.options;
     options.threads = threads;
+    options.memoryBytes = arguments.drawMemory.bytes;
     options.timeLimitSeconds = arguments.timeLimitSeconds;
     return options;
 }

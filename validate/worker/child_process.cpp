@@ -8,6 +8,7 @@
 #include <csignal>
 #include <cstring>
 #include <spawn.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -46,9 +47,12 @@ bool ChildProcess::waitForEnd(std::chrono::milliseconds limit) {
     const auto end = std::chrono::steady_clock::now() + limit;
     while (!status_) {
         int status = 0;
-        const pid_t ended = ::waitpid(process_, &status, WNOHANG);
+        rusage usage{};
+        const pid_t ended = ::wait4(process_, &status, WNOHANG, &usage);
         // -1: this program was started with SIGCHLD ignored, so it can't get the status of its children.
         if (ended == process_ || (ended < 0 && errno != EINTR)) status_ = status;
+        if (ended == process_)
+            peakBytes_ = static_cast<uint64_t>(usage.ru_maxrss) * 1024; // Linux counts in KiB
         if (status_ || std::chrono::steady_clock::now() >= end) break;
         std::this_thread::sleep_for(kPollInterval);
     }
@@ -63,6 +67,11 @@ void ChildProcess::stop() {
 
 int ChildProcess::signal() const {
     return status_ && WIFSIGNALED(*status_) ? WTERMSIG(*status_) : 0;
+}
+
+std::optional<int> ChildProcess::exitCode() const {
+    if (!status_ || !WIFEXITED(*status_)) return std::nullopt;
+    return WEXITSTATUS(*status_);
 }
 
 std::string ChildProcess::howItEnded() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -27,12 +28,17 @@ class ChildProcess {
     void stop();
     /// The signal that ended it; 0: none, or it isn't known to have ended.
     int signal() const;
+    /// Nothing if a signal ended it, or it isn't known to have ended.
+    std::optional<int> exitCode() const;
+    /// Its largest resident set, once it has ended; 0 if that isn't known.
+    uint64_t peakBytes() const { return peakBytes_; }
     /// "signal 11, SIGSEGV" or "exit code 1", once it has ended.
     std::string howItEnded() const;
 
   private:
     pid_t process_ = -1;
-    std::optional<int> status_; // from waitpid, once it has ended
+    std::optional<int> status_; // from wait4, once it has ended
+    uint64_t peakBytes_ = 0;
 };
 
 } // namespace plumbline

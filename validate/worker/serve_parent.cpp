@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include <csignal>
+#include <cstdlib>
+#include <exception>
 #include <fcntl.h>
 #include <new>
 #include <sys/prctl.h>
@@ -49,6 +51,11 @@ void sendPrintsToStderr() {
     if (nowhere != STDOUT_FILENO) ::close(nowhere);
 }
 
+/// The parent says in its line that the process ended, and how.
+[[noreturn]] void endForUncaught() {
+    std::_Exit(kOutOfMemoryExit);
+}
+
 /// Sends the last message of a process that can't continue.
 void sendError(const MessageSocket& socket, const std::exception& error) {
     try {
@@ -64,6 +71,7 @@ int serveParent(pid_t parent, const char* command, const std::function<void(cons
     if (!endWithParent(parent)) return 0;
     leaveSignalsToParent();
     sendPrintsToStderr();
+    std::set_terminate(endForUncaught);
     try {
         serve(socket);
     } catch (const ConnectionLost&) { // the regular end

@@ -9,8 +9,21 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <sys/resource.h>
+
 namespace plumbline {
 namespace {
+
+/// A shader that takes ever more memory to compile ends this process, not one that the kernel chooses.
+/// RLIMIT_DATA, not RLIMIT_AS: it leaves out what drivers of GPUs only reserve, which is many times the
+/// memory.
+void limitMemory(uint64_t bytes) {
+    rlimit limit{};
+    if (bytes == 0 || ::getrlimit(RLIMIT_DATA, &limit) != 0) return;
+    limit.rlim_cur = std::min<rlim_t>(bytes, limit.rlim_max);
+    ::setrlimit(RLIMIT_DATA, &limit);
+}
 
 /// The file may have changed before a new process is started.
 Scene readSameScene(const WorkerSetup& setup) {
@@ -32,6 +45,7 @@ void drawTechnique(const MessageSocket& socket, RealtimeRenderer& renderer, cons
 
 void drawTechniques(const MessageSocket& socket) {
     const WorkerSetup setup = workerSetup(socket.receive());
+    limitMemory(setup.memoryBytes);
     // Before the scene is read, because its maps load the image libraries. These load copies of libraries
     // (libdrm, libxcb) that drivers also link, and a driver must get its own.
     std::unique_ptr<GlContext> context = createGlContext(setup.gl);

@@ -1,6 +1,7 @@
 #include "validate/worker/technique_worker.h"
 
 #include "scenes/core/error.h"
+#include "scenes/core/free_memory.h"
 #include "validate/worker/worker_process.h"
 #include "validate/worker/worker_protocol.h"
 
@@ -39,8 +40,21 @@ InputError tooSlow(const std::string& technique, int limitSeconds) {
             "a search whose loops terminate", "--time-limit SECONDS raises the limit"};
 }
 
-MachineError endedWhile(const std::string& where, bool drawing, WorkerProcess& worker) {
+/// Whether a process that ended did so for lack of memory. Drivers and compilers that are refused some crash
+/// in many ways, but not far below the limit unless they ask for very much at once.
+bool ranOutOfMemory(const ChildProcess& process, uint64_t limitBytes) {
+    constexpr double kNearLimit = 0.75; // the limit also counts what was never touched
+    return process.exitCode() == kOutOfMemoryExit ||
+           static_cast<double>(process.peakBytes()) >= kNearLimit * static_cast<double>(limitBytes);
+}
+
+MachineError endedWhile(const std::string& where, bool drawing, WorkerProcess& worker, uint64_t memoryBytes) {
     const std::string how = worker.howItEnded();
+    if (ranOutOfMemory(worker.process, memoryBytes))
+        return {where,
+                fmt::format("its process ran out of memory ({}; its limit is {:.1f} GB)", how,
+                            static_cast<double>(memoryBytes) / 1e9),
+                "a shader that compiles and draws with less", "--draw-memory SIZE raises the limit"};
     if (worker.process.signal() == SIGKILL)
         return {where, fmt::format("its process was killed ({})", how), "", "memory may have run out"};
     return {where,
@@ -52,6 +66,7 @@ MachineError endedWhile(const std::string& where, bool drawing, WorkerProcess& w
 struct TechniqueWorker::Connection : WorkerProcess {
     using WorkerProcess::WorkerProcess;
     bool ready = false;
+    uint64_t memoryBytes = 0; // its limit
 };
 
 TechniqueWorker::TechniqueWorker(const WorkerOptions& options) : options_(options) {
@@ -66,9 +81,14 @@ TechniqueWorker::~TechniqueWorker() {
 
 void TechniqueWorker::start() {
     connection_ = std::make_unique<Connection>(options_.program, kDrawWorkerCommand, options_.threads);
+    connection_->memoryBytes =
+        options_.memoryBytes > 0
+            ? options_.memoryBytes
+            : static_cast<uint64_t>(kMemoryShare * static_cast<double>(freeMemoryBytes()));
     try {
         connection_->socket.send(
-            toJson(WorkerSetup{options_.sceneFile, options_.sceneChanges, options_.sceneHash, options_.gl}));
+            toJson(WorkerSetup{options_.sceneFile, options_.sceneChanges, options_.sceneHash, options_.gl,
+                               connection_->memoryBytes}));
     } catch (const ConnectionLost&) {
         // It has already ended; waitUntilReady reports how.
     }
@@ -85,7 +105,8 @@ void TechniqueWorker::waitUntilReady() {
         if (reply.error) std::rethrow_exception(reply.error);
         connection_->ready = true;
     } catch (const ConnectionLost&) {
-        const MachineError error = endedWhile("starting OpenGL", true, *connection_);
+        const MachineError error =
+            endedWhile("starting OpenGL", true, *connection_, connection_->memoryBytes);
         connection_.reset();
         throw error;
     } catch (...) {
@@ -103,7 +124,8 @@ TechniqueResult TechniqueWorker::render(const Technique& technique) {
     } catch (const InputError&) {
         throw; // an error of the technique; the process is fine
     } catch (const ConnectionLost&) {
-        const MachineError error = endedWhile(technique.name(), drawing, *connection_);
+        const MachineError error =
+            endedWhile(technique.name(), drawing, *connection_, connection_->memoryBytes);
         connection_.reset();
         throw error;
     } catch (...) {

@@ -12,6 +12,8 @@
 namespace plumbline {
 
 inline constexpr int kDefaultTimeLimitSeconds = 60;
+/// The rest is for the run itself and for the other programs on the machine.
+inline constexpr double kMemoryShare = 0.75;
 /// The command with which the program starts itself to draw; --help doesn't list it.
 inline constexpr const char* kDrawWorkerCommand = "draw-worker";
 
@@ -22,6 +24,7 @@ struct WorkerOptions {
     GlOptions gl;
     int threads = 0; // --threads; 0: all
     int timeLimitSeconds = kDefaultTimeLimitSeconds;
+    uint64_t memoryBytes = 0; // limit of the process; 0: kMemoryShare of what is free when it starts
     std::filesystem::path program = "/proc/self/exe"; // this program, even if its file was replaced meanwhile
 };
 
@@ -38,8 +41,8 @@ class TechniqueWorker {
 
     /// The result is that of RealtimeRenderer::render, to the byte. The process resolves the technique's
     /// request itself. Throws what render throws; InputError if compiling and drawing take longer than the
-    /// limit; MachineError if the process ends. Time spent on baking maps before that, or stopped by Ctrl-Z,
-    /// doesn't count.
+    /// limit; MachineError if the process ends, which it does above its limit of memory. Time spent on baking
+    /// maps before that, or stopped by Ctrl-Z, doesn't count.
     TechniqueResult render(const Technique& technique);
 
   private:

@@ -12,6 +12,10 @@ namespace plumbline {
 /// with messages.
 inline constexpr int kWorkerDescriptor = 3;
 
+/// Its exit code after an exception that nothing could catch: without memory, libraries throw where they
+/// promise not to.
+inline constexpr int kOutOfMemoryExit = 3;
+
 struct WorkerProcess {
     /// Runs `program COMMAND PARENT --threads THREADS`, where PARENT is this process. Throws MachineError.
     WorkerProcess(const std::filesystem::path& program, const char* command, int threads);

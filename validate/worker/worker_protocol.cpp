@@ -50,9 +50,10 @@ Frame emptyFrame(const json& value) {
 } // namespace
 
 json toJson(const WorkerSetup& setup) {
-    return {{"scene", setup.scene.native()}, {"scene_changes", setup.sceneChanges},
-            {"scene_hash", setup.sceneHash}, {"gl_backend", setup.gl.backend},
-            {"gl_device", setup.gl.device},  {"timing_budget_ms", setup.gl.timingBudgetMs}};
+    return {{"scene", setup.scene.native()},    {"scene_changes", setup.sceneChanges},
+            {"scene_hash", setup.sceneHash},    {"gl_backend", setup.gl.backend},
+            {"gl_device", setup.gl.device},     {"timing_budget_ms", setup.gl.timingBudgetMs},
+            {"memory_bytes", setup.memoryBytes}};
 }
 
 WorkerSetup workerSetup(const json& value) {
@@ -63,6 +64,7 @@ WorkerSetup workerSetup(const json& value) {
     setup.gl.backend = value.at("gl_backend");
     setup.gl.device = value.at("gl_device");
     setup.gl.timingBudgetMs = value.at("timing_budget_ms");
+    setup.memoryBytes = value.at("memory_bytes");
     return setup;
 }
 

@@ -23,6 +23,7 @@ struct WorkerSetup {
     std::vector<std::string> sceneChanges; // Scene::changes
     std::string sceneHash;                 // the scene is refused if its hash is different
     GlOptions gl;
+    uint64_t memoryBytes = 0; // the process sets itself this limit; 0: none
 };
 nlohmann::json toJson(const WorkerSetup& setup);
 WorkerSetup workerSetup(const nlohmann::json& value);

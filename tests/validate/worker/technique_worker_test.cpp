@@ -87,6 +87,26 @@ TEST_F(TechniqueWorkerTest, Errors_EqualDrawingInProcess) {
               1000u); // the process still draws
 }
 
+// Names that double their text 28 times: their expansion takes gigabytes.
+TEST_F(TechniqueWorkerTest, MemoryLimit_FailsOneTechnique) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    std::filesystem::create_directory(folder_ / "hungry");
+    writeFile(folder_ / "hungry/technique.toml",
+              "title = 'Hungry'\ncitation = 'me'\ninputs = ['height']\nlimits = []\nneeds = []\n");
+    std::string shader = "#define A0 1.0\n";
+    for (int i = 1; i <= 28; ++i)
+        shader += fmt::format("#define A{} A{} + A{}\n", i, i - 1, i - 1);
+    writeFile(folder_ / "hungry/hungry.glsl",
+              shader + "ReliefHit traceRelief(ReliefRay ray) { return hitAt(ray, A28); }\n");
+    WorkerOptions limited = options();
+    limited.memoryBytes = uint64_t(500) << 20;
+    TechniqueWorker worker(limited);
+    EXPECT_THAT(messageOf([&] { worker.render(resolveTechnique((folder_ / "hungry").string())); }),
+                ::testing::AllOf(HasSubstr("MachineError"), HasSubstr("its process ran out of memory"),
+                                 HasSubstr("its limit is 0.5 GB")));
+    EXPECT_GT(coveredPixels(worker.render(resolveTechnique("linear_binary")).frame), 1000u);
+}
+
 TEST_F(TechniqueWorkerTest, MissingDevice_IsMachineError) {
     const GlOptions gl{GlBackend::Egl, 99, 0};
     TechniqueWorker worker(options(gl));

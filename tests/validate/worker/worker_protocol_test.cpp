@@ -53,14 +53,18 @@ void expectEqualBits(std::span<const float> a, std::span<const float> b) {
 }
 
 TEST(WorkerProtocol, SetupsAndRequests_RoundTrip) {
-    const WorkerSetup setup = workerSetup(passOn(toJson(
-        WorkerSetup{"/a/" + kLatin1 + ".toml", {"x.y=" + kLatin1}, "abc", {GlBackend::Osmesa, 3, 0.1}})));
+    const WorkerSetup setup = workerSetup(passOn(toJson(WorkerSetup{"/a/" + kLatin1 + ".toml",
+                                                                    {"x.y=" + kLatin1},
+                                                                    "abc",
+                                                                    {GlBackend::Osmesa, 3, 0.1},
+                                                                    uint64_t(7) << 33})));
     EXPECT_EQ(setup.scene, "/a/" + kLatin1 + ".toml");
     EXPECT_EQ(setup.sceneChanges, std::vector<std::string>{"x.y=" + kLatin1});
     EXPECT_EQ(setup.sceneHash, "abc");
     EXPECT_EQ(setup.gl.backend, GlBackend::Osmesa);
     EXPECT_EQ(setup.gl.device, 3);
     EXPECT_EQ(setup.gl.timingBudgetMs, 0.1);
+    EXPECT_EQ(setup.memoryBytes, uint64_t(7) << 33);
 
     const TechniqueRequest request = techniqueRequest(
         passOn(toJson(TechniqueRequest{"./" + kLatin1, "quadric", {{"steps", "3"}, {"empty", ""}}})));
