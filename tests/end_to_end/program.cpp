@@ -1,6 +1,7 @@
 #include "tests/end_to_end/program.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -83,15 +84,17 @@ int waitFor(pid_t process) {
 
 } // namespace
 
-Running startProgram(const std::vector<std::string>& arguments, const fs::path& workingFolder,
-                     const std::map<std::string, std::string>& environment, bool ownGroup) {
+namespace {
+
+Running start(const char* program, std::vector<std::string> words, const fs::path& workingFolder,
+              const std::map<std::string, std::string>& environment, bool ownGroup) {
     Running running;
-    running.captured = workingFolder.string() + ".captured";
+    static std::atomic<int> started{0}; // runs in one folder, each with files of its own
+    running.captured = workingFolder.string() + ".captured" + std::to_string(started++);
     fs::create_directories(running.captured);
     const std::string outFile = (running.captured / "out").string(),
                       errFile = (running.captured / "err").string();
-    std::vector<std::string> words{PLUMBLINE_PROGRAM}, variables = environmentWith(environment);
-    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<std::string> variables = environmentWith(environment);
 
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
@@ -104,15 +107,29 @@ Running startProgram(const std::vector<std::string>& arguments, const fs::path& 
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     if (ownGroup) posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    const int failed = posix_spawn(&running.process, PLUMBLINE_PROGRAM, &actions, &attributes,
-                                   pointersTo(words).data(), pointersTo(variables).data());
+    const int failed = posix_spawn(&running.process, program, &actions, &attributes, pointersTo(words).data(),
+                                   pointersTo(variables).data());
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     if (failed != 0) {
-        ADD_FAILURE() << "can't start " << PLUMBLINE_PROGRAM;
+        ADD_FAILURE() << "can't start " << program;
         running.process = -1;
     }
     return running;
+}
+
+} // namespace
+
+Running startProgram(const std::vector<std::string>& arguments, const fs::path& workingFolder,
+                     const std::map<std::string, std::string>& environment, bool ownGroup) {
+    std::vector<std::string> words{PLUMBLINE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return start(PLUMBLINE_PROGRAM, words, workingFolder, environment, ownGroup);
+}
+
+Running startScript(const std::string& script, const fs::path& workingFolder) {
+    return start("/bin/bash", {"bash", "-c", script}, workingFolder, {{"PLUMBLINE", PLUMBLINE_PROGRAM}},
+                 false);
 }
 
 namespace {
@@ -198,7 +215,8 @@ std::vector<std::string> filesBelow(const fs::path& folder) {
     std::vector<std::string> files;
     if (!fs::is_directory(folder)) return files;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file()) files.push_back(fs::relative(entry.path(), folder).string());
+        if (std::error_code loop; entry.is_regular_file(loop))
+            files.push_back(fs::relative(entry.path(), folder).string());
     std::sort(files.begin(), files.end());
     return files;
 }

@@ -30,6 +30,8 @@ struct Running {
 };
 Running startProgram(const std::vector<std::string>& arguments, const std::filesystem::path& workingFolder,
                      const std::map<std::string, std::string>& environment = {}, bool ownGroup = false);
+/// The same for a script of the shell, which finds the program's path in $PLUMBLINE: limits and redirections.
+Running startScript(const std::string& script, const std::filesystem::path& workingFolder);
 /// Whether a process has ended, even if its parent hasn't waited for it yet.
 bool isGone(pid_t process);
 /// As kill(2), for one process or the group it leads. Refuses numbers that can't be a process started by a
@@ -61,6 +63,7 @@ class EndToEnd : public ::testing::Test {
                 const std::map<std::string, std::string>& environment = {}) const {
         return runProgram(arguments, folder_, environment);
     }
+    Outcome runScript(const std::string& script) const { return finish(startScript(script, folder_)); }
     /// Writes small.toml: a torus with a relief and an object without, 96 x 72 pixels, one light.
     std::filesystem::path writeSmallScene() const;
 

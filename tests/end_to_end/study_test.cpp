@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <gmock/gmock.h>
+#include <thread>
 
 namespace plumbline::test {
 namespace {
@@ -142,6 +144,51 @@ TEST_F(StudyRun, Killed_Resumes) {
     EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr(std::to_string(8 - known) + " computed"));
     EXPECT_THAT(outcome.out, HasSubstr(std::to_string(known) + " already stored, 0 failed"));
+}
+
+// Killed before it is marked, a folder holds no results yet.
+TEST_F(StudyRun, FolderWithoutMark_IsTakenUnlessFilesAreInIt) {
+    writeStudy("0.02");
+    writeFile(folder_ / "out/.plumbline-0123456789abcdef.tmp", "half a mark");
+    EXPECT_EQ(run({"study", "run", "tiny.toml", "-o", "out"}).exitCode, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out/.plumbline-0123456789abcdef.tmp"));
+    writeFile(folder_ / "mine/notes.txt", "not of a study");
+    EXPECT_THAT(run({"study", "run", "tiny.toml", "-o", "mine"}).err,
+                HasSubstr("contains files that don't belong to a study"));
+    EXPECT_EQ(filesBelow(folder_ / "mine").size(), 1u);
+}
+
+TEST_F(StudyRun, TwoAtOnce_ShareTheCases) {
+    writeStudy("0.02, 0.03, 0.04, 0.05, 0.06, 0.07", "1000");
+    const std::vector<std::string> study{"study", "run", "tiny.toml", "-o", "out", "--jobs", "1"};
+    const Running first = startProgram(study, folder_), second = startProgram(study, folder_);
+    int computed = 0;
+    for (const Running& each : {first, second}) {
+        const Outcome outcome = finish(each);
+        EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+        EXPECT_THAT(outcome.out, ::testing::StartsWith("6 cases: "));
+        const int here = std::stoi(outcome.out.substr(std::string("6 cases: ").size()));
+        EXPECT_GT(here, 0) << "the other did all";
+        computed += here;
+    }
+    EXPECT_EQ(computed, 6);
+    EXPECT_EQ(linesWith(readFile(folder_ / "out/results.csv"), ",linear,reference,"), 6u);
+    EXPECT_EQ(caseFiles(), 6u);
+}
+
+// The other run waits for what this one has claimed, and does it when this one is gone.
+TEST_F(StudyRun, KilledWhileAnotherWaits_IsTakenOver) {
+    writeStudy("0.02", "4000");
+    const std::vector<std::string> study{"study", "run", "tiny.toml", "-o", "out", "--jobs", "1"};
+    const Running first = startProgram(study, folder_);
+    ASSERT_TRUE(waitUntil([&] { return !childrenOf(first.process).empty(); }, 30));
+    const Running second = startProgram(study, folder_);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    sendSignal(first.process, SIGKILL);
+    EXPECT_EQ(finish(first).signal, SIGKILL);
+    const Outcome outcome = finish(second);
+    EXPECT_EQ(outcome.exitCode, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("1 cases: 1 computed"));
 }
 
 TEST_F(StudyRun, Interrupted_EndsAtOnce) {

@@ -306,6 +306,24 @@ TEST_F(Validate, UnwritableFolder_IsRefused) {
     EXPECT_FALSE(fs::exists(folder_ / "out/results.json"));
 }
 
+TEST_F(Validate, TwoIntoOneFolder_SecondIsRefused) {
+    writeSmallScene();
+    const Running first =
+        startProgram({"validate", "small.toml", "--rate", "4", "--technique", "linear_binary", "--scene-set",
+                      "camera.width=800", "--scene-set", "camera.height=600", "-o", "out"},
+                     folder_);
+    ASSERT_TRUE(waitUntil([&] { return !filesBelow(folder_ / "out").empty(); }, 30));
+    expectRefused(validate("out", {"--technique", "cone_step"}), 3,
+                  "out: another run of plumbline is writing here");
+    expectRefused(run({"reference", "small.toml", "-o", "out/frames/reference.exr"}), 3,
+                  "out/frames/reference.exr: another run of plumbline is writing here");
+    EXPECT_EQ(finish(first).exitCode, 0);
+    EXPECT_EQ(resultsOf("out")["techniques"][0]["name"], "linear_binary");
+    EXPECT_EQ(filesBelow(folder_ / "out/frames"),
+              (std::vector<std::string>{"linear_binary.exr", "reference.exr"}));
+    EXPECT_EQ(validate("out", {"--technique", "cone_step"}).exitCode, 0);
+}
+
 /// Expects that a broken technique is recorded and the other one has figures.
 void expectOnlySecondFailed(const Outcome& outcome, const json& results, const std::string& part) {
     EXPECT_EQ(outcome.exitCode, 2) << outcome.err;
