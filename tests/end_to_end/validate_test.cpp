@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <gmock/gmock.h>
 
 namespace plumbline {
@@ -308,15 +309,16 @@ TEST_F(Validate, UnwritableFolder_IsRefused) {
 
 TEST_F(Validate, TwoIntoOneFolder_SecondIsRefused) {
     writeSmallScene();
-    const Running first =
-        startProgram({"validate", "small.toml", "--rate", "4", "--technique", "linear_binary", "--scene-set",
-                      "camera.width=800", "--scene-set", "camera.height=600", "-o", "out"},
-                     folder_);
-    ASSERT_TRUE(waitUntil([&] { return !filesBelow(folder_ / "out").empty(); }, 30));
+    const Running first = startProgram(
+        {"validate", "small.toml", "--rate", "16", "--technique", "linear_binary", "-o", "out"}, folder_);
+    // The second lock, that of out/frames, is its last step before the reference.
+    ASSERT_TRUE(waitUntil([&] { return !filesBelow(folder_ / "out/frames").empty(); }, 30));
+    sendSignal(first.process, SIGSTOP); // at work for as long as the others take
     expectRefused(validate("out", {"--technique", "cone_step"}), 3,
                   "out: another run of plumbline is writing here");
     expectRefused(run({"reference", "small.toml", "-o", "out/frames/reference.exr"}), 3,
                   "out/frames/reference.exr: another run of plumbline is writing here");
+    sendSignal(first.process, SIGCONT);
     EXPECT_EQ(finish(first).exitCode, 0);
     EXPECT_EQ(resultsOf("out")["techniques"][0]["name"], "linear_binary");
     EXPECT_EQ(filesBelow(folder_ / "out/frames"),
