@@ -57,6 +57,10 @@ std::optional<uint64_t> leftUnder(__rlimit_resource_t resource, int statmField) 
     return limit.rlim_cur > used ? limit.rlim_cur - used : 0;
 }
 
+std::string sizeText(double bytes) {
+    return bytes < 1e9 ? fmt::format("{:.0f} MB", bytes / 1e6) : fmt::format("{:.1f} GB", bytes / 1e9);
+}
+
 } // namespace
 
 uint64_t freeMemoryBytes() {
@@ -73,16 +77,16 @@ uint64_t freeMemoryBytes() {
 void requireMemory(std::string_view what, double bytes) {
     const auto free = static_cast<double>(freeMemoryBytes());
     if (bytes > free)
-        throw MachineError(
-            "memory", fmt::format("{} needs {:.1f} GB, {:.1f} GB are free", what, bytes / 1e9, free / 1e9));
+        throw MachineError("memory",
+                           fmt::format("{} needs {}, {} are free", what, sizeText(bytes), sizeText(free)));
 }
 
 void requireAddressSpace(std::string_view what, double bytes) {
     const std::optional<uint64_t> left = leftUnder(RLIMIT_AS, 0);
     if (left && bytes > static_cast<double>(*left))
         throw MachineError("memory",
-                           fmt::format("{} takes {:.2f} GB of address space, the limit leaves {:.2f} GB",
-                                       what, bytes / 1e9, static_cast<double>(*left) / 1e9),
+                           fmt::format("{} takes {} of address space, the limit leaves {}", what,
+                                       sizeText(bytes), sizeText(static_cast<double>(*left))),
                            "a higher limit (ulimit -v)");
 }
 

@@ -326,6 +326,19 @@ TEST_F(Validate, TwoIntoOneFolder_SecondIsRefused) {
     EXPECT_EQ(validate("out", {"--technique", "cone_step"}).exitCode, 0);
 }
 
+// Libraries that are refused address space while they are loaded, or threads, crash or wait for ever.
+TEST_F(Validate, AddressSpaceLimits_AreAnErrorOrEnough) {
+    writeSmallScene();
+    for (int megabytes = 250; megabytes <= 1150; megabytes += 50) {
+        const Outcome outcome =
+            runScript("ulimit -c 0; ulimit -v " + std::to_string(megabytes * 1024) +
+                      "; exec $PLUMBLINE validate small.toml --rate 4 --technique linear_binary -o out");
+        SCOPED_TRACE(std::to_string(megabytes) + " MB: " + outcome.err);
+        EXPECT_EQ(outcome.signal, 0);
+        EXPECT_THAT(outcome.exitCode, ::testing::AnyOf(0, 3));
+    }
+}
+
 /// Expects that a broken technique is recorded and the other one has figures.
 void expectOnlySecondFailed(const Outcome& outcome, const json& results, const std::string& part) {
     EXPECT_EQ(outcome.exitCode, 2) << outcome.err;
