@@ -5,7 +5,7 @@
 namespace plumbline {
 
 std::string csvCell(const std::string& unsafe) {
-    const std::string text = printable(unsafe);
+    std::string text = printable(unsafe);
     if (text.find_first_of(",\"") == std::string::npos) return text;
     std::string result = "\"";
     for (const char c : text) {
