@@ -52,6 +52,7 @@ double reachAlongSurface(double errorWorld, double cosine) {
 bool facesThroughout(const BaseSample& base, const Relief* relief, double radiusWorld, const Vec3& toward,
                      double side) {
     assert(side == 1 || side == -1);
+    if (base.singular) return false;
     const ReliefDirection k = sampleReliefDirection(base, relief);
     const AcrossRelief across = tangentsAcross(base, relief);
     const double area = glm::length(glm::cross(across.byU, across.byV));

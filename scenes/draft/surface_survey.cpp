@@ -112,12 +112,12 @@ class Survey {
     }
 
     void addSample(const BaseSample& sample, double area) {
+        if (sample.singular) return; // its derivatives say nothing about lengths and curvatures
         if (const std::optional<Vec2> scale = uvScaleAt(sample)) {
             scalesU_.push_back({scale->x, area});
             scalesV_.push_back({scale->y, area});
         }
         const double curvature = outwardCurvature(sample);
-        // NaN at singular samples, which are left out.
         if (!std::isnan(curvature)) radii_.push_back({curvature > 0 ? 1 / curvature : kInfinity, area});
     }
 

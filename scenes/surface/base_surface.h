@@ -27,9 +27,13 @@ struct BasePoint {
 
 /// A sample with the derivatives needed for the displaced surface's normal.
 struct BaseSample : BasePoint {
-    Vec3 positionU, positionV; // derivatives with respect to the patch's u and v
-    Vec3 normalU, normalV;     // from the second derivatives of the position
+    Vec3 positionU, positionV;   // derivatives with respect to the patch's u and v
+    Vec3 normalU{0}, normalV{0}; // from the second derivatives of the position; 0 at a singular point of a
+                                 // limit surface, where they aren't bounded
     Vec2 uvU, uvV;
+    /// S_u and S_v are parallel or 0, to within rounding: at a pole, and at a smooth corner where a face is
+    /// alone between two sharp edges. `normal` is the limit of the normals around it.
+    bool singular = false;
 };
 
 class BaseSurface {

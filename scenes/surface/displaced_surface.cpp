@@ -7,6 +7,24 @@
 
 namespace plumbline {
 
+namespace {
+
+/// Sums below this fraction of their terms have canceled.
+constexpr double kCanceled = 0x1p-40;
+
+/// The displaced normal where S_u x S_v is 0 and the displacement has the derivatives byU and byV: what is
+/// left of P_u x P_v, a slope of the relief that the base's parametrization makes infinitely steep, or the
+/// base's normal.
+Vec3 singularNormal(const BaseSample& base, const Vec3& byU, const Vec3& byV) {
+    const Vec3 sum = glm::cross(base.positionU, byV) + glm::cross(byU, base.positionV) + glm::cross(byU, byV);
+    const double most = glm::length(base.positionU) * glm::length(byV) +
+                        glm::length(byU) * glm::length(base.positionV) + glm::length(byU) * glm::length(byV);
+    const double length = glm::length(sum);
+    return length > kCanceled * most ? sum / length : base.normal;
+}
+
+} // namespace
+
 std::unique_ptr<BaseSurface> makeBaseSurface(const SceneObject& object, Base base) {
     if (object.relief && !object.mesh.hasUvs())
         throw InputError(object.name, "the mesh '" + object.mesh.name + "' has no texture coordinates",
@@ -57,10 +75,15 @@ DisplacedSample displace(const BaseSample& base, const Relief* relief) {
     const ReliefDirection k = sampleReliefDirection(base, relief);
     const Vec3 positionU = base.positionU + k.alongU * height + k.along * heightU;
     const Vec3 positionV = base.positionV + k.alongV * height + k.along * heightV;
+    const Vec3 position = base.position + k.along * height;
+    if (base.singular) {
+        const Vec3 normal = singularNormal(base, k.alongU * height + k.along * heightU,
+                                           k.alongV * height + k.along * heightV);
+        return {position, positionU, positionV, normal, st, map.depth};
+    }
     const Vec3 cross = glm::cross(positionU, positionV);
     const double length = glm::length(cross);
-    return {base.position + k.along * height,          positionU, positionV,
-            length > 0 ? cross / length : base.normal, st,        map.depth};
+    return {position, positionU, positionV, length > 0 ? cross / length : base.normal, st, map.depth};
 }
 
 } // namespace plumbline

@@ -3,6 +3,9 @@
 #include "scenes/core/error.h"
 #include "scenes/core/index.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace plumbline {
 PreparedFaces::PreparedFaces(const OpenSubdiv::Bfr::SurfaceFactory& factory, const ControlMesh& mesh)
     : factory_(factory), mesh_(mesh), kept_(mesh.faceSizes.size()) {}
@@ -17,12 +20,14 @@ std::shared_ptr<const PreparedFace> PreparedFaces::face(int index) {
 
 std::shared_ptr<const PreparedFace> PreparedFaces::prepare(int index) const {
     auto prepared = std::make_shared<PreparedFace>();
-    auto& [surface, patchPoints] = *prepared;
+    auto& [surface, patchPoints, largestCoordinate] = *prepared;
     if (!factory_.InitVertexSurface(index, &surface))
         throw InputError(whereOfFace(mesh_, index), "OpenSubdiv can't evaluate its limit surface");
     patchPoints.resize(3 * lengthOf(surface.GetNumPatchPoints()));
     const OpenSubdiv::Bfr::Surface<double>::PointDescriptor xyz(3);
     surface.PreparePatchPoints(&mesh_.points[0].x, xyz, patchPoints.data(), xyz);
+    for (const double coordinate : patchPoints)
+        largestCoordinate = std::max(largestCoordinate, std::abs(coordinate));
     return prepared;
 }
 

@@ -18,6 +18,7 @@ namespace plumbline {
 struct PreparedFace {
     OpenSubdiv::Bfr::Surface<double> surface;
     std::vector<double> patchPoints; // xyz, world
+    double largestCoordinate = 0;    // of the patch points
     uint64_t bytes() const { return patchPoints.size() * sizeof(double); }
 };
 

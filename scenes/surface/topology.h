@@ -1,5 +1,5 @@
-// The connectivity of a control mesh in OpenSubdiv's representation. Only base_surface.cpp and a test include
-// this header, because it is expensive to compile.
+// The connectivity of a control mesh in OpenSubdiv's representation. Few files include it, because
+// OpenSubdiv is expensive to compile.
 #pragma once
 
 #include "scenes/mesh/control_mesh.h"
