@@ -14,8 +14,13 @@ namespace {
 // few cells per grid. If a cell isn't small relative to the patch, the largest deviation is not at the
 // midpoint (for a cubic it is up to 1.3 times larger), and it may be larger between the measured cells.
 constexpr double kBowMargin = 1.5;
+// A direction whose middle along an edge is farther from the mean of both ends than this fraction of their
+// difference jumps there: 1/2 at a jump in a vertex, less than 1/4 for arcs of up to 106 degrees.
+constexpr double kJumpFraction = 0.25;
 // Distance between measured cells, in cells.
 constexpr int kBowStride = 8;
+// Rounding of a normal near a point where S_u and S_v become parallel.
+constexpr double kNormalRounding = 0x1p-20;
 // The vertices are stored as floats, whose coordinates are rounded by a factor of 2^-24 each.
 constexpr double kFloatRounding = 0x1p-23;
 
@@ -48,6 +53,14 @@ struct Bows {
         const Vec3 along = reliefDirection(middle, relief);
         direction = std::max(direction, glm::length(along - 0.5 * (from.direction + to.direction)));
     }
+    /// Counts the edge only if the direction jumps along it, and then by all of its jump.
+    void addJump(const TileVertex& from, const TileVertex& to, const BasePoint& middle,
+                 const Relief* relief) {
+        const double jump = glm::length(to.direction - from.direction);
+        const Vec3 along = reliefDirection(middle, relief);
+        const double bow = glm::length(along - 0.5 * (from.direction + to.direction));
+        if (bow > kJumpFraction * jump + kNormalRounding) direction = std::max({direction, jump, bow});
+    }
 };
 
 class TileMeasure {
@@ -69,6 +82,7 @@ class TileMeasure {
     TileError error(int column0, int row0, int columns, int rows) {
         column0_ = column0, row0_ = row0, columns_ = columns, rows_ = rows;
         measureBase();
+        measureJumps();
         double map = 0, heightRange = 0, tear = 0, coordinate = 0;
         for (int row = row0; row < row0 + rows; ++row)
             for (int column = column0; column < column0 + columns; ++column) {
@@ -124,10 +138,78 @@ class TileMeasure {
                 addEdge(column, row, column + 1, row);
                 addEdge(column, row, column, row + 1);
                 addEdge(column + 1, row, column, row + 1);
+                // The far sides belong to no other cell of the grid. A flat face bounded by curves bows only
+                // there.
+                if (column == column0_ + columns_ - 1) addEdge(column + 1, row, column + 1, row + 1);
+                if (row == row0_ + rows_ - 1) addEdge(column, row + 1, column + 1, row + 1);
             }
         // Cells along a side with fewer samples than steps are as wide as the distance between samples.
         for (int side = 0; side < (lattice_.triangular ? 3 : 4); ++side)
             if (isCoarse(side)) measureSide(side);
+    }
+
+    /// A direction that jumps at a single vertex would be missed between the measured cells: a cusp, or a
+    /// wrong normal. Patches have them at their corners; anywhere else, the direction turns fastest there.
+    void measureJumps() {
+        if (!relief_ || relief_->axisWorld) return;
+        const int columns[] = {column0_, column0_ + columns_}, rows[] = {row0_, row0_ + rows_};
+        for (const int column : columns)
+            for (const int row : rows)
+                if (isPatchCorner(column, row)) addJumpsAround(column, row);
+        const Vec2i turn = sharpestTurn();
+        if (turn.x >= 0) addJumpsAround(turn.x, turn.y);
+    }
+
+    bool isPatchCorner(int column, int row) const {
+        const int x = tile_.column0 + column, y = tile_.row0 + row;
+        return (x == 0 || x == lattice_.columns) && (y == 0 || y == lattice_.rows) &&
+               !(lattice_.triangular && x + y > lattice_.columns);
+    }
+
+    /// The vertex where the direction's second difference along the columns or rows is largest; negative
+    /// where there is none.
+    Vec2i sharpestTurn() const {
+        Vec2i sharpest(-1);
+        double most = kNormalRounding;
+        const auto consider = [&](int column, int row, int alongColumns, int alongRows) {
+            const Vec3 turn = tile_.at(column - alongColumns, row - alongRows).direction +
+                              tile_.at(column + alongColumns, row + alongRows).direction -
+                              2.0 * tile_.at(column, row).direction;
+            if (const double size = glm::dot(turn, turn); size > most) {
+                most = size;
+                sharpest = {column, row};
+            }
+        };
+        for (int row = row0_; row <= row0_ + rows_; ++row)
+            for (int column = column0_ + 1; column < column0_ + columns_; ++column)
+                consider(column, row, 1, 0);
+        for (int row = row0_ + 1; row < row0_ + rows_; ++row)
+            for (int column = column0_; column <= column0_ + columns_; ++column)
+                consider(column, row, 0, 1);
+        return sharpest;
+    }
+
+    /// The edges of the cells around a vertex.
+    void addJumpsAround(int column, int row) {
+        const auto inside = [](int at, int first, int count) { return at >= first && at < first + count; };
+        for (const int r : {row - 1, row})
+            for (const int c : {column - 1, column}) {
+                if (!inside(c, column0_, columns_) || !inside(r, row0_, rows_)) continue;
+                addJump(c, r, c + 1, r);
+                addJump(c, r, c, r + 1);
+                addJump(c + 1, r, c, r + 1);
+                addJump(c + 1, r, c + 1, r + 1);
+                addJump(c, r + 1, c + 1, r + 1);
+            }
+    }
+
+    void addJump(int column, int row, int toColumn, int toRow) {
+        const TileVertex &from = tile_.at(column, row), &to = tile_.at(toColumn, toRow);
+        if (from.base == to.base) return; // snapped to the same position
+        const double before = bows_.direction;
+        bows_.addJump(from, to, middle(column, row, toColumn, toRow), relief_);
+        if (bows_.direction > before)
+            directionRange_ = std::max(directionRange_, glm::length(from.direction - to.direction));
     }
 
     bool isCoarse(int side) const {

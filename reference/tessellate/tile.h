@@ -48,9 +48,9 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
 /// With weights w over a micro-triangle's corners, S, k, h at them and P = S + k h,
 ///     P - sum w P = (S - sum w S) + (k - sum w k) h + (sum w k)(h - sum w h) + sum w k_i (sum w h - h_i):
 /// The terms are the deviations of S and k from linear (0 for an axis), measured at the midpoints of the
-/// edges of some cells and multiplied by kBowMargin; that of h, computed from the texels exactly if st is
-/// linear over a cell (map_deviation.h), otherwise enlarged by the effect of its bend; and a covariance,
-/// which is at most a quarter of the product of the ranges.
+/// edges of some cells, and of those where k may jump, and multiplied by kBowMargin; that of h, computed from
+/// the texels exactly if st is linear over a cell (map_deviation.h), otherwise enlarged by the effect of its
+/// bend; and a covariance, which is at most a quarter of the product of the ranges.
 struct TileError {
     double world;
     bool torn; // a vertex differs from the one its patch alone would have by more than rounding

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <numeric>
 #include <random>
 
 namespace plumbline {
@@ -137,6 +138,35 @@ TEST(Certificate, PixelsChangedByFinerRun_AreUncertain) {
     EXPECT_LE(double(coverage.unmarked), kUnmarkedShare * double(coverage.compared)) << coverage.unmarked;
     EXPECT_LE(double(shadow.unmarked), kUnmarkedShare * double(shadow.compared)) << shadow.unmarked;
     EXPECT_LT(coverage.marked, coverage.compared / 4); // marking everything must not pass
+}
+
+/// A flat sheet with rounded corners, lifted by 0.3, at the rates that the planner chooses: the interior of a
+/// corner's face is flat, so that only its two sides on the boundary bow.
+TEST(Certificate, RoundedSheet_IsWithinItsMarks) {
+    Scene scene;
+    scene.name = "sheet";
+    scene.camera.width = kWidth;
+    scene.camera.height = kHeight;
+    scene.camera.fovYDegrees = 40;
+    SceneObject sheet;
+    sheet.name = "sheet";
+    sheet.mesh = makePlane(2, 2, 3, 3);
+    sheet.mesh.tags.boundaryCornersRound = true;
+    sheet.relief = Relief{std::make_shared<HeightMap>(HeightMap::constant("top", 0)), 0.3, 0.3};
+    scene.objects = {sheet};
+    const float covered = 0.25f * kWidth * kHeight; // at least
+    for (const double turn : {0.0, 90.0, 180.0, 270.0, 37.0}) {
+        SCOPED_TRACE(turn);
+        scene.objects[0].rotateDegrees = {0, turn, 0};
+        scene.camera.positionWorld = {1.6, 1.6, 1.6};
+        const Frame planned = ReferenceScene(scene, {}).render(), fine = renderAt(scene, 256);
+        Tally coverage;
+        addCoverage(planned, fine, coverage);
+        EXPECT_EQ(coverage.unmarked, 0u) << coverage.differing << " differ";
+        EXPECT_LE(coverage.marked, 30u);
+        const auto a = fine.channel("A");
+        EXPECT_GT(std::accumulate(a.begin(), a.end(), 0.0f), covered);
+    }
 }
 
 } // namespace

@@ -134,6 +134,33 @@ TEST(Tessellate, WeldedTears_MeetAtMean) {
               2 * 6 * 8); // only the pair's boundary, in both directions
 }
 
+// The normal of one vertex is reversed, so that directions jump in the middle of the square, along a curve
+// that grids measured at a few of their cells may miss: the surface just beside it is 0.6 from the
+// micro-triangles.
+TEST(Tessellate, JumpOfDirection_IsInErrorBound) {
+    ControlMesh mesh = squareMesh(2, 1);
+    mesh.normals = {{0, 0, 1}, {0, 0, -1}};
+    mesh.faceNormals = {1, 0, 0, 0};
+    const BaseSurface surface(mesh, Scheme::None);
+    const Relief relief{std::make_shared<HeightMap>(HeightMap::constant("top", 0)), 0.3, 0.3};
+    for (const int rate : {8, 16, 64}) {
+        const MicroMesh micro = tessellate(surface, &relief, uniformRates(surface, rate), false);
+        int jumps = 0;
+        for (const MicroGrid& grid : micro.grids) {
+            float low = 1, high = -1;
+            for (int row = 0; row < grid.rows; ++row)
+                for (int column = 0; column < grid.columns; ++column) {
+                    low = std::min(low, micro.positionsWorld[grid.vertex(column, row)].z);
+                    high = std::max(high, micro.positionsWorld[grid.vertex(column, row)].z);
+                }
+            const bool jump = low < 0 && high > 0;
+            jumps += jump;
+            EXPECT_EQ(grid.errorWorld >= 0.6f, jump) << "rate " << rate << ", " << grid.errorWorld;
+        }
+        EXPECT_GT(jumps, 0);
+    }
+}
+
 // With open seams, each face keeps its own displacement along the shared edge, so the edge exists twice, but
 // only where the two differ. At y = 1/2 the depth is 1/2 on both sides.
 TEST(Tessellate, OpenTears_Gape) {
