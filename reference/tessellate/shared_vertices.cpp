@@ -2,6 +2,7 @@
 
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/patch_place.h"
+#include "scenes/surface/weld.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -25,17 +26,22 @@ struct FaceSample {
     Vec3 displaced() const { return position + direction * displacement; }
 };
 
-/// The first face's base position, displaced by the mean displacement along the mean direction.
-Vec3 meanPosition(const std::vector<FaceSample>& samples) {
+/// The first face's base position, displaced by the mean displacement of the sides along their mean
+/// direction.
+Vec3 meanPosition(const std::vector<FaceSample>& samples, const Relief* relief) {
+    std::vector<Displacement> ofFaces;
+    for (const FaceSample& sample : samples)
+        ofFaces.push_back({sample.direction, sample.displacement});
+    const std::vector<Displacement> sides = weldedSides(std::move(ofFaces), relief ? relief->depth : 0);
     Vec3 direction(0);
     double displacement = 0;
-    for (const FaceSample& sample : samples) {
-        direction += sample.direction;
-        displacement += sample.displacement;
+    for (const Displacement& side : sides) {
+        direction += side.direction;
+        displacement += side.height;
     }
     const double length = glm::length(direction);
     if (!(length > 0)) return samples[0].position;
-    return samples[0].position + direction * (displacement / (static_cast<double>(samples.size()) * length));
+    return samples[0].position + direction * (displacement / (static_cast<double>(sides.size()) * length));
 }
 
 bool agree(const FaceSample& a, const FaceSample& b) {
@@ -168,7 +174,7 @@ class SharedVertexBuilder {
             samples.push_back(sampleAt(at));
             if (samples.size() == 1) vertex = makeVertex(at, samples[0]);
         }
-        vertex.position = Vec3f(meanPosition(samples));
+        vertex.position = Vec3f(meanPosition(samples, relief_));
         shared_.vertices_[number] = vertex;
         if (open_) openPlace(number, faces, samples, stepOf);
     }
@@ -192,7 +198,9 @@ class SharedVertexBuilder {
     MicroVertex makeVertex(const PatchPlace& at, const FaceSample& sample) {
         MicroVertex vertex;
         if (!attributes_) return vertex;
-        vertex.normal = displace(evaluators_.local()->sample(at.uv.x, at.uv.y), relief_).normal;
+        const BaseSample base = evaluators_.local()->sample(at.uv.x, at.uv.y);
+        vertex.normal = displace(base, relief_).normal;
+        vertex.baseNormal = base.normal;
         vertex.st = sample.st;
         return vertex;
     }
@@ -217,7 +225,7 @@ class SharedVertexBuilder {
             const PatchPlace at = pointOf(faces[i], stepOf(faces[i]));
             evaluators_.local()->setPatch(at.patch);
             MicroVertex vertex = makeVertex(at, samples[i]);
-            vertex.position = Vec3f(meanPosition(group));
+            vertex.position = Vec3f(meanPosition(group, relief_));
             if (i > 0) shared_.vertices_.emplace_back();
             shared_.vertices_[target] = vertex;
         }

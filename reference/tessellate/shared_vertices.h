@@ -15,16 +15,17 @@ namespace plumbline {
 /// World space.
 struct MicroVertex {
     Vec3f position{0};
-    Vec3f normal{0}; // normal and st only on request
+    // Only on request: of the displaced surface and of its base, and st.
+    Vec3f normal{0}, baseNormal{0};
     Vec2f st{0};
 };
 
 class SharedVertices {
   public:
-    /// Vertices are displaced by the mean displacement of the incident faces along their mean direction. This
-    /// welds the surface where texture coordinates are discontinuous or a crease has two normals. Under
-    /// Seams::Open, faces whose positions differ have separate vertices. `attributes`: also compute normals
-    /// and st, which are the first face's. Parallel.
+    /// Vertices are displaced by the mean displacement of the sides that meet there along their mean
+    /// direction (scenes/surface/weld.h). This welds the surface where texture coordinates are discontinuous
+    /// or a crease has two normals. Under Seams::Open, faces whose positions differ have separate vertices.
+    /// `attributes`: also compute normals and st, which are the first face's. Parallel.
     SharedVertices(const BaseSurface& surface, const Relief* relief, const Rates& rates, bool attributes);
 
     /// The vertex on a side of a patch (numbered like PatchLattice::sides), `segment` segments from the end

@@ -3,6 +3,7 @@
 #include "scenes/surface/base_surface.h"
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/shared_samples.h"
+#include "scenes/surface/weld.h"
 
 #include <algorithm>
 
@@ -15,6 +16,9 @@ constexpr double kSingularFraction = 1e-6;
 // Where the parametrization is singular at a corner (a pole), the derivatives are evaluated this far inside
 // the patch.
 constexpr double kNudge = 0x1p-10;
+// Likewise where S_u and S_v are parallel, as at a smooth corner: they spread with the distance from it, and
+// frames are interpolated from here across a whole triangle.
+constexpr double kSpreadNudge = 0x1p-3;
 
 struct Derivatives {
     Vec3 byS{0}, byT{0}, normalByS{0}, normalByT{0};
@@ -53,7 +57,7 @@ class ProxyBuilder {
   private:
     struct Place {
         Vec3 position{0};
-        Vec3 directionSum{0}; // of the relief directions
+        std::vector<Displacement> byFaces; // by the offset, along each face's relief direction
         bool sampled = false;
         std::vector<size_t> ring;
     };
@@ -83,10 +87,12 @@ class ProxyBuilder {
         vertex.place = place;
         const Vec2 tile = relief_ ? relief_->tile : Vec2(1);
         Derivatives derivatives{};
-        if (!solveDerivatives(base, tile, derivatives)) {
+        const bool solved = solveDerivatives(base, tile, derivatives);
+        if (!solved || base.singular) {
             const double center = surface_.patch(at.patch).triangular ? 1.0 / 3 : 0.5;
+            const double nudge = solved ? kSpreadNudge : kNudge;
             const BaseSample inside =
-                evaluator_.sample(at.u + kNudge * (center - at.u), at.v + kNudge * (center - at.v));
+                evaluator_.sample(at.u + nudge * (center - at.u), at.v + nudge * (center - at.v));
             if (!solveDerivatives(inside, tile, derivatives)) derivatives = Derivatives{};
         }
         vertex.positionS = derivatives.byS;
@@ -99,7 +105,7 @@ class ProxyBuilder {
         Place& here = places_[place];
         if (!here.sampled) here.position = base.position;
         here.sampled = true;
-        here.directionSum += reliefDirection(base, relief_);
+        here.byFaces.push_back({reliefDirection(base, relief_), relief_ ? relief_->offset : 0});
         proxy_.vertices.push_back(vertex);
     }
 
@@ -123,8 +129,11 @@ class ProxyBuilder {
     void pushOut() {
         const double offset = relief_ ? relief_->offset : 0;
         for (Place& place : places_) {
-            const double length = glm::length(place.directionSum);
-            if (length > 0) place.position += place.directionSum * (offset / length);
+            Vec3 direction(0);
+            for (const Displacement& side : weldedSides(std::move(place.byFaces), std::abs(offset)))
+                direction += side.direction;
+            const double length = glm::length(direction);
+            if (length > 0) place.position += direction * (offset / length);
             std::ranges::sort(place.ring);
             place.ring.erase(std::unique(place.ring.begin(), place.ring.end()), place.ring.end());
         }

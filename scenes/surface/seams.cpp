@@ -2,6 +2,7 @@
 
 #include "scenes/surface/displaced_surface.h"
 #include "scenes/surface/patch_place.h"
+#include "scenes/surface/weld.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -14,9 +15,6 @@
 namespace plumbline {
 namespace {
 
-/// Displacements that differ by less than this fraction of the relief's depth count as equal: it is one step
-/// of an 8-bit map, so the difference may be quantization.
-constexpr double kTornFraction = 1.0 / 256;
 /// Jumps of st within this distance of an integer, in texels, count as integer: single-precision exporters
 /// leave errors of about 1e-7 of the largest coordinate, and maps have up to a few thousand texels per side.
 constexpr double kWholeTexels = 1e-2;

@@ -134,6 +134,37 @@ TEST(Tessellate, WeldedTears_MeetAtMean) {
               2 * 6 * 8); // only the pair's boundary, in both directions
 }
 
+/// A sheet in the plane z = 0 torn along x = 0: a pentagon on the left, whose uvs are all in the map's left
+/// texel, and two squares on the right, in the right one.
+ControlMesh pentagonBesideSquares() {
+    ControlMesh mesh;
+    mesh.name = "sheet";
+    mesh.points = {{-1, -1, 0}, {0, -1, 0}, {0, 0, 0}, {0, 1, 0},
+                   {-1, 1, 0},  {1, -1, 0}, {1, 0, 0}, {1, 1, 0}};
+    mesh.faceSizes = {5, 4, 4};
+    mesh.faceVertices = {0, 1, 2, 3, 4, 1, 5, 6, 2, 2, 6, 7, 3};
+    mesh.uvs = {{0.25, 0}, {0.75, 0}};
+    mesh.faceUvs = {0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
+    return mesh;
+}
+
+// Left of the seam d = 1, right of it 0: -0.4 and 0. The vertex in the seam's middle has one face on the left
+// and two on the right, everything else on the seam one on either side.
+TEST(Tessellate, WeldedSeam_IsAtMeanOfSidesNotOfFaces) {
+    const BaseSurface surface(pentagonBesideSquares(), Scheme::None);
+    const Relief relief{
+        std::make_shared<HeightMap>("step", 2, 1, std::vector<float>{1, 0}, Wrap::Clamp, Wrap::Clamp), 0.4,
+        0.0, Vec2(1), Vec2(0)};
+    const MicroMesh micro = tessellate(surface, &relief, uniformRates(surface, 8), false);
+    int checked = 0;
+    for (const Vec3f& p : micro.positionsWorld) {
+        if (p.x != 0) continue;
+        EXPECT_NEAR(p.z, -0.2, 1e-7) << p.y;
+        ++checked;
+    }
+    EXPECT_EQ(checked, 2 * 9 + (5 + 9 + 5)); // of two squares and three of the sub-faces of the pentagon
+}
+
 // The normal of one vertex is reversed, so that directions jump in the middle of the square, along a curve
 // that grids measured at a few of their cells may miss: the surface just beside it is 0.6 from the
 // micro-triangles.
