@@ -3,8 +3,8 @@
 //
 // World space (right-handed, Y up), world units, with exactly the floats that the reference traces. Each
 // vertex has the unit normal of the displaced surface and st, tiled and unwrapped; each triangle has its
-// object. Vertices are shared as described in mesh_numbers.h; at a crease a vertex has the first face's
-// normal. The file's extension selects the format:
+// object. Vertices are shared as described in mesh_numbers.h; at a crease there is one for each of its
+// normals. The file's extension selects the format:
 //   .ply  binary, little-endian. Vertex: float x y z nx ny nz s t. Face: uchar + int vertex_indices, int
 //         object_id, which is the frame's channel id. Comments name the scene and the objects.
 //   .obj  text. v, vt and vn share indices; each object has an `o` line, in the order of ids.

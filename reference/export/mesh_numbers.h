@@ -15,7 +15,7 @@ struct MeshNumbers {
 
 /// Vertices are merged if position, normal and st are bit-identical: grids duplicate the vertices on their
 /// borders, and a lattice those on its coarser sides. At a texture seam, a position keeps one vertex for each
-/// st. The mesh must have attributes (MicroMesh::normalsWorld, st).
+/// st, and at a crease one for each normal. The mesh must have attributes (MicroMesh::normalsWorld, st).
 MeshNumbers numberVertices(const MicroMesh& mesh);
 
 /// Calls visit(a, b, c) with indices into the micro-mesh for every micro-triangle with three different

@@ -3,6 +3,7 @@
 #include "reference/tessellate/shared_vertices.h"
 #include "reference/tessellate/tile.h"
 #include "scenes/surface/displaced_surface.h"
+#include "scenes/surface/weld.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -98,7 +99,7 @@ class Tessellator {
                 MicroVertex& vertex = worker.vertices[index];
                 if (const MicroVertex* shared = sharedAt(tile.patch, lattice, place)) {
                     vertex = *shared;
-                    if (attributes_) separateSt(vertex, *worker.evaluator, lattice, place);
+                    if (attributes_) separateAttributes(vertex, *worker.evaluator, lattice, place);
                     tile.tears[index] = glm::length(Vec3(vertex.position) - tile.vertices[index].displaced());
                 } else {
                     vertex.position = Vec3f(tile.vertices[index].displaced());
@@ -107,14 +108,17 @@ class Tessellator {
             }
     }
 
-    /// A shared vertex has the first face's st. At a texture seam, replaces it with this patch's st.
-    void separateSt(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator, const PatchLattice& lattice,
-                    const Vec2i& place) const {
+    /// A shared vertex has the first face's normal and st. At a texture seam, replaces them with this
+    /// patch's; at a crease, the normal.
+    void separateAttributes(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator,
+                            const PatchLattice& lattice, const Vec2i& place) const {
         const Vec2 uv = uvOf(lattice, place);
         const BasePoint base = evaluator.point(uv.x, uv.y);
         const Vec2 st = textureCoordinates(base, relief_), gap = glm::abs(st - Vec2(vertex.st));
         // Faces with equal uvs at an edge interpolate them to within rounding.
-        if (std::max(gap.x, gap.y) > kSameSt * (1 + glm::length(st))) vertex.st = Vec2f(st);
+        const bool seam = std::max(gap.x, gap.y) > kSameSt * (1 + glm::length(st));
+        if (seam || glm::length(base.normal - Vec3(vertex.baseNormal)) > kTornFraction)
+            addAttributes(vertex, evaluator, lattice, place);
     }
 
     void addAttributes(MicroVertex& vertex, const BaseSurface::Evaluator& evaluator,

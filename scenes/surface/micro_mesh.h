@@ -53,7 +53,7 @@ struct MicroMesh {
     std::vector<MicroGrid> grids;
     std::vector<PatchLattice> lattices; // one per patch
     /// Per vertex, filled only on request, for the control technique and mesh files: the unit normal of the
-    /// displaced surface (at a crease, that of one face) and the patch's st.
+    /// displaced surface and st, the patch's where those of its neighbors differ (at a crease, at a seam).
     std::vector<Vec3f> normalsWorld;
     std::vector<Vec2f> st;
 };

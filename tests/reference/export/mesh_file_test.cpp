@@ -270,5 +270,25 @@ TEST(MeshNumbers, ClosedShell_IsClosed) {
     }
 }
 
+/// A cube with creased edges: each face has its own normals on them, a corner three.
+TEST(MeshNumbers, Crease_HasVertexForEachNormal) {
+    Scene scene = squareScene(nullptr, 0);
+    scene.objects[0].mesh = makeBox(Vec3(2), 1);
+    scene.objects[0].scheme = Scheme::CatmullClark;
+    for (const MeshFace& face : scene.objects[0].mesh.faces())
+        for (size_t k = 0; k < 4; ++k)
+            scene.objects[0].mesh.tags.creases.push_back(
+                {scene.objects[0].mesh.faceVertices[face.corner(k)],
+                 scene.objects[0].mesh.faceVertices[face.corner(k + 1)], kInfinitelySharp});
+    ReferenceOptions options;
+    options.rate = 4;
+    options.microAttributes = true;
+    const ReferenceScene reference(scene, options);
+    const MicroMesh& mesh = reference.microMeshes()[0];
+    EXPECT_EQ(numberVertices(mesh).vertexCount, 6u * 5 * 5);
+    for (size_t i = 0; i < mesh.positionsWorld.size(); ++i) // each is normal to a face it lies in
+        EXPECT_NEAR(glm::dot(mesh.positionsWorld[i], mesh.normalsWorld[i]), 1, 1e-6);
+}
+
 } // namespace
 } // namespace plumbline
