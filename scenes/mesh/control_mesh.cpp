@@ -31,7 +31,8 @@ void checkFaceSizes(const ControlMesh& mesh) {
     if (mesh.faceCount() == 0) throw InputError(mesh.name, "no face", "at least one");
     for (int face = 0; face < mesh.faceCount(); ++face)
         if (const int size = item(mesh.faceSizes, face); size < 3)
-            throw InputError(mesh.name, fmt::format("face {} has {} vertices", face + 1, size), "3 or more");
+            throw InputError(mesh.name, fmt::format("face {} has {} vertices", faceNumber(mesh, face), size),
+                             "3 or more");
 }
 
 void checkArrayLengths(const ControlMesh& mesh, size_t corners) {
@@ -91,9 +92,10 @@ void checkDistinctFaces(const ControlMesh& mesh, const std::vector<MeshFace>& fa
             const auto [place, isNew] =
                 seen.emplace(rotatedVertices(mesh, item(faces, half.face)), half.face);
             if (!isNew)
-                throw InputError(whereOfFace(mesh, half.face),
-                                 fmt::format("has the same vertices as face {}", place->second + 1),
-                                 "each face once");
+                throw InputError(
+                    whereOfFace(mesh, half.face),
+                    fmt::format("has the same vertices as face {}", faceNumber(mesh, place->second)),
+                    "each face once");
         }
     }
 }
@@ -170,9 +172,14 @@ double faceArea(const ControlMesh& mesh, const MeshFace& face) {
 
 } // namespace
 
+int faceNumber(const ControlMesh& mesh, int face) {
+    return mesh.faceNumbers.empty() ? face + 1 : item(mesh.faceNumbers, face);
+}
+
 std::string whereOfFace(const ControlMesh& mesh, int face) {
-    if (mesh.faceLines.empty()) return fmt::format("{}: face {}", mesh.name, face + 1);
-    return fmt::format("{}:{}: face {}", mesh.name, item(mesh.faceLines, face), face + 1);
+    const int number = faceNumber(mesh, face);
+    if (mesh.faceLines.empty()) return fmt::format("{}: face {}", mesh.name, number);
+    return fmt::format("{}:{}: face {}", mesh.name, item(mesh.faceLines, face), number);
 }
 
 std::vector<MeshFace> ControlMesh::faces() const {

@@ -70,6 +70,7 @@ struct ControlMesh {
     std::vector<Vec3> normals;     // unit; empty if the mesh has none. Used only by Scheme::None
     std::vector<int> faceNormals;  // indices into normals, one per entry of faceVertices; empty if none
     std::vector<int> faceLines;    // line of each face in its file, for messages; empty for a shape
+    std::vector<int> faceNumbers; // of each face in its file, from 1, for messages; empty if they are 1, 2, …
     /// Why faceUvs (faceNormals) is empty although some faces of the file have such indices; otherwise empty.
     std::string uvsMissing, normalsMissing;
     SubdivisionTags tags;
@@ -89,6 +90,9 @@ struct ControlMesh {
     const Vec2& uvAt(size_t corner) const { return item(uvs, faceUvs[corner]); }
     const Vec3& normalAt(size_t corner) const { return item(normals, faceNormals[corner]); }
 };
+
+/// The number of a face in messages: in its file, from 1.
+int faceNumber(const ControlMesh& mesh, int face);
 
 /// "name:line: face 3", or without the line for a mesh that has none.
 std::string whereOfFace(const ControlMesh& mesh, int face);

@@ -1,7 +1,9 @@
 #include "scenes/mesh/mesh_defects.h"
 
 #include "scenes/core/disjoint_sets.h"
+#include "scenes/mesh/findings.h"
 #include "scenes/mesh/mesh_edges.h"
+#include "scenes/mesh/outline.h"
 
 #include <fmt/format.h>
 
@@ -20,22 +22,6 @@ constexpr double kRounding = 0x1p-50;
 /// sheets.
 constexpr double kFlatVolume = 1e-9;
 
-/// Occurrences of one kind of defect: the first one is described, the others are counted.
-struct Findings {
-    std::string first;
-    size_t count = 0;
-
-    template <class Describe>
-    void add(const Describe& describe) {
-        if (count++ == 0) first = describe();
-    }
-    /// Appends `meaning` to the description of the first occurrence, then the count of the others.
-    void report(std::vector<std::string>& warnings, const char* meaning) const {
-        if (count == 0) return;
-        warnings.push_back(first + meaning + (count > 1 ? fmt::format(" (and {} more)", count - 1) : ""));
-    }
-};
-
 class DefectFinder {
   public:
     DefectFinder(const ControlMesh& mesh, Scheme scheme)
@@ -52,6 +38,7 @@ class DefectFinder {
         findOpposedFaces();
         findPinchedVertices();
         findFlatFaces();
+        findCrossingOutlines();
         findInsideOutShells();
         findUnusedVertices();
         findTagsWithoutEffect();
@@ -82,7 +69,7 @@ class DefectFinder {
                 found.add([&] {
                     return fmt::format(
                         "{} and face {} run along the edge from vertex {} to {} in the same direction",
-                        whereOfFace(mesh_, edge[1].face), edge[0].face + 1, edge[0].low + 1,
+                        whereOfFace(mesh_, edge[1].face), faceNumber(mesh_, edge[0].face), edge[0].low + 1,
                         edge[0].high + 1);
                 });
         found.report(
@@ -123,6 +110,16 @@ class DefectFinder {
         flat.report(warnings_, smooth() ? ": it still shapes the limit surface" : ": it is invisible");
         collapsed.report(warnings_, smooth() ? ": it is subdivided as if they were two"
                                              : ": normals vary abruptly there");
+    }
+
+    /// Under Scheme::None these are dropped (cut_faces.h).
+    void findCrossingOutlines() {
+        if (smooth()) return;
+        Findings found;
+        for (const MeshFace& face : faces_)
+            if (outlineOf(mesh_, face).kind == OutlineKind::Crossing)
+                found.add([&] { return whereOfFace(mesh_, face.index) + " crosses its own outline"; });
+        found.report(warnings_, ": it has no inside and is left out");
     }
 
     /// A shell is closed if every edge has two faces with opposite directions.

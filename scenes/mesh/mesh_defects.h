@@ -14,6 +14,7 @@ namespace plumbline {
 /// - Adjacent faces with opposite orientation. Their edge becomes infinitely sharp and its ends corners.
 /// - Vertices whose faces form several fans without a common edge, which become corners.
 /// - Faces without area or with coincident vertices.
+/// - Faces whose outline crosses itself under Scheme::None, which are left out.
 /// - Closed shells whose faces point inwards.
 /// - Vertices not used by any face, which are left out.
 /// - Creases and corners under Scheme::None, which have no effect.

@@ -4,6 +4,7 @@
 #include "scenes/core/error.h"
 #include "scenes/core/numbers.h"
 #include "scenes/core/read_file.h"
+#include "scenes/mesh/cut_faces.h"
 #include "scenes/mesh/obj_lines.h"
 #include "scenes/mesh/obj_tags.h"
 
@@ -279,6 +280,7 @@ class ObjReader {
 ControlMesh readObj(const std::filesystem::path& file) {
     const std::string text = readWholeFile(file);
     ControlMesh mesh = ObjReader(file.string(), text).read();
+    repairFaces(mesh);
     checkControlMesh(mesh, Scheme::CatmullClark); // what every scheme requires
     return mesh;
 }

@@ -6,10 +6,11 @@ namespace plumbline {
 
 namespace {
 
-/// Angle between the two edges of a face that meet at the corner b.
-double cornerAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 e = a - b, f = c - b;
-    return std::atan2(glm::length(glm::cross(e, f)), glm::dot(e, f));
+/// Angle inside a face between its edges that meet at the corner b; `normal` is the face's.
+double cornerAngle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& normal) {
+    const Vec3 e = a - b, f = c - b, across = glm::cross(f, e);
+    const double angle = std::atan2(glm::length(across), glm::dot(e, f));
+    return glm::dot(across, normal) < 0 ? 2 * kPi - angle : angle;
 }
 
 /// Normal of a polygon, its length twice the area (Newell).
@@ -47,8 +48,9 @@ void addAngleWeightedNormals(ControlMesh& mesh) {
     for (const MeshFace& face : mesh.faces()) {
         const Vec3 normal = unitOrZero(polygonNormal(mesh, face));
         for (size_t k = 0; k < face.size; ++k) {
-            const double angle = cornerAngle(mesh.pointAt(face.corner(k + face.size - 1)),
-                                             mesh.pointAt(face.corner(k)), mesh.pointAt(face.corner(k + 1)));
+            const double angle =
+                cornerAngle(mesh.pointAt(face.corner(k + face.size - 1)), mesh.pointAt(face.corner(k)),
+                            mesh.pointAt(face.corner(k + 1)), normal);
             item(mesh.normals, mesh.faceVertices[face.corner(k)]) += normal * angle;
         }
     }

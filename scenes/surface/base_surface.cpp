@@ -1,6 +1,7 @@
 #include "scenes/surface/base_surface.h"
 
 #include "scenes/core/error.h"
+#include "scenes/mesh/cut_faces.h"
 #include "scenes/mesh/vertex_normals.h"
 #include "scenes/surface/base_surface_impl.h"
 #include "scenes/surface/limit_check.h"
@@ -38,7 +39,8 @@ BaseSurface::Impl::Impl(ControlMesh meshWorld, Scheme schemeOfMesh)
     checkControlMesh(mesh, scheme);
     if (scheme != Scheme::None) checkLimitTopology(mesh);
     if (scheme == Scheme::None) {
-        if (!mesh.hasNormals()) addAngleWeightedNormals(mesh);
+        if (!mesh.hasNormals()) addAngleWeightedNormals(mesh); // before: they don't depend on the cuts
+        cutConcaveFaces(mesh);
     }
     refiner = makeTopology(mesh, scheme);
     if (scheme != Scheme::None) {

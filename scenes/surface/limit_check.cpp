@@ -55,7 +55,7 @@ class LimitTopology {
                     fail(face.index,
                          fmt::format("vertex {} has no edge beside those it shares with face {}, and a sharp "
                                      "edge is near",
-                                     mesh_.faceVertices[face.corner(k)] + 1, other + 1));
+                                     mesh_.faceVertices[face.corner(k)] + 1, faceNumber(mesh_, other)));
             }
         }
     }
@@ -154,7 +154,7 @@ void checkFacesMeet(const BaseSurface& surface) {
                 throw InputError(
                     whereOfFace(mesh, face),
                     fmt::format("OpenSubdiv leaves a gap of {:.3g} between its surface and that of face {}",
-                                gap, place->second.face + 1),
+                                gap, faceNumber(mesh, place->second.face)),
                     "fewer surfaces that meet there", "scheme \"none\" takes any number");
         }
     }

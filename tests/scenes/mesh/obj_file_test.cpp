@@ -97,7 +97,7 @@ TEST(ObjFile, Faults_NameTheirLine) {
         {kSquare + "f 1 2 99999999999999999999\n", "is not a corner of a face"},
         {kSquare + "vt 0 0\nf 1/1 2/1 3\n",
          "a.obj:6: corners '1/1' and '3' of one face have different kinds"},
-        {kSquare + "f 1 2 2\n", "a.obj:5: face 1: vertex 2 occurs twice"},
+        {kSquare + "f 1 2 2\n", "a.obj:5: face 1 names vertex 2 twice: and no other face is left"},
         {kSquare + "surf 0 1 0 1 1\n", "a.obj:5: 'surf' is not supported"},
         {kSquare, "a.obj: has no face"},
         {"v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n", "no area"},
