@@ -3,6 +3,7 @@
 #include "scenes/core/error.h"
 #include "scenes/core/numbers.h"
 #include "scenes/draft/draft_view.h"
+#include "scenes/mesh/merge_vertices.h"
 #include "scenes/scene/scene_limits.h"
 
 #include <fmt/format.h>
@@ -156,6 +157,14 @@ SceneDraft draftScene(const ControlMesh& mesh, const HeightMap& map, const Draft
     SceneDraft draft;
     draft.scheme = wishes.scheme ? *wishes.scheme : chooseScheme(mesh, draft.reasons.scheme);
     ControlMesh placed = mesh;
+    if (const size_t edges = countEdgesOnEdges(mesh)) {
+        draft.merge = true;
+        draft.reasons.merge =
+            fmt::format("{} boundary edges lie on another one: their vertices are merged, or a "
+                        "relief would part the faces.",
+                        edges);
+        mergeVertices(placed, samePlaceDistance(mesh));
+    }
     draft.lengthStep = 5e-4 * bounds.diagonal(); // a quarter of a pixel if the object fills the image
     if (glm::length(bounds.center()) > kFarAway * 0.5 * bounds.diagonal()) {
         draft.translate = -bounds.center();

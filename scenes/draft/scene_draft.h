@@ -23,10 +23,11 @@ struct SceneDraft {
     int proxyRate = 1;
     double depth = 0; // world units
     Vec2 tile{1, 1};
+    bool merge = false;    // vertices at the same place
     double lengthStep = 0; // world units: resolution at which positions are written
     /// One or two sentences each; may be empty.
     struct Reasons {
-        std::string camera, light, translate, scheme, proxyRate, depth, tile;
+        std::string camera, light, translate, scheme, merge, proxyRate, depth, tile;
     } reasons;
 };
 

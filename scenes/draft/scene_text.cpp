@@ -92,6 +92,7 @@ std::string sceneText(const SceneDraft& draft, const std::filesystem::path& mesh
                         storesHeight ? "height" : "depth", wrapText(map.wrapS()), wrapText(map.wrapT()),
                         meshName, meshText);
     text += comment(why.scheme) + fmt::format("scheme = \"{}\"\n", schemeText(draft.scheme));
+    if (draft.merge) text += comment(why.merge) + "merge = true\n";
     text += comment(why.proxyRate) + fmt::format("proxy_rate = {}\n", draft.proxyRate);
     if (draft.translate != Vec3(0))
         text += comment(why.translate) +

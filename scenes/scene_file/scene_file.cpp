@@ -11,6 +11,7 @@
 #include "scenes/scene/scene_limits.h"
 #include "scenes/scene_file/scene_camera.h"
 #include "scenes/scene_file/scene_creases.h"
+#include "scenes/scene_file/scene_merge.h"
 #include "scenes/scene_file/scene_shape.h"
 #include "scenes/surface/limit_check.h"
 #include "scenes/toml/toml_table.h"
@@ -143,6 +144,10 @@ class SceneReader {
                        "file or generate");
         maps_[name] = std::make_shared<const HeightMap>(
             table.has("file") ? readPictureMap(table, wrapS, wrapT) : readGeneratedMap(table, wrapS, wrapT));
+        if (const HeightMap& map = *maps_[name]; map.minDepth() == map.maxDepth())
+            scene_.warnings.push_back(
+                fmt::format("height_map {}: {} is constant, with the depth {}: its relief has no detail",
+                            name, map.name(), map.minDepth()));
         table.finish();
     }
 
@@ -184,6 +189,10 @@ class SceneReader {
             checkSurface(table, object);
             for (const std::string& warning : meshWarnings(object.mesh, object.scheme))
                 scene_.warnings.push_back(object.name + ": " + warning);
+            // Polygons without a relief look the same either way.
+            if (table.has("mesh") && (object.relief || object.scheme != Scheme::None))
+                if (const auto warning = looseFacesWarning(object.mesh))
+                    scene_.warnings.push_back(object.name + ": " + *warning);
             scene_.objects.push_back(std::move(object));
         }
     }
@@ -204,6 +213,7 @@ class SceneReader {
             table.fail("mesh", "normals of " + object.mesh.name + ": " + object.mesh.normalsMissing,
                        "normals on every face or on none under scheme \"none\"");
         readCreases(table, object.scheme, object.mesh);
+        readMerge(table, object.mesh);
     }
 
     static void checkSurface(const TomlTable& table, const SceneObject& object) {
