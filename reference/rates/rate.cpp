@@ -25,9 +25,11 @@ constexpr double kFallPerRung = 2.8;
 // Texels per cell at the initial rate: coarse enough for maps finer than the image, fine enough that few
 // texels are in cells whose error isn't measured.
 constexpr double kFirstTexels = 2;
-// Once cells are smaller than half a texel, two doublings must reduce the error below this fraction, or the
-// face isn't refined further.
+// Once cells are smaller than half a texel and the face has kRegularRate of them, two doublings must reduce
+// the error below this fraction, or the face isn't refined further. On coarser lattices bows don't fall
+// regularly.
 constexpr double kFalling = 0.7;
+constexpr int kRegularRate = 16;
 // Doubling the rate along one axis only is preferred if it reduces the error below this fraction.
 constexpr double kWorthAlone = 0.6;
 
@@ -123,10 +125,11 @@ class LadderBuilder {
         return {rate, scale * error.world, error.region};
     }
 
-    /// Whether a cell is at most half a texel large; from there on errors decrease with the rate.
+    /// Whether a cell is at most half a texel large, and small on the face; from there on errors decrease
+    /// with the rate.
     bool isWithinTexels(const Vec2i& rate, int face) const {
         const Vec2 texels = probe_.texelsAcross(face);
-        return rate.x >= 2 * texels.x && rate.y >= 2 * texels.y;
+        return rate.x >= 2 * texels.x && rate.y >= 2 * texels.y && std::max(rate.x, rate.y) >= kRegularRate;
     }
 
     /// The next rate: doubles one axis if that gains nearly as much as doubling both, trying the axis with
