@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <unordered_map>
 
 namespace plumbline {
@@ -14,29 +13,33 @@ namespace plumbline {
 namespace {
 
 constexpr double kSamePlace = 1e-6; // samePlaceDistance
-/// Cells are this much larger than the distance, so that rounding doesn't put a neighbor two cells away.
-constexpr double kCellMargin = 1.001;
+/// Side of a cell, in distances: few places are near another cell, and few fit into one.
+constexpr double kCellDistances = 4;
+/// Cells this many distances away are searched, so that rounding hides none.
+constexpr double kReach = 1.001;
 
 /// Finds points within a distance of a place, in cubic cells.
 class PlaceIndex {
   public:
-    explicit PlaceIndex(double distance) : distance_(distance), cell_(kCellMargin * distance) {}
+    explicit PlaceIndex(double distance) : distance_(distance), cell_(kCellDistances * distance) {}
 
     /// The first added point within the distance; otherwise adds this one, as `number`, and returns it.
     int firstNear(const Vec3& point, int number) {
-        const Vec3 cell = cellOf(point);
+        const Vec3 low = cellOf(point - kReach * distance_), high = cellOf(point + kReach * distance_);
         int nearest = -1;
-        for (int x = -1; x <= 1; ++x)
-            for (int y = -1; y <= 1; ++y)
-                for (int z = -1; z <= 1; ++z) {
-                    const auto found = cells_.find(cell + Vec3(x, y, z));
-                    if (found == cells_.end()) continue;
-                    for (const auto& [other, at] : found->second)
-                        if (glm::length(at - point) <= distance_ && (nearest < 0 || other < nearest))
-                            nearest = other;
-                }
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vec3 cell((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
+                            (corner & 4) != 0 ? high.z : low.z);
+            const bool repeats = ((corner & 1) != 0 && high.x == low.x) ||
+                                 ((corner & 2) != 0 && high.y == low.y) ||
+                                 ((corner & 4) != 0 && high.z == low.z);
+            const auto found = repeats ? cells_.end() : cells_.find(cell);
+            if (found == cells_.end()) continue;
+            for (const auto& [other, at] : found->second)
+                if (glm::length(at - point) <= distance_ && (nearest < 0 || other < nearest)) nearest = other;
+        }
         if (nearest >= 0) return nearest;
-        cells_[cell].emplace_back(number, point);
+        cells_[cellOf(point)].emplace_back(number, point);
         return number;
     }
 
@@ -89,16 +92,25 @@ double samePlaceDistance(const ControlMesh& mesh) {
 size_t countEdgesOnEdges(const ControlMesh& mesh) {
     const MeshEdges edges(mesh);
     PlaceIndex places(samePlaceDistance(mesh));
-    std::map<std::pair<int, int>, size_t> edgesBetween;
+    std::vector<int> known(mesh.points.size(), -1);
+    const auto placeOf = [&](int vertex) {
+        int& place = item(known, vertex);
+        if (place < 0) place = places.firstNear(item(mesh.points, vertex), vertex);
+        return place;
+    };
+    std::vector<std::pair<int, int>> ends; // of each boundary edge
     for (const auto& edge : edges.edges()) {
         if (edge.size() != 1) continue;
-        const auto placeOf = [&](int vertex) { return places.firstNear(item(mesh.points, vertex), vertex); };
         const int low = placeOf(edge[0].low), high = placeOf(edge[0].high);
-        if (low != high) ++edgesBetween[std::minmax(low, high)];
+        if (low != high) ends.push_back(std::minmax(low, high));
     }
+    std::ranges::sort(ends);
     size_t count = 0;
-    for (const auto& [ends, edgesThere] : edgesBetween)
-        if (edgesThere > 1) count += edgesThere;
+    for (size_t first = 0, end = 0; first < ends.size(); first = end) {
+        while (end < ends.size() && ends[end] == ends[first])
+            ++end;
+        if (end - first > 1) count += end - first;
+    }
     return count;
 }
 
