@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <set>
 #include <utility>
 
 namespace plumbline {
@@ -147,12 +149,21 @@ class FaceRepairer {
         const auto triangles = cutOutline(outline.points);
         if (triangles.empty()) return drops_.add(describe);
         cuts_.add(describe);
+        std::set<std::array<int, 3>> seen; // an outline may go around twice
         for (const auto& [a, b, c] : triangles)
-            rebuilder_.add(face, {corners[a], corners[b], corners[c]});
+            if (seen.insert(rotated(vertexAt(corners[a]), vertexAt(corners[b]), vertexAt(corners[c]))).second)
+                rebuilder_.add(face, {corners[a], corners[b], corners[c]});
     }
 
-    /// Removes vertices that follow themselves, and edges there and back. What precedes a removed corner is looked
-    /// at again, so that a path there and back shrinks from its end.
+    /// The same for a triangle whichever vertex it begins with.
+    static std::array<int, 3> rotated(int a, int b, int c) {
+        std::array<int, 3> vertices{a, b, c};
+        std::rotate(vertices.begin(), std::ranges::min_element(vertices), vertices.end());
+        return vertices;
+    }
+
+    /// Removes vertices that follow themselves, and edges there and back. What precedes a removed corner is
+    /// looked at again, so that a path there and back shrinks from its end.
     void shorten(Corners& corners) const {
         Corners kept;
         const auto isSpike = [&](const Corners& at) {

@@ -1,6 +1,5 @@
 // Concave polygons, outlines that touch or cross themselves, and faces that name a vertex twice.
 #include "scenes/mesh/cut_faces.h"
-
 #include "scenes/mesh/mesh_defects.h"
 #include "scenes/mesh/outline.h"
 #include "scenes/surface/base_surface.h"
@@ -8,9 +7,9 @@
 #include "tests/scenes/mesh/mesh_checks.h"
 #include "tests/scenes/mesh/test_meshes.h"
 
-#include <gmock/gmock.h>
-
 #include <glm/gtc/quaternion.hpp>
+
+#include <gmock/gmock.h>
 #include <random>
 
 namespace plumbline {
@@ -56,22 +55,23 @@ double surfaceArea(const ControlMesh& mesh) {
     double area = 0;
     for (const MeshFace& face : mesh.faces())
         for (size_t k = 1; k + 1 < face.size; ++k)
-            area += 0.5 * glm::length(glm::cross(mesh.pointAt(face.corner(k)) - mesh.pointAt(face.firstCorner),
-                                                 mesh.pointAt(face.corner(k + 1)) - mesh.pointAt(face.firstCorner)));
+            area += 0.5 * glm::length(
+                              glm::cross(mesh.pointAt(face.corner(k)) - mesh.pointAt(face.firstCorner),
+                                         mesh.pointAt(face.corner(k + 1)) - mesh.pointAt(face.firstCorner)));
     return area;
 }
 
-const std::vector<Vec2> kL{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}; // area 5
+const std::vector<Vec2> kL{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};                 // area 5
 const std::vector<Vec2> kU{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}; // area 7
-const std::vector<Vec2> kArrow{{0, 0}, {2, 1}, {0, 2}, {0.5, 1}};    // turns right at the last; area 1.5
+const std::vector<Vec2> kArrow{{0, 0}, {2, 1}, {0, 2}, {0.5, 1}}; // turns right at the last; area 1.5
 const std::vector<Vec2> kBowTie{{0, 0}, {2, 2}, {2, 0}, {0, 1}};
 
 TEST(Outline, Kinds_AreTold) {
     EXPECT_EQ(kindOf({{0, 0}, {1, 0}, {1, 1}, {0, 1}}), OutlineKind::Convex);
-    EXPECT_EQ(kindOf({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}), OutlineKind::Convex); // straight at (1, 0)
+    EXPECT_EQ(kindOf({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {0, 1}}), OutlineKind::Convex);    // straight at (1, 0)
     EXPECT_EQ(kindOf({{0, 0}, {1, 1e-6}, {2, 0}, {2, 1}, {0, 1}}), OutlineKind::Convex); // by rounding
-    EXPECT_EQ(kindOf({{0, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}), OutlineKind::Convex); // two at one place
-    EXPECT_EQ(kindOf({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), OutlineKind::Convex);         // no area
+    EXPECT_EQ(kindOf({{0, 0}, {0, 0}, {1, 0}, {1, 1}, {0, 1}}), OutlineKind::Convex);    // two at one place
+    EXPECT_EQ(kindOf({{0, 0}, {1, 0}, {2, 0}, {3, 0}}), OutlineKind::Convex);            // no area
     EXPECT_EQ(kindOf(kL), OutlineKind::Concave);
     EXPECT_EQ(kindOf(kArrow), OutlineKind::Concave);
     EXPECT_EQ(kindOf(kBowTie), OutlineKind::Crossing);
@@ -195,14 +195,17 @@ TEST(CutConcaveFaces, TooManyCorners_AreRefused) {
         comb.push_back({k, k % 2});
     std::reverse(comb.begin(), comb.end());
     ControlMesh mesh = polygon(comb);
-    EXPECT_THAT(inputErrorOf([&] { cutConcaveFaces(mesh); }), HasSubstr("10003 corners and a concave outline"));
+    EXPECT_THAT(inputErrorOf([&] { cutConcaveFaces(mesh); }),
+                HasSubstr("10003 corners and a concave outline"));
     comb.erase(comb.begin() + 10, comb.begin() + 20);
     expectCut(comb); // within seconds
 }
 
 ControlMesh repaired(std::initializer_list<int> vertices) {
-    // 0 to 3: a square of side 3; 4 to 7: one of side 1 inside it, clockwise; 8 to 10: a triangle beside them.
-    ControlMesh mesh = polygon({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {5, 0}, {6, 0}, {5, 1}});
+    // 0 to 3: a square of side 3; 4 to 7: one of side 1 inside it, clockwise; 8 to 10: a triangle beside
+    // them.
+    ControlMesh mesh =
+        polygon({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1, 1}, {1, 2}, {2, 2}, {2, 1}, {5, 0}, {6, 0}, {5, 1}});
     mesh.faceSizes.clear();
     mesh.faceVertices.clear();
     addFace(mesh, vertices);
@@ -236,6 +239,26 @@ TEST(RepairFaces, TwoLoopsAtOneVertex_AreBothKept) {
     const ControlMesh mesh = repaired({0, 1, 7, 2, 3, 7}); // pinched at (2, 1)
     EXPECT_THAT(mesh.warnings, ElementsAre(HasSubstr("names vertex 8 twice")));
     EXPECT_NEAR(surfaceArea(mesh), 1.5 + 3 + 0.5, 1e-12);
+}
+
+TEST(RepairFaces, OutlineTwiceAround_CountsOnce) {
+    EXPECT_NEAR(surfaceArea(repaired({0, 1, 2, 3, 0, 1, 2, 3})), 9 + 0.5, 1e-12);
+}
+
+TEST(RepairFaces, RandomFaces_AreFacesOrLeftOut) {
+    std::mt19937 random(9);
+    for (int run = 0; run < 3000; ++run) {
+        ControlMesh mesh = polygon({{0, 0}, {2, 0}, {1, 1}, {2, 2}, {0, 2}, {1, 0.5}});
+        mesh.points.insert(mesh.points.end(), {{8, 0, 0}, {9, 0, 0}, {9, 0, -1}});
+        mesh.faceSizes = {3 + run % 9};
+        mesh.faceVertices.clear();
+        for (int k = 0; k < mesh.faceSizes[0]; ++k)
+            mesh.faceVertices.push_back(static_cast<int>(random() % 6));
+        addFace(mesh, {6, 7, 8});
+        repairFaces(mesh);
+        checkControlMesh(mesh, Scheme::CatmullClark);
+        EXPECT_EQ(BaseSurface(mesh, Scheme::None).mesh().faceVertices.back(), 8);
+    }
 }
 
 TEST(RepairFaces, NothingLeft_IsDropped) {
