@@ -179,15 +179,14 @@ class FaceRepairer {
         for (bool changed = true; changed && kept.size() - first >= 2;) {
             changed = true;
             const size_t last = kept.size() - 1;
-            if (vertexAt(kept[last]) == vertexAt(kept[first])) {
+            const auto same = [&](size_t a, size_t b) { return vertexAt(kept[a]) == vertexAt(kept[b]); };
+            const bool canSpike = last - first >= 2;
+            if (same(last, first) || (canSpike && same(last - 1, first)))
                 kept.pop_back();
-            } else if (last - first >= 2 && vertexAt(kept[last]) == vertexAt(kept[first + 1])) {
-                ++first; // b a … b: the first one is the spike's end
-            } else if (last - first >= 2 && vertexAt(kept[last - 1]) == vertexAt(kept[first])) {
-                kept.pop_back();
-            } else {
+            else if (canSpike && same(last, first + 1))
+                ++first; // the first one is a spike's end
+            else
                 changed = false;
-            }
         }
         corners.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.end());
     }

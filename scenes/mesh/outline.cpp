@@ -9,11 +9,12 @@ namespace plumbline {
 
 namespace {
 
-/// Sine of a turn the wrong way up to which a corner counts as straight. Coordinates that a file rounds to six
-/// digits give 1e-6 on an edge as long as the mesh and 1e-4 on one of a hundredth of it; a quad folds there by as
-/// little of an edge.
+/// Sine of a turn the wrong way up to which a corner counts as straight. Coordinates that a file rounds to
+/// six digits give 1e-6 on an edge as long as the mesh and 1e-4 on one of a hundredth of it; a quad folds
+/// there by as little of an edge.
 constexpr double kStraightSine = 1e-4;
-/// Area vectors below this fraction of the squared perimeter have canceled: an 8 has none. Rounding leaves 1e-15.
+/// Area vectors below this fraction of the squared perimeter have canceled: an 8 has none. Rounding leaves
+/// 1e-15.
 constexpr double kNoArea = 1e-9;
 /// Three points within this fraction of their squared distances are on a line: 16 roundings of a double.
 constexpr double kCollinear = 0x1p-48;
@@ -133,8 +134,8 @@ class EarClipper {
     }
 
   private:
-    /// What must not be in an ear: other corners, on its border either; corners inside it; anything (then an ear
-    /// only needs to have no negative area).
+    /// What must not be in an ear: other corners, on its border either; corners inside it; anything (then an
+    /// ear only needs to have no negative area).
     enum class Strictness { Closed, Open, Any };
 
     double turnAt(size_t i) const { return turnOf(points_[previous_[i]], points_[i], points_[next_[i]]); }

@@ -29,10 +29,11 @@ void readMerge(const TomlTable& object, ControlMesh& mesh) {
 std::optional<std::string> looseFacesWarning(const ControlMesh& mesh) {
     const size_t edges = countEdgesOnEdges(mesh);
     if (edges == 0) return std::nullopt;
-    return fmt::format("{}: {} boundary edges lie on another boundary edge: the faces there share no vertices, so "
-                       "that a relief parts them and nothing is smoothed across; merge = true in the object "
-                       "joins them",
-                       mesh.name, edges);
+    return fmt::format(
+        "{}: {} boundary edges lie on another boundary edge: the faces there share no vertices, so "
+        "that a relief parts them and nothing is smoothed across; merge = true in the object "
+        "joins them",
+        mesh.name, edges);
 }
 
 } // namespace plumbline

@@ -8,8 +8,8 @@
 
 namespace plumbline {
 
-/// `merge = true` merges vertices at the same place (merge_vertices.h), `merge = DISTANCE` those within a distance
-/// in the mesh's units. Creases must have been read before, because they count the file's vertices.
+/// `merge = true` merges vertices at the same place (merge_vertices.h), `merge = DISTANCE` those within a
+/// distance in the mesh's units. Creases must have been read before, because they count the file's vertices.
 void readMerge(const TomlTable& object, ControlMesh& mesh);
 
 /// A warning if faces of the mesh touch along edges that they don't share; nothing if there are none.

@@ -1,10 +1,8 @@
 #include "scenes/mesh/merge_vertices.h"
-
 #include "tests/scenes/mesh/mesh_checks.h"
 #include "tests/scenes/mesh/test_meshes.h"
 
 #include <gmock/gmock.h>
-
 #include <random>
 
 namespace plumbline {
@@ -66,13 +64,14 @@ TEST(MergeVertices, DistanceLargerThanEdges_DropsFaces) {
     EXPECT_EQ(mergeVertices(mesh, 0.1), 2u);
     EXPECT_EQ(mesh.faceCount(), 7);
     EXPECT_EQ(mesh.faceSizes.back(), 3); // 0 7 7 1
-    EXPECT_THAT(mesh.warnings, testing::ElementsAre(testing::HasSubstr("once counts"),
-                                                    testing::HasSubstr("left out")));
+    EXPECT_THAT(mesh.warnings,
+                testing::ElementsAre(testing::HasSubstr("once counts"), testing::HasSubstr("left out")));
 }
 
 TEST(MergeVertices, Tags_FollowTheirVertices) {
     ControlMesh mesh = looseCube(0);
-    mesh.tags.creases = {{4, 5, 3}, {0, 4, 2}}; // corners 4 and 5 are the second face's, at the cube's 4 and 5
+    mesh.tags.creases = {{4, 5, 3},
+                         {0, 4, 2}}; // corners 4 and 5 are the second face's, at the cube's 4 and 5
     mesh.tags.corners = {{5, 4}};
     const Vec3 from = mesh.points[4], to = mesh.points[5];
     mergeVertices(mesh, 1e-6);

@@ -37,20 +37,24 @@ TEST_F(SceneFile, LooseFaces_AreWarnedOfAndMerged) {
 }
 
 TEST_F(SceneFile, MergeWithoutEffect_IsWarnedOf) {
-    EXPECT_THAT(read(withFields("merge = true")).warnings, Contains(HasSubstr("merge = true merges no vertices")));
+    EXPECT_THAT(read(withFields("merge = true")).warnings,
+                Contains(HasSubstr("merge = true merges no vertices")));
 }
 
 TEST_F(SceneFile, Creases_CountVerticesBeforeMerging) {
     writeFile(folder_ / "quad.obj", kLooseQuads);
-    const Scene scene = read(with("scheme = \"none\"", "merge = true\ncreases = [{ edges = [8, 7], sharpness = 3 }]"));
+    const Scene scene =
+        read(with("scheme = \"none\"", "merge = true\ncreases = [{ edges = [8, 7], sharpness = 3 }]"));
     ASSERT_EQ(scene.objects[0].mesh.tags.creases.size(), 1u);
-    EXPECT_EQ(std::minmax(scene.objects[0].mesh.tags.creases[0].from, scene.objects[0].mesh.tags.creases[0].to),
-              std::minmax(2, 5)); // vertices 3 and 7 of the file, of which 5 and 8 are gone
+    EXPECT_EQ(
+        std::minmax(scene.objects[0].mesh.tags.creases[0].from, scene.objects[0].mesh.tags.creases[0].to),
+        std::minmax(2, 5)); // vertices 3 and 7 of the file, of which 5 and 8 are gone
 }
 
 TEST_F(SceneFile, FaultyMerge_NamesField) {
     const std::pair<const char*, const char*> cases[] = {
-        {"merge = \"yes\"", "object.merge: is \"yes\"; expected true, false or a distance in the mesh's units"},
+        {"merge = \"yes\"",
+         "object.merge: is \"yes\"; expected true, false or a distance in the mesh's units"},
         {"merge = [true]", "object.merge: is an array of 1; expected true or false"},
         {"merge = []", "object.merge: is an array; expected true, false or a distance"},
         {"merge = -1", "object.merge: is -1; expected"},

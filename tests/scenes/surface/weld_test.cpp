@@ -1,6 +1,5 @@
-#include "scenes/surface/weld.h"
-
 #include "scenes/surface/proxy_mesh.h"
+#include "scenes/surface/weld.h"
 #include "tests/scenes/mesh/test_meshes.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +13,8 @@ namespace {
 const Vec3 kUp(0, 0, 1), kOut(1, 0, 0);
 
 TEST(WeldedSides, GroupsThatAgree_CountOnce) {
-    const auto sides = weldedSides({{kUp, 0}, {kOut, -0.5}, {kUp, -1}, {kOut, -0.5}, {kUp, -1}, {kUp, -1}}, 1);
+    const auto sides =
+        weldedSides({{kUp, 0}, {kOut, -0.5}, {kUp, -1}, {kOut, -0.5}, {kUp, -1}, {kUp, -1}}, 1);
     ASSERT_EQ(sides.size(), 3u);
     double heights = 0;
     for (const Displacement& side : sides)
