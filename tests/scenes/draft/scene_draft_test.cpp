@@ -211,6 +211,22 @@ TEST_F(Drafts, ProxyRate_GivesAboutFiveHundredPolygons) {
     EXPECT_EQ(draftScene(makePlane(2, 2, 1, 1), halfDeep(), {}).proxyRate, 1); // flat
 }
 
+TEST_F(Drafts, LooseFaces_AreMerged) {
+    ControlMesh loose = makeBox({1, 1, 1}, 1);
+    const ControlMesh box = loose;
+    loose.points.clear();
+    for (size_t corner = 0; corner < box.faceVertices.size(); ++corner) {
+        loose.points.push_back(box.pointAt(corner));
+        loose.faceVertices[corner] = static_cast<int>(corner);
+    }
+    EXPECT_FALSE(draftScene(box, halfDeep(), {}).merge);
+    EXPECT_TRUE(draftScene(loose, halfDeep(), {}).merge);
+    const Scene scene = draftAndRead(loose);
+    EXPECT_EQ(scene.objects[0].mesh.points.size(), 8u);
+    for (const std::string& warning : scene.warnings)
+        EXPECT_THAT(warning, testing::Not(HasSubstr("boundary edges")));
+}
+
 TEST_F(Drafts, GivenOptions_OverrideDraft) {
     const Scene scene = draftAndRead(makeTorus(1, 0.4, 16, 8),
                                      {.scheme = Scheme::None, .depth = 0.123, .tile = Vec2(-2.5, 0.25)});
