@@ -53,13 +53,18 @@ struct Bows {
         const Vec3 along = reliefDirection(middle, relief);
         direction = std::max(direction, glm::length(along - 0.5 * (from.direction + to.direction)));
     }
-    /// Counts the edge only if the direction jumps along it, and then by all of its jump.
-    void addJump(const TileVertex& from, const TileVertex& to, const BasePoint& middle,
-                 const Relief* relief) {
+    /// Counts the edge only where it bows by more than the margin over regular ones covers. A direction that
+    /// jumps along it counts with all of its jump.
+    void addIrregular(const TileVertex& from, const TileVertex& to, const BasePoint& middle,
+                      const Relief* relief, const Bows& regular) {
+        Bows edge;
+        edge.add(from, to, middle, relief);
         const double jump = glm::length(to.direction - from.direction);
-        const Vec3 along = reliefDirection(middle, relief);
-        const double bow = glm::length(along - 0.5 * (from.direction + to.direction));
-        if (bow > kJumpFraction * jump + kNormalRounding) direction = std::max({direction, jump, bow});
+        if (edge.direction > kJumpFraction * jump + kNormalRounding)
+            direction = std::max({direction, jump, edge.direction});
+        else if (edge.direction > kBowMargin * regular.direction)
+            direction = std::max(direction, edge.direction);
+        if (edge.base > kBowMargin * regular.base) base = std::max(base, edge.base);
     }
 };
 
@@ -82,7 +87,7 @@ class TileMeasure {
     TileError error(int column0, int row0, int columns, int rows) {
         column0_ = column0, row0_ = row0, columns_ = columns, rows_ = rows;
         measureBase();
-        measureJumps();
+        measureIrregular();
         double map = 0, heightRange = 0, tear = 0, coordinate = 0;
         for (int row = row0; row < row0 + rows; ++row)
             for (int column = column0; column < column0 + columns; ++column) {
@@ -148,16 +153,17 @@ class TileMeasure {
             if (isCoarse(side)) measureSide(side);
     }
 
-    /// A direction that jumps at a single vertex would be missed between the measured cells: a cusp, or a
-    /// wrong normal. Patches have them at their corners; anywhere else, the direction turns fastest there.
-    void measureJumps() {
-        if (!relief_ || relief_->axisWorld) return;
+    /// What the measured cells may miss: a corner of the patch, where S may be singular, and a direction that
+    /// jumps at a single vertex, as at a cusp or by a wrong normal, around which it turns fastest.
+    void measureIrregular() {
+        const Bows regular = bows_;
         const int columns[] = {column0_, column0_ + columns_}, rows[] = {row0_, row0_ + rows_};
         for (const int column : columns)
             for (const int row : rows)
-                if (isPatchCorner(column, row)) addJumpsAround(column, row);
+                if (isPatchCorner(column, row)) addIrregularAround(column, row, regular);
+        if (!relief_ || relief_->axisWorld) return;
         const Vec2i turn = sharpestTurn();
-        if (turn.x >= 0) addJumpsAround(turn.x, turn.y);
+        if (turn.x >= 0) addIrregularAround(turn.x, turn.y, regular);
     }
 
     bool isPatchCorner(int column, int row) const {
@@ -190,24 +196,25 @@ class TileMeasure {
     }
 
     /// The edges of the cells around a vertex.
-    void addJumpsAround(int column, int row) {
+    void addIrregularAround(int column, int row, const Bows& regular) {
         const auto inside = [](int at, int first, int count) { return at >= first && at < first + count; };
+        const auto add = [&](int c, int r, int toC, int toR) { addIrregular(c, r, toC, toR, regular); };
         for (const int r : {row - 1, row})
             for (const int c : {column - 1, column}) {
                 if (!inside(c, column0_, columns_) || !inside(r, row0_, rows_)) continue;
-                addJump(c, r, c + 1, r);
-                addJump(c, r, c, r + 1);
-                addJump(c + 1, r, c, r + 1);
-                addJump(c + 1, r, c + 1, r + 1);
-                addJump(c, r + 1, c + 1, r + 1);
+                add(c, r, c + 1, r);
+                add(c, r, c, r + 1);
+                add(c + 1, r, c, r + 1);
+                add(c + 1, r, c + 1, r + 1);
+                add(c, r + 1, c + 1, r + 1);
             }
     }
 
-    void addJump(int column, int row, int toColumn, int toRow) {
+    void addIrregular(int column, int row, int toColumn, int toRow, const Bows& regular) {
         const TileVertex &from = tile_.at(column, row), &to = tile_.at(toColumn, toRow);
         if (from.base == to.base) return; // snapped to the same position
         const double before = bows_.direction;
-        bows_.addJump(from, to, middle(column, row, toColumn, toRow), relief_);
+        bows_.addIrregular(from, to, middle(column, row, toColumn, toRow), relief_, regular);
         if (bows_.direction > before)
             directionRange_ = std::max(directionRange_, glm::length(from.direction - to.direction));
     }

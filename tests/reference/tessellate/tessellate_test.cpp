@@ -165,6 +165,34 @@ TEST(Tessellate, WeldedSeam_IsAtMeanOfSidesNotOfFaces) {
     EXPECT_EQ(checked, 2 * 9 + (5 + 9 + 5)); // of two squares and three of the sub-faces of the pentagon
 }
 
+// A flat sheet with rounded corners. Of a corner's face, only the two sides on the boundary bow much; which
+// of its patch's sides they are depends on the corner.
+TEST(Tessellate, BowOfAnySide_IsInErrorBound) {
+    ControlMesh mesh = squareMesh(2, 3);
+    mesh.tags.boundaryCornersRound = true;
+    const BaseSurface surface(mesh, Scheme::CatmullClark);
+    for (const int rate : {1, 2, 4, 16}) {
+        const MicroMesh micro = tessellate(surface, nullptr, uniformRates(surface, rate), false);
+        ASSERT_EQ(micro.grids.size(), 9u);
+        BaseSurface::Evaluator evaluator(surface);
+        for (const MicroGrid& grid : micro.grids) {
+            evaluator.setPatch(static_cast<int>(grid.patch));
+            const auto at = [&](const Vec2& uv) { return evaluator.point(uv.x, uv.y).position; };
+            double bow = 0;
+            for (int i = 0; i < rate; ++i)
+                for (const double side : {0.0, 1.0})
+                    for (const bool alongU : {true, false}) {
+                        const auto place = [&](double step) {
+                            return alongU ? Vec2(step / rate, side) : Vec2(side, step / rate);
+                        };
+                        const Vec3 chord = 0.5 * (at(place(i)) + at(place(i + 1)));
+                        bow = std::max(bow, glm::length(at(place(i + 0.5)) - chord));
+                    }
+            EXPECT_GE(grid.errorWorld, bow) << "rate " << rate << ", patch " << grid.patch;
+        }
+    }
+}
+
 // The normal of one vertex is reversed, so that directions jump in the middle of the square, along a curve
 // that grids measured at a few of their cells may miss: the surface just beside it is 0.6 from the
 // micro-triangles.
