@@ -38,7 +38,7 @@ MeasuredError FaceErrorProbe::measure(int patch, const PatchLattice& lattice, in
     evaluator.setPatch(patch);
     sampleTile(tile, lattice, relief_, evaluator);
     const Vec2 cells(lattice.columns, lattice.rows);
-    return {tileError(tile, lattice, relief_, evaluator, 0, 0, tile.columns, tile.rows).world,
+    return {tileError(tile, lattice, relief_, evaluator, 0, 0, tile.columns, tile.rows, false).world,
             {patch, Vec2(tile.column0, tile.row0) / cells,
              Vec2(tile.column0 + tile.columns, tile.row0 + tile.rows) / cells}};
 }

@@ -163,7 +163,7 @@ class Tessellator {
             grid.column0 = static_cast<uint16_t>(tile.column0 + column0);
             grid.row0 = static_cast<uint16_t>(tile.row0);
             const TileError error =
-                tileError(tile, lattice, relief_, *worker.evaluator, column0, 0, cells, tile.rows);
+                tileError(tile, lattice, relief_, *worker.evaluator, column0, 0, cells, tile.rows, true);
             grid.errorWorld = static_cast<float>(error.world);
             grid.torn = error.torn;
             for (int row = 0; row <= tile.rows; ++row)

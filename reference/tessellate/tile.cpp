@@ -56,23 +56,23 @@ struct Bows {
     /// Counts the edge only where it bows by more than the margin over regular ones covers. A direction that
     /// jumps along it counts with all of its jump.
     void addIrregular(const TileVertex& from, const TileVertex& to, const BasePoint& middle,
-                      const Relief* relief, const Bows& regular) {
+                      const Relief* relief, const Bows& regular, bool corners) {
         Bows edge;
         edge.add(from, to, middle, relief);
         const double jump = glm::length(to.direction - from.direction);
         if (edge.direction > kJumpFraction * jump + kNormalRounding)
             direction = std::max({direction, jump, edge.direction});
-        else if (edge.direction > kBowMargin * regular.direction)
+        else if (corners && edge.direction > kBowMargin * regular.direction)
             direction = std::max(direction, edge.direction);
-        if (edge.base > kBowMargin * regular.base) base = std::max(base, edge.base);
+        if (corners && edge.base > kBowMargin * regular.base) base = std::max(base, edge.base);
     }
 };
 
 class TileMeasure {
   public:
     TileMeasure(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
-                const BaseSurface::Evaluator& evaluator)
-        : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator) {
+                const BaseSurface::Evaluator& evaluator, bool corners)
+        : tile_(tile), lattice_(lattice), relief_(relief), evaluator_(evaluator), corners_(corners) {
         if (relief) {
             const double low = relief->offset - relief->depth * relief->map->maxDepth();
             const double high = relief->offset - relief->depth * relief->map->minDepth();
@@ -214,7 +214,7 @@ class TileMeasure {
         const TileVertex &from = tile_.at(column, row), &to = tile_.at(toColumn, toRow);
         if (from.base == to.base) return; // snapped to the same position
         const double before = bows_.direction;
-        bows_.addIrregular(from, to, middle(column, row, toColumn, toRow), relief_, regular);
+        bows_.addIrregular(from, to, middle(column, row, toColumn, toRow), relief_, regular, corners_);
         if (bows_.direction > before)
             directionRange_ = std::max(directionRange_, glm::length(from.direction - to.direction));
     }
@@ -251,6 +251,7 @@ class TileMeasure {
     const PatchLattice& lattice_;
     const Relief* relief_;
     const BaseSurface::Evaluator& evaluator_;
+    bool corners_;
     int column0_ = 0, row0_ = 0, columns_ = 0, rows_ = 0;
     Bows bows_;
     double directionRange_ = 0, largestCell_ = 0;
@@ -272,9 +273,10 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
 }
 
 TileError tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
-                    const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows) {
+                    const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows,
+                    bool corners) {
     assert(column0 >= 0 && column0 + columns <= tile.columns && row0 >= 0 && row0 + rows <= tile.rows);
-    return TileMeasure(tile, lattice, relief, evaluator).error(column0, row0, columns, rows);
+    return TileMeasure(tile, lattice, relief, evaluator, corners).error(column0, row0, columns, rows);
 }
 
 } // namespace plumbline

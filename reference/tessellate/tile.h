@@ -51,11 +51,15 @@ void sampleTile(Tile& tile, const PatchLattice& lattice, const Relief* relief,
 /// edges of some cells, and of those where k may jump, and multiplied by kBowMargin; that of h, computed from
 /// the texels exactly if st is linear over a cell (map_deviation.h), otherwise enlarged by the effect of its
 /// bend; and a covariance, which is at most a quarter of the product of the ranges.
+///
+/// `corners`: also of the edges at the patch's corners, where bows near singular points of S fall slower than
+/// elsewhere; a plan of rates leaves them out, so that it doesn't refine a whole face for them.
 struct TileError {
     double world;
     bool torn; // a vertex differs from the one its patch alone would have by more than rounding
 };
 TileError tileError(const Tile& tile, const PatchLattice& lattice, const Relief* relief,
-                    const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows);
+                    const BaseSurface::Evaluator& evaluator, int column0, int row0, int columns, int rows,
+                    bool corners);
 
 } // namespace plumbline
