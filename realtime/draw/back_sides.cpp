@@ -35,15 +35,16 @@ double windingNumber(const ProxyMesh& proxy, const Vec3& point) {
         // van Oosterom, Strackee, The solid angle of a plane triangle, 1983.
         const Vec3 a = t.a - point, b = t.b - point, c = t.c - point;
         const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-        solidAngle += 2 * std::atan2(glm::dot(a, glm::cross(b, c)),
-                                     la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la +
-                                         glm::dot(c, a) * lb);
+        solidAngle +=
+            2 * std::atan2(glm::dot(a, glm::cross(b, c)),
+                           la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
     });
     return solidAngle / (4 * kPi);
 }
 
 bool isInside(const Bounds& bounds, const Vec3& point) {
-    return glm::all(glm::lessThanEqual(bounds.low, point)) && glm::all(glm::lessThanEqual(point, bounds.high));
+    return glm::all(glm::lessThanEqual(bounds.low, point)) &&
+           glm::all(glm::lessThanEqual(point, bounds.high));
 }
 
 /// Whether the plane through a point, orthogonal to `normal`, passes through the bounds.
@@ -109,7 +110,8 @@ HeightMap complementOf(const HeightMap& map) {
     std::vector<float> depths = map.depths();
     for (float& depth : depths)
         depth = 1 - depth;
-    return {map.name() + " from behind", map.width(), map.height(), std::move(depths), map.wrapS(), map.wrapT()};
+    return {map.name() + " from behind", map.width(), map.height(),
+            std::move(depths),           map.wrapS(), map.wrapT()};
 }
 
 } // namespace plumbline

@@ -1,9 +1,9 @@
 // The lines of a Wavefront OBJ text as programs of all systems write it.
 //
-// Line endings are LF, CR LF or CR; the last line may lack one. A byte-order mark at the start, and zero bytes
-// or a Ctrl-Z (the end-of-text mark of DOS) at the end aren't part of the text. A backslash at the end of a
-// line joins it with the next one, except where it ends a name (`usemtl C:\maps\`, or a letter of Shift-JIS).
-// A comment begins with a # at the start of a word.
+// Line endings are LF, CR LF or CR; the last line may lack one. A byte-order mark at the start, and zero
+// bytes or a Ctrl-Z (the end-of-text mark of DOS) at the end aren't part of the text. A backslash at the end
+// of a line joins it with the next one, except where it ends a name (`usemtl C:\maps\`, or a letter of
+// Shift-JIS). A comment begins with a # at the start of a word.
 #pragma once
 
 #include <string>

@@ -41,7 +41,8 @@ class QuadricCrossCheck : public EndToEnd, public testing::WithParamInterface<Pa
     std::filesystem::path writeScene() const {
         // Looks straight down, so that rays go in all directions and none is flatter than 12 degrees. Texel
         // centers coincide with lattice vertices: with W = 64 texels per tile, st W - 1/2 is an integer at
-        // the corners of the faces.
+        // the corners of the faces. Away from the apex of a convex patch the eye is behind the polygons but
+        // above the relief, so their back sides aren't drawn.
         const Patch& patch = GetParam();
         const std::filesystem::path file = folder_ / "eye.toml";
         writeFile(file, fmt::format(R"(purpose = "An eye at the apex of a quadric"
@@ -61,6 +62,7 @@ generate = {{ kind = "cobbles", size = 64, seed = 1 }}
 name = "patch"
 shape = {{ kind = "quadric", a = {}, b = {}, half_size = {}, segments = 4 }}
 proxy_rate = 16
+cull = "back"
 relief = {{ map = "cobbles", depth = {}, tile = [{}, {}], uv_offset = [0.0546875, 0.0234375], along = "axis" }}
 )",
                                     kEyeHeight, patch.a, patch.b, patch.halfSize, kReliefDepth,

@@ -25,7 +25,8 @@ class PixelFaults {
     unsigned at(size_t pixel) const {
         // Any value may be in a file; what isn't one of ours marks nothing.
         const float mark = hasMarks() ? marks_[pixel] : 0;
-        unsigned faults = mark >= 0 && mark <= (kNotFinite | kTOutside | kOffRay) ? static_cast<unsigned>(mark) : 0;
+        unsigned faults =
+            mark >= 0 && mark <= (kNotFinite | kTOutside | kOffRay) ? static_cast<unsigned>(mark) : 0;
         for (const std::span<const float>& plane : finite_)
             if (!std::isfinite(plane[pixel])) faults |= kNotFinite;
         return faults;
@@ -75,13 +76,15 @@ std::vector<std::string> faultSentences(const Frame& frame) {
                         "figures leave them out",
                         counts.notFinite));
     if (counts.tOutside > 0)
-        sentences.push_back(fmt::format("{} covered pixels have a hit with t outside [0, 1], before the ray's entry "
-                                        "or beyond its end; figures take them as drawn",
-                                        counts.tOutside));
+        sentences.push_back(
+            fmt::format("{} covered pixels have a hit with t outside [0, 1], before the ray's entry "
+                        "or beyond its end; figures take them as drawn",
+                        counts.tOutside));
     if (counts.offRay > 0)
-        sentences.push_back(fmt::format("{} covered pixels have a hit whose st isn't the ray's at its t; figures take "
-                                        "them as drawn",
-                                        counts.offRay));
+        sentences.push_back(
+            fmt::format("{} covered pixels have a hit whose st isn't the ray's at its t; figures take "
+                        "them as drawn",
+                        counts.offRay));
     return sentences;
 }
 

@@ -1,8 +1,9 @@
 // Faults of the test frame: covered pixels whose values can't be, whoever drew them.
 //
-// A technique could hide its errors in such pixels, since the figures leave out what isn't finite. What is wrong
-// with the hits that a search returned is marked by the harness, in the channel `fault` (scenes/frame/frame.cpp);
-// such hits are drawn as they are, so their errors are in the figures. Unit: pixels.
+// A technique could hide its errors in such pixels, since the figures leave out what isn't finite. What is
+// wrong with the hits that a search returned is marked by the harness, in the channel `fault`
+// (scenes/frame/frame.cpp); such hits are drawn as they are, so their errors are in the figures. Unit:
+// pixels.
 #pragma once
 
 #include "validate/metrics/metric.h"

@@ -11,19 +11,20 @@ namespace plumbline {
 namespace {
 
 Camera fromBelow(double angleDegrees) {
-    return orthographicCamera(5.0 * Vec3(-std::sin(radians(angleDegrees)), -std::cos(radians(angleDegrees)), 0),
+    return orthographicCamera(5.0 *
+                                  Vec3(-std::sin(radians(angleDegrees)), -std::cos(radians(angleDegrees)), 0),
                               {0, 0, 1}, 0.8, 48);
 }
 
 /// Smooth enough that ten steps find every first crossing.
 std::shared_ptr<const HeightMap> gentleMap() {
     return std::make_shared<HeightMap>("gentle", 4, 4,
-                                       std::vector<float>{0.3f, 0.4f, 0.5f, 0.4f, 0.4f, 0.6f, 0.7f, 0.5f, 0.5f,
-                                                          0.7f, 0.6f, 0.5f, 0.4f, 0.5f, 0.4f, 0.3f});
+                                       std::vector<float>{0.3f, 0.4f, 0.5f, 0.4f, 0.4f, 0.6f, 0.7f, 0.5f,
+                                                          0.5f, 0.7f, 0.6f, 0.5f, 0.4f, 0.5f, 0.4f, 0.3f});
 }
 
-/// Expects every pixel of a frame to show the back of y = -depth d(st) over the square of side 2, st = ((x + 1) /
-/// 2, (1 - z) / 2), on its own ray.
+/// Expects every pixel of a frame to show the back of y = -depth d(st) over the square of side 2, st = ((x +
+/// 1) / 2, (1 - z) / 2), on its own ray.
 void expectBackOfRelief(const Frame& frame, const Scene& scene, double tolerance, const std::string& what) {
     const Relief& relief = *scene.objects[0].relief;
     const CameraRays rays(scene.camera);
@@ -40,8 +41,8 @@ void expectBackOfRelief(const Frame& frame, const Scene& scene, double tolerance
         EXPECT_EQ(frame.channel("facing")[pixel], -1) << what;
         EXPECT_EQ(frame.channel("fault")[pixel], 0) << what;
         const Vec2 gradient = relief.map->sample(st).gradient; // outward is +y, also from behind
-        const Vec3 normal = glm::normalize(
-            Vec3(0.5 * relief.depth * gradient.x, 1, -0.5 * relief.depth * gradient.y));
+        const Vec3 normal =
+            glm::normalize(Vec3(0.5 * relief.depth * gradient.x, 1, -0.5 * relief.depth * gradient.y));
         EXPECT_LT(glm::length(vectorAt(frame, "N", pixel) - normal), 0.02) << what;
         if (testing::Test::HasFailure()) return;
     }
@@ -52,14 +53,14 @@ TEST(BackSides, ReliefFromBehind_IsItsOwnSurface) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     // By the search: within the error of its steps, of voxels as wide as half the square, or of rounding.
     const std::array<std::pair<const char*, double>, 9> techniques{{{"exact_cells", 1e-6},
-                                                                   {"exact_cells@quadric", 1e-6},
-                                                                   {"max_mipmap", 1e-6},
-                                                                   {"linear_binary", 5e-4},
-                                                                   {"linear_binary@quadric_nearest", 5e-4},
-                                                                   {"cone_step_relaxed", 5e-4},
-                                                                   {"cone_step_quad", 5e-3},
-                                                                   {"sphere_tracing", 1e-2},
-                                                                   {"linear_secant1", 2e-3}}};
+                                                                    {"exact_cells@quadric", 1e-6},
+                                                                    {"max_mipmap", 1e-6},
+                                                                    {"linear_binary", 5e-4},
+                                                                    {"linear_binary@quadric_nearest", 5e-4},
+                                                                    {"cone_step_relaxed", 5e-4},
+                                                                    {"cone_step_quad", 5e-3},
+                                                                    {"sphere_tracing", 1e-2},
+                                                                    {"linear_secant1", 2e-3}}};
     for (const double angle : {0.0, 40.0}) {
         const Scene scene = sceneOf(squareObject(2, gentleMap(), 0.1), fromBelow(angle));
         for (const auto& [technique, tolerance] : techniques)
@@ -83,7 +84,8 @@ TEST(BackSides, InnerWallOnQuadric_HasReliefsRadius) {
     tube.name = "tube";
     tube.mesh = makeCylinder(1, 2, 16, 2);
     tube.proxyRate = 4;
-    tube.relief = Relief{std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f)), 0.2, 0, Vec2(1), Vec2(0)};
+    tube.relief =
+        Relief{std::make_shared<HeightMap>(HeightMap::constant("half", 0.5f)), 0.2, 0, Vec2(1), Vec2(0)};
     Camera camera;
     camera.positionWorld = Vec3(0, 0, 0.4);
     camera.targetWorld = Vec3(0, 0, -1);
@@ -103,22 +105,26 @@ TEST(BackSides, Light_IsThatOfTheSeenSide) {
     for (const bool relief : {true, false})
         for (const char* technique : {"exact_cells", "exact_cells:shadow=map"}) {
             Scene scene = sceneOf(squareObject(2, relief ? gentleMap() : nullptr, 0.1), fromBelow(20));
-            scene.lights = {directionalLight("below", {0.2, -1, 0.1}), directionalLight("above", {0.2, 1, 0.1})};
+            scene.lights = {directionalLight("below", {0.2, -1, 0.1}),
+                            directionalLight("above", {0.2, 1, 0.1})};
             const Frame frame = draw(scene, technique);
             EXPECT_EQ(countShadows(frame, "below").shadowed, 0u) << technique << relief;
             EXPECT_EQ(countShadows(frame, "above").shadowed, frame.pixelCount()) << technique << relief;
         }
 }
 
-// Half of the square is a step down of 0.1. A light from below, at 45 degrees toward the step, shadows 0.1 of the
-// higher half, which is farther from it.
+// Half of the square is a step down of 0.1. A light from below, at 45 degrees toward the step, shadows 0.1 of
+// the higher half, which is farther from it.
 TEST(BackSides, ReliefFromBehind_ShadowsItself) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
-    const auto step = std::make_shared<HeightMap>("step", 64, 1, [] {
-        std::vector<float> depths(64, 1.0f);
-        std::fill(depths.begin() + 32, depths.end(), 0.0f); // x > 0 is high: depth 0
-        return depths;
-    }(), Wrap::Clamp, Wrap::Clamp);
+    const auto step = std::make_shared<HeightMap>(
+        "step", 64, 1,
+        [] {
+            std::vector<float> depths(64, 1.0f);
+            std::fill(depths.begin() + 32, depths.end(), 0.0f); // x > 0 is high: depth 0
+            return depths;
+        }(),
+        Wrap::Clamp, Wrap::Clamp);
     Scene scene = sceneOf(squareObject(2, step, 0.1), orthographicCamera({0, -5, 0}, {0, 0, 1}, 0.8, 64));
     scene.lights = {directionalLight("sun", {-1, -1, 0})};
     for (const char* technique : {"exact_cells", "exact_cells:shadow=map"}) {

@@ -5,6 +5,7 @@
 #include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
+
 #include <gmock/gmock.h>
 #include <zlib.h>
 
@@ -93,7 +94,8 @@ std::string writeLayout(const Layout& layout) {
                 for (int x = 0; x < kWidth; ++x)
                     for (int c = layout.planar ? plane : 0; c < (layout.planar ? plane + 1 : layout.channels);
                          ++c)
-                        rows += littleEndian(valueAt(x, y, c) * (layout.bits == 16 ? 257 : 1), layout.bits / 8);
+                        rows +=
+                            littleEndian(valueAt(x, y, c) * (layout.bits == 16 ? 257 : 1), layout.bits / 8);
             strips.push_back(layout.compressed ? deflated(rows) : rows);
             sizes.push_back(static_cast<uint32_t>(strips.back().size()));
         }
@@ -120,15 +122,13 @@ TEST(PictureLayout, Strips_AreReadInEveryArrangement) {
                     for (const bool planar : {true, false}) {
                         const std::string what = fmt::format("{} channels, {} rows, {} bits, {} {}", channels,
                                                              rows, bits, compressed, planar);
-                        writeFile(folder / "a.tif",
-                                  writeLayout({channels, rows, bits, compressed, planar}));
+                        writeFile(folder / "a.tif", writeLayout({channels, rows, bits, compressed, planar}));
                         const Image image = readImage(folder / "a.tif");
                         ASSERT_EQ(image.channels, channels) << what;
                         for (int y = 0; y < kHeight; ++y)
                             for (int x = 0; x < kWidth; ++x)
                                 for (int c = 0; c < channels; ++c)
-                                    ASSERT_EQ(image.at(x, y, c),
-                                              static_cast<float>(valueAt(x, y, c) / 255.0))
+                                    ASSERT_EQ(image.at(x, y, c), static_cast<float>(valueAt(x, y, c) / 255.0))
                                         << what << ", (" << x << ", " << y << ")";
                     }
 }
@@ -162,9 +162,9 @@ TEST(PictureLayout, TruncatedPlanarFile_IsRefused) {
 
 /// A row of 4 texels in a strip, uncompressed.
 std::string tinyTiff(uint32_t bits, uint32_t photometric, const std::string& bytes) {
-    std::vector<Field> fields{{256, 2, {4}},         {257, 2, {1}}, {258, 2, {bits}},
-                              {259, 2, {1}},         {262, 2, {photometric}},
-                              {277, 2, {1}},         {278, 2, {1}}, {279, 4, {uint32_t(bytes.size())}}};
+    std::vector<Field> fields{
+        {256, 2, {4}},           {257, 2, {1}}, {258, 2, {bits}}, {259, 2, {1}},
+        {262, 2, {photometric}}, {277, 2, {1}}, {278, 2, {1}},    {279, 4, {uint32_t(bytes.size())}}};
     if (photometric == 3) { // a palette: red, green and blue of each entry
         std::vector<uint32_t> colors;
         for (int channel = 0; channel < 3; ++channel)

@@ -32,16 +32,17 @@ const std::string kFace = "f 1 2 3\n";
 
 TEST(ObjText, Numbers_AreReadOrRefusedWithTheirLine) {
     const std::pair<const char*, double> good[] = {
-        {"1", 1},       {"+1", 1},      {"-1", -1},         {"1.", 1},      {".5", 0.5},   {"-.5", -0.5},
-        {"+.5e1", 5},   {"1e3", 1000},  {"1E+3", 1000},     {"1e-3", 1e-3}, {"007", 7},    {"-0", 0},
-        {"0e999", 0},   {"5e-324", 5e-324}, {"1e-310", 1e-310}};
+        {"1", 1},      {"+1", 1},    {"-1", -1},    {"1.", 1},          {".5", 0.5},
+        {"-.5", -0.5}, {"+.5e1", 5}, {"1e3", 1000}, {"1E+3", 1000},     {"1e-3", 1e-3},
+        {"007", 7},    {"-0", 0},    {"0e999", 0},  {"5e-324", 5e-324}, {"1e-310", 1e-310}};
     for (const auto& [text, value] : good)
         EXPECT_EQ(readText(fmt::format("v {} 0 0\nv 2 0 0\nv 2 1 0\nf 1 2 3", text)).points[0].x, value)
             << text;
     for (const char* text :
-         {"+-1", "-+1", "++1", "--1", "+", "-", ".", "e1", "1e", "1e+", "1e-400", "1E-400", "-1e-400",
-          "1e-400xyz", "1e400", "1e400e-5", "1e999", "0x10", "0x1p3", "nan", "NaN", "-nan", "inf", "+inf",
-          "infinity", "1.#IND", "1.2.3", "1,5", "1f", "1d5", "1_000", "1/2", "\xd9\xa1", "\xef\xbc\x91"})
+         {"+-1",   "-+1",    "++1",    "--1",     "+",         "-",        ".",           "e1",     "1e",
+          "1e+",   "1e-400", "1E-400", "-1e-400", "1e-400xyz", "1e400",    "1e400e-5",    "1e999",  "0x10",
+          "0x1p3", "nan",    "NaN",    "-nan",    "inf",       "+inf",     "infinity",    "1.#IND", "1.2.3",
+          "1,5",   "1f",     "1d5",    "1_000",   "1/2",       "\xd9\xa1", "\xef\xbc\x91"})
         EXPECT_THAT(messageFor(fmt::format("v 0 0 0\nv 0 {} 0\n", text)), HasSubstr("a.obj:2: '")) << text;
 }
 
@@ -65,8 +66,8 @@ RC_GTEST_PROP(ObjTextProperty, AnyWord_IsANumberInWholeOrRefused, ()) {
         RC_ASSERT(*end == '\0' && mesh.points[0].x == value);
     } catch (const InputError&) {
         const bool decimal = *end == '\0' && word.find_first_of("xn") == word.npos;
-        RC_ASSERT(!decimal || std::abs(value) > 1e15 || (value == 0 && word.find_first_of("eE") != word.npos) ||
-                  std::abs(value) < 1e-300);
+        RC_ASSERT(!decimal || std::abs(value) > 1e15 ||
+                  (value == 0 && word.find_first_of("eE") != word.npos) || std::abs(value) < 1e-300);
     }
 }
 

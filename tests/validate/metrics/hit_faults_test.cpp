@@ -2,8 +2,9 @@
 #include "tests/validate/metrics/painted_frames.h"
 #include "validate/metrics/hit_faults.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <gmock/gmock.h>
 
 namespace plumbline {
 namespace {
@@ -29,10 +30,11 @@ TEST(HitFaults, MarkedPixels_AreCountedByKind) {
     EXPECT_EQ(faults.notFinitePx, 1u);
     EXPECT_EQ(*faults.tOutsidePx, 2);
     EXPECT_EQ(*faults.offRayPx, 2);
-    EXPECT_THAT(faultSentences(frame),
-                ElementsAre(HasSubstr("1 covered pixels have a position, depth, normal or st that isn't a number"),
-                            HasSubstr("2 covered pixels have a hit with t outside [0, 1]"),
-                            HasSubstr("2 covered pixels have a hit whose st isn't the ray's")));
+    EXPECT_THAT(
+        faultSentences(frame),
+        ElementsAre(HasSubstr("1 covered pixels have a position, depth, normal or st that isn't a number"),
+                    HasSubstr("2 covered pixels have a hit with t outside [0, 1]"),
+                    HasSubstr("2 covered pixels have a hit whose st isn't the ray's")));
 }
 
 TEST(HitFaults, EachChannelsNan_IsCounted) {

@@ -61,9 +61,12 @@ TEST(ResultsTable, NoFigure_IsMinusZero) {
 }
 
 bool actsOnTerminal(const std::string& text, const char* allowed) {
-    return std::ranges::any_of(text, [&](unsigned char c) {
-               return (c < 0x20 && std::string_view(allowed).find(char(c)) == std::string_view::npos) || c == 0x7f;
-           }) ||
+    return std::ranges::any_of(text,
+                               [&](unsigned char c) {
+                                   return (c < 0x20 && std::string_view(allowed).find(char(c)) ==
+                                                           std::string_view::npos) ||
+                                          c == 0x7f;
+                               }) ||
            text.find("\u009b") != std::string::npos || text.find("\u202e") != std::string::npos;
 }
 
@@ -101,7 +104,8 @@ TEST(ReportFiles, LightsOfLikeNames_HaveOwnPictures) {
     const TemporaryFolder folder;
     Frame reference = sampleReference();
     const std::string longName(120, 'x');
-    for (const std::string& light : {std::string("a b"), std::string("a_b"), std::string("A_b"), longName + "1", longName + "2"})
+    for (const std::string& light :
+         {std::string("a b"), std::string("a_b"), std::string("A_b"), longName + "1", longName + "2"})
         std::ranges::copy(reference.channel("shadow.sun"), reference.add(shadowChannel(light)).begin());
     TechniqueOutcome technique;
     technique.name = "mine";
