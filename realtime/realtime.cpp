@@ -44,8 +44,10 @@ void checkMicroMeshes(const Technique& technique, const std::vector<MicroMesh>* 
 struct ProxyDrawer {
     ProxyDrawer(const Technique& technique, const Scene& scene, const GpuState& gpu, const GlContext& context)
         : relief(buildReliefProgram(technique, scene.lights.size())) {
-        if (gpu.objects.hasReliefBacks(&BackSides::toCamera))
+        if (gpu.objects.hasReliefBacks(&BackSides::toCamera)) {
             reliefBack = buildReliefProgram(technique, scene.lights.size(), Side::Back);
+            nearestPolygon = buildNearestPolygonProgram();
+        }
         if (const Technique::Setting* bias = technique.harness("shadow_bias"))
             shadowBias = static_cast<float>(bias->value.number);
         if (!technique.readsShadowMaps()) return;
@@ -55,11 +57,18 @@ struct ProxyDrawer {
 
     /// The camera's pass, into the framebuffer that is bound.
     void draw(const GpuState& gpu) const {
+        if (reliefBack)
+            gpu.target.markNearestBacks([&] {
+                drawReliefs(gpu, *nearestPolygon, Side::Front);
+                drawReliefs(gpu, *nearestPolygon, Side::Back);
+            });
         const GlProgram& plain = plainWithMaps ? *plainWithMaps : *gpu.plainProgram;
         use(plain, gpu.view);
         gpu.objects.drawPlain(plain);
         drawReliefs(gpu, *relief, Side::Front);
-        if (reliefBack) drawReliefs(gpu, *reliefBack, Side::Back);
+        // Not behind a front side, also where a search finds its hit too far away: the far wall of a column
+        // would show.
+        if (reliefBack) gpu.target.drawOnNearestBacks([&] { drawReliefs(gpu, *reliefBack, Side::Back); });
     }
 
     void drawReliefs(const GpuState& gpu, const GlProgram& program, Side side) const {
@@ -75,7 +84,7 @@ struct ProxyDrawer {
     }
 
     std::unique_ptr<GlProgram> relief, plainWithMaps;
-    std::unique_ptr<GlProgram> reliefBack; // null: no back sides
+    std::unique_ptr<GlProgram> reliefBack, nearestPolygon; // null: no back sides
     std::optional<ShadowMaps> shadowMaps;
     float shadowBias = 0;
 };

@@ -14,6 +14,8 @@ namespace {
 /// The draw buffers, as shaders/shading.glsl writes them. Every driver supports at least 8.
 enum Target { kColor, kPosition, kNormal, kTexture, kSurface, kTargets };
 constexpr double kBytesPerPixelOfTarget = 16; // RGBA32F
+constexpr double kBytesPerPixelOfDepth = 8;   // DEPTH32F_STENCIL8
+constexpr GLfloat kFarthest = 1;
 
 void checkSize(int width, int height) {
     GLint texture = 0, viewport[2] = {0, 0};
@@ -28,8 +30,10 @@ void checkSize(int width, int height) {
 GlTexture makeTarget(GLenum format, int width, int height) {
     GlTexture texture = GlTexture::make();
     glBindTexture(GL_TEXTURE_2D, texture.get());
-    const GLenum layout = format == GL_RGBA32F ? GL_RGBA : GL_DEPTH_COMPONENT;
-    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0, layout, GL_FLOAT, nullptr);
+    const bool color = format == GL_RGBA32F;
+    glTexImage2D(GL_TEXTURE_2D, 0, static_cast<GLint>(format), width, height, 0,
+                 color ? GL_RGBA : GL_DEPTH_STENCIL, color ? GL_FLOAT : GL_FLOAT_32_UNSIGNED_INT_24_8_REV,
+                 nullptr);
     // The texture has no mip levels; without this setting it is incomplete on some drivers.
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -156,7 +160,7 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
     const std::string what =
         fmt::format("a frame of {} x {} pixels and {} lights", width_, height_, scene.lights.size());
     if (context.softwareRasterizer())
-        requireMemory(what, (int(kTargets) * kBytesPerPixelOfTarget + sizeof(float)) * width_ *
+        requireMemory(what, (int(kTargets) * kBytesPerPixelOfTarget + kBytesPerPixelOfDepth) * width_ *
                                 static_cast<double>(height_));
     clearGlErrors();
     framebuffer_ = GlFramebuffer::make();
@@ -168,8 +172,8 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
         glFramebufferTexture2D(GL_FRAMEBUFFER, buffers[static_cast<size_t>(i)], GL_TEXTURE_2D,
                                textures_.back().get(), 0);
     }
-    depth_ = makeTarget(GL_DEPTH_COMPONENT32F, width_, height_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
+    depth_ = makeTarget(GL_DEPTH32F_STENCIL8, width_, height_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_STENCIL_ATTACHMENT, GL_TEXTURE_2D, depth_.get(), 0);
     glDrawBuffers(kTargets, buffers.data());
     checkGl(what);
     const GLenum status = glCheckFramebufferStatus(GL_FRAMEBUFFER);
@@ -183,10 +187,30 @@ void FrameTarget::begin() const {
     const GLfloat background[] = {static_cast<float>(scene_.background.x),
                                   static_cast<float>(scene_.background.y),
                                   static_cast<float>(scene_.background.z), 0};
-    const GLfloat zero[] = {0, 0, 0, 0}, farthest = 1;
+    const GLfloat zero[] = {0, 0, 0, 0};
     for (int i = 0; i < kTargets; ++i)
         glClearBufferfv(GL_COLOR, i, i == kColor ? background : zero);
-    glClearBufferfv(GL_DEPTH, 0, &farthest);
+    glClearBufferfi(GL_DEPTH_STENCIL, 0, kFarthest, 0);
+}
+
+void FrameTarget::markNearestBacks(const std::function<void()>& drawPolygons) const {
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_ALWAYS, 1, 0xff);
+    glStencilOpSeparate(GL_FRONT, GL_KEEP, GL_KEEP, GL_ZERO);
+    glStencilOpSeparate(GL_BACK, GL_KEEP, GL_KEEP, GL_REPLACE);
+    drawPolygons();
+    glDisable(GL_STENCIL_TEST);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+}
+
+void FrameTarget::drawOnNearestBacks(const std::function<void()>& draw) const {
+    glEnable(GL_STENCIL_TEST);
+    glStencilFunc(GL_EQUAL, 1, 0xff);
+    glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
+    draw();
+    glDisable(GL_STENCIL_TEST);
 }
 
 std::vector<float> FrameTarget::readTarget(int target) const {

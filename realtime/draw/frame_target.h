@@ -7,6 +7,7 @@
 #include "scenes/frame/frame.h"
 #include "scenes/scene/scene.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,11 @@ class FrameTarget {
 
     /// Binds the targets and clears all pixels to a miss.
     void begin() const;
+    /// Marks the pixels whose nearest polygon is a back side, of those that `drawPolygons` draws with their
+    /// depth. Leaves colors and depth as they are after begin().
+    void markNearestBacks(const std::function<void()>& drawPolygons) const;
+    /// Draws to the marked pixels only.
+    void drawOnNearestBacks(const std::function<void()>& draw) const;
     /// Reads the channels back. `originWorld` is added to positions and, per object, `stOrigins` to st.
     /// The channels are those of the technique's manifest and the flags; curvature only for a curved base,
     /// faults only where there is a search.

@@ -72,4 +72,9 @@ std::unique_ptr<GlProgram> buildPlainLightProgram() {
     return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
 }
 
+std::unique_ptr<GlProgram> buildNearestPolygonProgram() {
+    const StageSources sources = nearestPolygonSources();
+    return std::make_unique<GlProgram>(sources.vertex, sources.fragment);
+}
+
 } // namespace plumbline

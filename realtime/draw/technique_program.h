@@ -16,5 +16,6 @@ std::unique_ptr<GlProgram> buildReliefProgram(const Technique& technique, size_t
 std::unique_ptr<GlProgram> buildPlainProgram(size_t lightCount, bool shadowMaps);
 std::unique_ptr<GlProgram> buildReliefLightProgram(const Technique& technique, Side side);
 std::unique_ptr<GlProgram> buildPlainLightProgram();
+std::unique_ptr<GlProgram> buildNearestPolygonProgram();
 
 } // namespace plumbline

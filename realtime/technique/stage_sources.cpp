@@ -130,6 +130,14 @@ StageSources plainLightSources() {
     return sources;
 }
 
+StageSources nearestPolygonSources() {
+    StageSources sources;
+    sources.vertex.addFile(harnessShader("plain_vertex.glsl"));
+    sources.fragment.addFile(harnessShader("camera.glsl"));
+    sources.fragment.addFile(harnessShader("nearest_polygon_main.glsl"));
+    return sources;
+}
+
 StageSources reliefLightSources(const Technique& technique, Side side) {
     return reliefStages(technique, side, std::nullopt);
 }

@@ -26,6 +26,8 @@ StageSources reliefSources(const Technique& technique, size_t lightCount, Side s
 /// The same two in the light pass of shadow maps: they write a depth and no color.
 StageSources plainLightSources();
 StageSources reliefLightSources(const Technique& technique, Side side = Side::Front);
+/// Those of the pass that finds the nearest polygons: they write a depth and no color.
+StageSources nearestPolygonSources();
 
 /// A file of realtime/shaders/.
 std::filesystem::path harnessShader(const std::string& name);

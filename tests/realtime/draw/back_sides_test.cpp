@@ -162,6 +162,25 @@ Scene torusScene(Cull cull) {
     return sceneOf(torus, camera);
 }
 
+// The flat surface finds hits of grazing rays too far away, some beyond the column's far wall.
+TEST(BackSides, FarWallOfColumn_StaysBehindItsFront) {
+    PLUMBLINE_NEEDS_GL(GlBackend::Auto);
+    SceneObject column;
+    column.name = "column";
+    column.mesh = makeCylinder(1, 4, 16, 2);
+    column.relief = Relief{gentleMap(), 0.1, 0, Vec2(6, 2), Vec2(0)};
+    Camera camera;
+    camera.positionWorld = Vec3(0, 0, 5); // its ends aren't in the picture
+    camera.width = 96;
+    camera.height = 64;
+    column.cull = Cull::Back;
+    const Frame culled = draw(sceneOf(column, camera), "linear_binary");
+    column.cull = Cull::Auto;
+    const Frame both = draw(sceneOf(column, camera), "linear_binary");
+    ASSERT_GT(coveredPixels(culled), 500u);
+    EXPECT_TRUE(std::ranges::equal(both.channel("Z"), culled.channel("Z")));
+}
+
 TEST(BackSides, ClosedMesh_IsCulledUnlessAskedFor) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto backs = [](const Scene& scene) {
@@ -169,7 +188,7 @@ TEST(BackSides, ClosedMesh_IsCulledUnlessAskedFor) {
         return std::count(facing.begin(), facing.end(), -1.0f);
     };
     EXPECT_EQ(backs(torusScene(Cull::Auto)), 0);
-    EXPECT_GT(backs(torusScene(Cull::None)), 0); // where the fronts at the outline are discarded
+    EXPECT_EQ(backs(torusScene(Cull::None)), 0); // from outside a front is nearer everywhere
     Scene inside = torusScene(Cull::Auto);
     inside.camera.positionWorld = {1, 0, 0};
     inside.camera.targetWorld = {1, 0, -1};
