@@ -107,7 +107,7 @@ void workerReply(FuzzInput bytes) {
     close(ends[1]);
     try {
         for (;;)
-            receiveReply(socket);
+            receiveReply(socket, Vec2i(2));
     } catch (const ConnectionLost&) {
     }
 }

@@ -11,6 +11,7 @@ WorkerOptions workerOptions(const std::filesystem::path& sceneFile, const Scene&
     options.sceneFile = sceneFile;
     options.sceneChanges = scene.changes;
     options.sceneHash = scene.hash;
+    options.frameSize = {scene.camera.width, scene.camera.height};
     options.gl = arguments.gl.options;
     options.threads = threads;
     options.memoryBytes = arguments.drawMemory.bytes;

@@ -101,7 +101,7 @@ void TechniqueWorker::waitUntilReady() {
     if (!connection_) start();
     if (connection_->ready) return;
     try {
-        const WorkerReply reply = receiveReply(connection_->socket);
+        const WorkerReply reply = receiveReply(connection_->socket, options_.frameSize);
         if (reply.error) std::rethrow_exception(reply.error);
         connection_->ready = true;
     } catch (const ConnectionLost&) {
@@ -142,7 +142,7 @@ TechniqueResult TechniqueWorker::awaitResult(const std::string& technique, bool&
             connection_.reset();
             throw tooSlow(technique, options_.timeLimitSeconds);
         }
-        WorkerReply reply = receiveReply(connection_->socket);
+        WorkerReply reply = receiveReply(connection_->socket, options_.frameSize);
         if (reply.error) std::rethrow_exception(reply.error);
         if (reply.result) return std::move(*reply.result);
         drawing = reply.phase == kPhaseDrawing;

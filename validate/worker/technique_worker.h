@@ -21,6 +21,7 @@ struct WorkerOptions {
     std::filesystem::path sceneFile;
     std::vector<std::string> sceneChanges; // Scene::changes
     std::string sceneHash;                 // Scene::hash of the file with them
+    Vec2i frameSize{0};                    // of the scene's camera
     GlOptions gl;
     int threads = 0; // --threads; 0: all
     int timeLimitSeconds = kDefaultTimeLimitSeconds;

@@ -39,10 +39,14 @@ json toJson(const Frame& frame) {
             {"metadata", frame.metadata}};
 }
 
-Frame emptyFrame(const json& value) {
-    Frame frame(value.at("width"), value.at("height"));
-    for (const std::string name : value.at("channels"))
+Frame emptyFrame(const json& value, const Vec2i& size) {
+    if (value.at("width") != size.x || value.at("height") != size.y)
+        throw std::runtime_error("a frame of another size");
+    Frame frame(size.x, size.y);
+    for (const std::string name : value.at("channels")) {
+        if (!isFrameChannel(name) || frame.has(name)) throw std::runtime_error("a frame with wrong channels");
         frame.add(name);
+    }
     frame.metadata = value.at("metadata");
     return frame;
 }
@@ -85,11 +89,11 @@ json toJson(const TechniqueResult& result) {
             {"warnings", result.warnings}};
 }
 
-TechniqueResult techniqueResult(const json& value) {
+TechniqueResult techniqueResult(const json& value, const Vec2i& frameSize) {
     TechniqueResult result;
     result.name = value.at("name");
     result.parameters = value.at("parameters");
-    result.frame = emptyFrame(value.at("frame"));
+    result.frame = emptyFrame(value.at("frame"), frameSize);
     result.backend = value.at("backend");
     result.renderer = value.at("renderer");
     result.msMedian = value.at("ms_median");
@@ -119,18 +123,22 @@ void sendResult(const MessageSocket& socket, const TechniqueResult& result) {
         socket.send(result.frame.channel(name));
 }
 
-WorkerReply receiveReply(const MessageSocket& socket) {
-    const json value = socket.receive();
-    WorkerReply reply;
-    reply.error = errorOf(value);
-    if (value.contains("phase")) {
-        reply.phase = value.at("phase");
-    } else if (!reply.error) {
-        reply.result = techniqueResult(value.at("result"));
-        for (const std::string& name : reply.result->frame.channelNames())
-            socket.receive(reply.result->frame.channel(name));
+WorkerReply receiveReply(const MessageSocket& socket, const Vec2i& frameSize) {
+    try {
+        const json value = socket.receive();
+        WorkerReply reply;
+        reply.error = errorOf(value);
+        if (value.contains("phase")) {
+            reply.phase = value.at("phase");
+        } else if (!reply.error) {
+            reply.result = techniqueResult(value.at("result"), frameSize);
+            for (const std::string& name : reply.result->frame.channelNames())
+                socket.receive(reply.result->frame.channel(name));
+        }
+        return reply;
+    } catch (const json::exception& error) {
+        throw std::runtime_error(std::string("the drawing process sent what is no reply: ") + error.what());
     }
-    return reply;
 }
 
 } // namespace plumbline

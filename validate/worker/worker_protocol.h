@@ -31,9 +31,10 @@ WorkerSetup workerSetup(const nlohmann::json& value);
 nlohmann::json toJson(const TechniqueRequest& request);
 TechniqueRequest techniqueRequest(const nlohmann::json& value);
 
-/// All except the planes of the frame; reading creates planes of the right size without values.
+/// All except the planes of the frame.
 nlohmann::json toJson(const TechniqueResult& result);
-TechniqueResult techniqueResult(const nlohmann::json& value);
+/// Creates planes of the right size without values. Throws std::runtime_error for a frame of another size.
+TechniqueResult techniqueResult(const nlohmann::json& value, const Vec2i& frameSize);
 
 nlohmann::json phaseReply(std::string_view phase);
 nlohmann::json errorReply(const std::exception& error);
@@ -49,6 +50,8 @@ struct WorkerReply {
     std::optional<TechniqueResult> result; // complete, with the planes of its frame
     std::exception_ptr error; // InputError, MachineError or another std::runtime_error, with its text
 };
-WorkerReply receiveReply(const MessageSocket& socket);
+/// Throws std::runtime_error for a message that is none of these, or a frame of another size than
+/// `frameSize`; other errors as MessageSocket.
+WorkerReply receiveReply(const MessageSocket& socket, const Vec2i& frameSize);
 
 } // namespace plumbline

@@ -21,6 +21,7 @@ class TechniqueWorkerTest : public test::EndToEnd {
         WorkerOptions result;
         result.sceneFile = folder_ / "small.toml";
         result.sceneHash = scene_.hash;
+        result.frameSize = {scene_.camera.width, scene_.camera.height};
         result.gl = gl;
         result.program = PLUMBLINE_PROGRAM;
         return result;

@@ -27,6 +27,8 @@ json passOn(const json& value) {
     return to.receive();
 }
 
+constexpr Vec2i kSize(5, 3); // of the frame of sampleResult()
+
 TechniqueResult sampleResult() {
     TechniqueResult result;
     result.name = "mine@quadric:steps=3";
@@ -77,7 +79,7 @@ TEST(WorkerProtocol, Results_RoundTrip) {
     const auto [from, to] = MessageSocket::makePair();
     const TechniqueResult sent = sampleResult();
     sendResult(from, sent);
-    const WorkerReply reply = receiveReply(to);
+    const WorkerReply reply = receiveReply(to, kSize);
     ASSERT_TRUE(reply.result);
     const TechniqueResult& result = *reply.result;
     EXPECT_EQ(result.name, sent.name);
@@ -100,7 +102,7 @@ TEST(WorkerProtocol, NanTimesAndEmptyFrames_RoundTrip) {
     sent.msMedian = std::nan("");
     const auto [from, to] = MessageSocket::makePair();
     sendResult(from, sent);
-    const WorkerReply reply = receiveReply(to);
+    const WorkerReply reply = receiveReply(to, Vec2i(0));
     ASSERT_TRUE(reply.result);
     EXPECT_TRUE(std::isnan(reply.result->msMedian));
     EXPECT_EQ(reply.result->frame.pixelCount(), 0u);
@@ -110,7 +112,7 @@ template <class Error>
 void expectArrives(const Error& error) {
     const auto [from, to] = MessageSocket::makePair();
     from.send(errorReply(error));
-    const WorkerReply reply = receiveReply(to);
+    const WorkerReply reply = receiveReply(to, kSize);
     ASSERT_TRUE(reply.error);
     try {
         std::rethrow_exception(reply.error);
@@ -130,8 +132,8 @@ TEST(WorkerProtocol, Phases_RoundTrip) {
     const auto [from, to] = MessageSocket::makePair();
     from.send(phaseReply(kPhaseReady));
     from.send(phaseReply(kPhaseDrawing));
-    EXPECT_EQ(receiveReply(to).phase, kPhaseReady);
-    const WorkerReply second = receiveReply(to);
+    EXPECT_EQ(receiveReply(to, kSize).phase, kPhaseReady);
+    const WorkerReply second = receiveReply(to, kSize);
     EXPECT_EQ(second.phase, kPhaseDrawing);
     EXPECT_FALSE(second.result);
     EXPECT_FALSE(second.error);
@@ -155,7 +157,7 @@ WorkerReply receiveBytes(const std::string& bytes) {
     EXPECT_EQ(::send(from.descriptor(), bytes.data(), bytes.size(), MSG_NOSIGNAL),
               static_cast<ssize_t>(bytes.size()));
     from = MessageSocket(-1);
-    return receiveReply(to);
+    return receiveReply(to, kSize);
 }
 
 TEST(WorkerProtocol, TruncatedMessage_IsLostConnection) {
@@ -164,6 +166,14 @@ TEST(WorkerProtocol, TruncatedMessage_IsLostConnection) {
     ASSERT_TRUE(receiveBytes(bytes).result);
     for (size_t size = 0; size < bytes.size(); ++size)
         EXPECT_THROW(receiveBytes(bytes.substr(0, size)), ConnectionLost) << size;
+}
+
+TEST(WorkerProtocol, FrameOfAnotherSize_IsRefused) {
+    for (const Vec2i& size : {Vec2i(5, 2), Vec2i(3, 5), Vec2i(0, 3), Vec2i(-1, -1)}) {
+        const auto [from, to] = MessageSocket::makePair();
+        sendResult(from, sampleResult());
+        EXPECT_THROW(receiveReply(to, size), std::runtime_error) << size.x << " x " << size.y;
+    }
 }
 
 TEST(WorkerProtocol, RandomBytes_AreRefused) {
@@ -189,7 +199,7 @@ TEST(WorkerProtocol, Wait_EndsByMessageCloseOrTimeout) {
     EXPECT_FALSE(to.waitFor(milliseconds(20)));
     from.send(phaseReply("drawing"));
     EXPECT_TRUE(to.waitFor(milliseconds(10000)));
-    (void)receiveReply(to);
+    (void)receiveReply(to, kSize);
     EXPECT_FALSE(to.waitFor(milliseconds(0)));
     from = MessageSocket(-1);
     EXPECT_TRUE(to.waitFor(milliseconds(10000)));
