@@ -34,7 +34,7 @@ const std::vector<Folder>& folders() {
         {"scenes/surface", {"scenes/core", "scenes/maps", "scenes/mesh", "scenes/scene"}},
         {"scenes/scene_file",
          {"scenes/core", "scenes/toml", "scenes/maps", "scenes/mesh", "scenes/scene", "scenes/surface"}},
-        {"scenes/draft", {"scenes/core", "scenes/toml", "scenes/scene", "scenes/surface"}},
+        {"scenes/draft", {"scenes/core", "scenes/toml", "scenes/mesh", "scenes/scene", "scenes/surface"}},
         {"scenes/frame", {"scenes/core", "scenes/image", "scenes/scene"}},
         {"reference/tessellate", {"scenes"}},
         {"reference/export", {"scenes"}},

@@ -311,8 +311,8 @@ TEST_F(Validate, TwoIntoOneFolder_SecondIsRefused) {
     writeSmallScene();
     const Running first = startProgram(
         {"validate", "small.toml", "--rate", "16", "--technique", "linear_binary", "-o", "out"}, folder_);
-    // The second lock, that of out/frames, is its last step before the reference.
-    ASSERT_TRUE(waitUntil([&] { return !filesBelow(folder_ / "out/frames").empty(); }, 30));
+    // It has both locks, those of out and out/frames, before it computes the reference.
+    ASSERT_TRUE(waitUntil([&] { return fs::exists(folder_ / "out/frames/reference.exr"); }, 30));
     sendSignal(first.process, SIGSTOP); // at work for as long as the others take
     expectRefused(validate("out", {"--technique", "cone_step"}), 3,
                   "out: another run of plumbline is writing here");
