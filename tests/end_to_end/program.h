@@ -53,6 +53,13 @@ Outcome runProgram(const std::vector<std::string>& arguments, const std::filesys
 /// Every regular file below a folder, as relative paths, sorted.
 std::vector<std::string> filesBelow(const std::filesystem::path& folder);
 
+/// Limits of the address space can't be tested then: the sanitizer reserves terabytes of it.
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool kAddressSanitizer = true;
+#else
+inline constexpr bool kAddressSanitizer = false;
+#endif
+
 /// A separate folder for each test, removed after it.
 class EndToEnd : public ::testing::Test {
   private:
