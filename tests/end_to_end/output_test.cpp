@@ -101,6 +101,7 @@ TEST_F(Output, FileSizeLimit_IsAnErrorWithoutFiles) {
 }
 
 TEST_F(Output, TooFewThreads_IsAnError) {
+    if (kAddressSanitizer) GTEST_SKIP() << "the leak sanitizer needs a thread";
     if (::geteuid() != 0) GTEST_SKIP() << "only root can become a user without processes";
     writeSmallScene();
     fs::permissions(folder_, fs::perms::all);

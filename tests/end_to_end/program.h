@@ -60,6 +60,9 @@ inline constexpr bool kAddressSanitizer = true;
 inline constexpr bool kAddressSanitizer = false;
 #endif
 
+/// Whether the program is built with OpenGL.
+inline constexpr bool kProgramDraws = PLUMBLINE_PROGRAM_DRAWS;
+
 /// A separate folder for each test, removed after it.
 class EndToEnd : public ::testing::Test {
   private:

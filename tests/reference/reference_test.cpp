@@ -73,7 +73,8 @@ TEST(Reference, SquareFromBehind_ShowsBackSideUnlessCulled) {
     EXPECT_EQ(behind("N.Z", 20, 20), 1.0f);
     EXPECT_EQ(behind("shadow.sun", 20, 20), 1.0f);
     scene.objects[0].cull = Cull::Back;
-    for (const float covered : renderReference(scene, 8).channel("A"))
+    const Frame none = renderReference(scene, 8);
+    for (const float covered : none.channel("A"))
         EXPECT_EQ(covered, 0.0f);
     scene.camera.positionWorld = {0, 0, 5};
     const Frame culled = renderReference(scene, 8);

@@ -184,7 +184,8 @@ TEST(BackSides, FarWallOfColumn_StaysBehindItsFront) {
 TEST(BackSides, ClosedMesh_IsCulledUnlessAskedFor) {
     PLUMBLINE_NEEDS_GL(GlBackend::Auto);
     const auto backs = [](const Scene& scene) {
-        const auto facing = draw(scene, "linear_binary@quadric").channel("facing");
+        const Frame frame = draw(scene, "linear_binary@quadric");
+        const auto facing = frame.channel("facing");
         return std::count(facing.begin(), facing.end(), -1.0f);
     };
     EXPECT_EQ(backs(torusScene(Cull::Auto)), 0);
