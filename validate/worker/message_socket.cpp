@@ -20,6 +20,33 @@ namespace {
 /// Of a value; frames are sent as numbers. A larger length means that the stream is corrupt.
 constexpr uint64_t kLongestBytes = uint64_t(1) << 26;
 
+/// Follows the values of a message. Reading them takes stack for every level at which they nest.
+class NestingCheck : public nlohmann::json_sax<nlohmann::json> {
+  public:
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    bool key(string_t&) override { return true; }
+    bool start_object(size_t) override { return enter(); }
+    bool start_array(size_t) override { return enter(); }
+    bool end_object() override { return leave(); }
+    bool end_array() override { return leave(); }
+    bool parse_error(size_t, const std::string&, const nlohmann::json::exception&) override { return false; }
+
+  private:
+    static constexpr int kDeepest = 100; // messages have 4
+    bool enter() { return ++depth_ <= kDeepest; }
+    bool leave() {
+        --depth_;
+        return true;
+    }
+    int depth_ = 0;
+};
+
 /// Sockets get numbers above the standard streams, which a caller may have closed, and above the number of
 /// the child's end.
 constexpr int kLowestDescriptor = 10;
@@ -92,6 +119,9 @@ nlohmann::json MessageSocket::receive() const {
     if (size > kLongestBytes) throw std::runtime_error(fmt::format("a message of {} bytes", size));
     std::vector<uint8_t> bytes(size);
     receiveBytes(descriptor_, bytes.data(), bytes.size());
+    NestingCheck nesting;
+    if (!nlohmann::json::sax_parse(bytes, &nesting, nlohmann::json::input_format_t::msgpack))
+        throw std::runtime_error("a message that can't be read");
     return nlohmann::json::from_msgpack(bytes);
 }
 
