@@ -111,8 +111,14 @@ Image readExrImage(const std::filesystem::path& file) {
     return image;
 }
 
+// Files with more pixels a byte are damaged. Deflate takes at least one bit for 129 bytes, which are up to
+// 8256 pixels of one bit each; formats that take less for an even area need hundreds of bytes for their
+// headers.
+constexpr double kMaxPixelsPerByte = 65536;
+
 /// Collects the pixels that the module reads. Memory is reserved at once but touched only as rows arrive.
 struct ImageCollector {
+    double fileBytes = 0;
     Image image;
     std::string failure;
     bool outOfMemory = false;
@@ -123,6 +129,11 @@ struct ImageCollector {
         self.image.height = height;
         self.image.channels = channels;
         self.image.integer = integer;
+        if (double(width) * height > self.fileBytes * kMaxPixelsPerByte) {
+            self.failure = fmt::format("is damaged or truncated ({} x {} pixels in {} bytes)", width, height,
+                                       self.fileBytes);
+            return false;
+        }
         return self.guarded(
             [&] { self.image.values.reserve(self.image.texelCount() * static_cast<size_t>(channels)); });
     }
@@ -178,6 +189,7 @@ Image readImage(const std::filesystem::path& file) {
     if (hasExrName(file) || beginsWith(magic, {0x76, 0x2f, 0x31, 0x01})) return readExrImage(file);
     if (beginsWith(magic, {0xff, 0xd8}) || beginsWith(magic, {0x89, 'P'})) checkPictureIsWhole(file);
     ImageCollector collector;
+    collector.fileBytes = static_cast<double>(std::filesystem::file_size(file));
     const PlumblinePictureSink sink{&collector, ImageCollector::begin, ImageCollector::values,
                                     ImageCollector::fail};
     imageModule().readPicture(file.c_str(), &sink);

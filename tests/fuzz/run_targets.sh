@@ -18,8 +18,9 @@ export build here each=$(((seconds * jobs + ${#targets[@]} - 1) / ${#targets[@]}
 
 fuzz() {
     mkdir -p "$build/corpus/$1"
-    # An input of a few kilobytes that takes 20 s or 2 GB is a finding.
-    PLUMBLINE_FUZZ_TARGET=$1 "$build/plumbline_fuzz" -max_total_time="$each" -timeout=20 -rss_limit_mb=2048 -max_len=20000 \
+    # An input of a few kilobytes that takes 20 s or 2 GB is a finding. More is reserved for large pictures, but touched
+    # only as their rows arrive.
+    PLUMBLINE_FUZZ_TARGET=$1 "$build/plumbline_fuzz" -max_total_time="$each" -timeout=20 -rss_limit_mb=2048 -malloc_limit_mb=16384 -max_len=20000 \
         -print_final_stats=1 -artifact_prefix="$build/findings/$1-" "$build/corpus/$1" "$here/corpus/$1" \
         >"$build/logs/$1" 2>&1 || true
 }
