@@ -1,7 +1,5 @@
-#include "scenes/mesh/obj_file.h"
-#include "tests/errors.h"
-#include "tests/files.h"
-#include "tests/temporary_folder.h"
+
+#include "tests/scenes/mesh/obj_texts.h"
 
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
@@ -15,18 +13,6 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
-
-ControlMesh readText(const std::string& text) {
-    const TemporaryFolder folder;
-    writeFile(folder / "a.obj", text);
-    return readObj(folder / "a.obj");
-}
-
-/// The error message without the folder prefix.
-std::string messageFor(const std::string& text) {
-    const std::string message = inputErrorOf([&] { readText(text); });
-    return message.substr(std::min(message.size(), message.find("a.obj")));
-}
 
 const std::string kSquare = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 

@@ -1,8 +1,5 @@
 // OBJ texts as other programs write them: numbers, line ends, what stands at the end, unknown keywords.
-#include "scenes/mesh/obj_file.h"
-#include "tests/errors.h"
-#include "tests/files.h"
-#include "tests/temporary_folder.h"
+#include "tests/scenes/mesh/obj_texts.h"
 
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
@@ -15,17 +12,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-ControlMesh readText(const std::string& text) {
-    const TemporaryFolder folder;
-    writeFile(folder / "a.obj", text);
-    return readObj(folder / "a.obj");
-}
-
-std::string messageFor(const std::string& text) {
-    const std::string message = inputErrorOf([&] { readText(text); });
-    return message.substr(std::min(message.size(), message.find("a.obj")));
-}
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
 const std::string kFace = "f 1 2 3\n";
