@@ -1,5 +1,6 @@
 #include "realtime/draw/frame_target.h"
 
+#include "realtime/draw/target_bytes.h"
 #include "scenes/core/error.h"
 #include "scenes/core/free_memory.h"
 
@@ -13,8 +14,7 @@ namespace {
 
 /// The draw buffers, as shaders/shading.glsl writes them. Every driver supports at least 8.
 enum Target { kColor, kPosition, kNormal, kTexture, kSurface, kTargets };
-constexpr double kBytesPerPixelOfTarget = 16; // RGBA32F
-constexpr double kBytesPerPixelOfDepth = 8;   // DEPTH32F_STENCIL8
+static_assert(kTargets == kColorTargets);
 constexpr GLfloat kFarthest = 1;
 
 void checkSize(int width, int height) {
@@ -160,8 +160,7 @@ FrameTarget::FrameTarget(const Scene& scene, const GlContext& context)
     const std::string what =
         fmt::format("a frame of {} x {} pixels and {} lights", width_, height_, scene.lights.size());
     if (context.softwareRasterizer())
-        requireMemory(what, (int(kTargets) * kBytesPerPixelOfTarget + kBytesPerPixelOfDepth) * width_ *
-                                static_cast<double>(height_));
+        requireMemory(what, kTargetBytesPerPixel * width_ * static_cast<double>(height_));
     clearGlErrors();
     framebuffer_ = GlFramebuffer::make();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.get());

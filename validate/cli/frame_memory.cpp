@@ -1,5 +1,6 @@
 #include "validate/cli/frame_memory.h"
 
+#include "realtime/draw/target_bytes.h"
 #include "scenes/core/free_memory.h"
 #include "scenes/core/index.h"
 
@@ -11,10 +12,9 @@ namespace {
 // Bytes a pixel. The reference has 15 channels of 4 bytes and two more for each light, the error of each
 // pixel (4), and its evidence: 10 bytes and one for each light (reference/trace/render.h).
 constexpr double kReference = 15 * 4 + 4 + 10, kReferenceLight = 2 * 4 + 1;
-// A drawn frame has 20 channels or more and one for each light. Software renderers hold five targets of 16
-// bytes and one of 4 beside it (realtime/draw/frame_target.cpp), and their process and this one hold the
-// frame.
-constexpr double kFrame = 20 * 4, kFrameLight = 4, kTargets = 5 * 16 + 4;
+// A drawn frame has 20 channels or more and one for each light. Software renderers hold the render targets
+// beside it, and their process and this one hold the frame.
+constexpr double kFrame = 20 * 4, kFrameLight = 4;
 
 double bytesPerPixel(FrameUse use, double lights) {
     const double reference = kReference + kReferenceLight * lights, frame = kFrame + kFrameLight * lights;
@@ -22,11 +22,11 @@ double bytesPerPixel(FrameUse use, double lights) {
     case FrameUse::Reference:
         return reference;
     case FrameUse::Drawn:
-        return 2 * frame + kTargets;
+        return 2 * frame + kTargetBytesPerPixel;
     case FrameUse::Compared:
         break;
     }
-    return reference + 2 * frame + kTargets;
+    return reference + 2 * frame + kTargetBytesPerPixel;
 }
 
 } // namespace
