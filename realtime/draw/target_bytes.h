@@ -1,4 +1,5 @@
-// Memory of the render targets of a frame (frame_target.h). No OpenGL, for runs that check it before they draw.
+// Memory of the render targets of a frame (frame_target.h). No OpenGL, for runs that check it before they
+// draw.
 #pragma once
 
 namespace plumbline {

@@ -1,5 +1,8 @@
-
+#include "scenes/mesh/obj_file.h"
+#include "tests/errors.h"
+#include "tests/files.h"
 #include "tests/scenes/mesh/obj_texts.h"
+#include "tests/temporary_folder.h"
 
 #include <fmt/format.h>
 #include <rapidcheck/gtest.h>
